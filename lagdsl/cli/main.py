@@ -35,6 +35,25 @@ _COMMANDS = {
     "import": "Write the model of a robot from its URDF or MJCF file.",
     "new": "Write a first model, or a copy of one that comes with lagdsl.",
 }
+# Commands of other tools, and the one that is meant.
+_MEANT = {
+    **dict.fromkeys(("simulate", "sim", "solve", "integrate", "start", "exec"), "lag run"),
+    **dict.fromkeys(("plot", "draw", "graph"), "lag run --plot motion.png"),
+    **dict.fromkeys(("animate", "view", "display", "open", "page", "play", "visualize"), "lag show"),
+    **dict.fromkeys(("compile", "validate", "test", "parse", "lint"), "lag check"),
+    **dict.fromkeys(("format", "pretty"), "lag fmt"),
+    **dict.fromkeys(("flatten", "instantiate", "expand"), "lag flat"),
+    **dict.fromkeys(("export", "fmi"), "lag fmu"),
+    **dict.fromkeys(("generate", "codegen", "translate"), "lag build --target c -o DIR"),
+    **dict.fromkeys(("equations", "lagrange", "latex"), "lag derive"),
+    **dict.fromkeys(("eigen", "eig", "eigenvalues", "stability", "frequencies"), "lag modes"),
+    **dict.fromkeys(("equilibrium", "steady"), "lag trim"),
+    **dict.fromkeys(("create", "init"), "lag new"),
+    **dict.fromkeys(("man", "doc", "docs", "info"), "lag explain"),
+    **dict.fromkeys(("scan", "study", "ensemble"), "lag sweep"),
+    "help": "lag --help",
+    "version": "lag --version",
+}
 _MODULES = {"import": "import_"}  # a module cannot have the name of a Python keyword
 _OBJECTS_PER_COLLECTION = 100_000
 
@@ -60,6 +79,8 @@ class Commands(click.Group):
             likely = nearest(args[0], _COMMANDS)
             if args[0].endswith(".lag"):
                 ctx.fail(f"the command comes first: lag run {args[0]}")
+            if args[0] in _MEANT:
+                ctx.fail(f"no command `{args[0]}`; write `{_MEANT[args[0]]}`")
             ctx.fail(f"no command `{args[0]}`" + (f"; did you mean `{likely}`?" if likely else ""))
         return super().resolve_command(ctx, args)
 

@@ -237,7 +237,7 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
         if (
             isinstance(call, nodes.Call) and not isinstance(ctx.elaborate(ctx, scope, call, False), Poison)
         ) or not isinstance(call, nodes.Call):
-            ctx.sink.report("E0322", node.span)
+            ctx.sink.report("E0322", node.span, help=_equality(call))
         return
     arguments = [part for part in call.arguments if not isinstance(part, nodes.Named)]
     if len(arguments) != 2 or len(call.arguments) != 2:
@@ -254,6 +254,13 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
         spans = (node.span, *scope.spans)
         assertion = flat_model.Assertion(spans=spans, condition=condition.expression, message=message.value)
         physics.assertions.append(assertion)
+
+
+def _equality(node: nodes.Expression) -> str | None:
+    """Help for `x == y;`."""
+    if isinstance(node, nodes.Binary) and node.operator == "==":
+        return f"an equation has one `=`: `{node.left.span.text} = {node.right.span.text};`"
+    return None
 
 
 def initial_equation(ctx: Context, physics: Physics, placed: Placed) -> None:

@@ -11,7 +11,7 @@ from lark import Token
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.catalog.syntax import character_help
+from lagdsl.diagnostics.catalog.characters import character_help
 from lagdsl.record import mutable_record
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import limits
@@ -38,6 +38,7 @@ from lagdsl.syntax.vocabulary import vocabulary
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BLOCKS = ("for", "if", "when")
 LONGEST_LOOK = 400  # tokens; a look ahead tells what a statement was meant to be, no more
+_LONGEST_OPERAND = 80  # characters
 _OPENING_TERMINALS = ("LPAR", "LSQB", "LBRACE")
 _CLOSING_TERMINALS = ("RPAR", "RSQB", "RBRACE")
 _BRANCHES = ("elseif", "elsewhen")
@@ -184,9 +185,9 @@ class Session:
         strange, go_on = strange_text(self.file.text, fault)
         start = self.reported.last = int(fault.pos_in_stream or 0)
         spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in strange[:20])
-        self.sink.report(
-            "E0108", Span(self.file, start, start + len(strange)), character=spelled, help=character_help(strange)
-        )
+        before = self.file.text[max(self.file.text.rfind("\n", 0, start) + 1, start - _LONGEST_OPERAND) : start]
+        span = Span(self.file, start, start + len(strange))
+        self.sink.report("E0108", span, character=spelled, help=character_help(strange, before))
         self.rewind(go_on if len(self.sink.diagnostics) < limits.MAX_ERRORS else len(self.file.text))
 
     # ---- places -----------------------------------------------------------------------------------------------------

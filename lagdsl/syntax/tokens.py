@@ -21,7 +21,9 @@ from lagdsl.syntax.vocabulary import pattern, soft_terminals, vocabulary
 
 END_OF_TEXT = "$END"
 
-_STRANGE = re.compile(r"&&|\|\||[^\W\x00-\x7f]\w*|[\s\S]")
+_STRANGE = re.compile(
+    r"[“„«][^“”„«»\n]*[”“»]|&&|\|\||\|[^|\n;]+\||[!~]=|(?<![\w)\]'])'[^'\n]*'|['′’´]+|%[A-Za-z]\w*|°C|[^\W\x00-\x7f]\w*|[\s\S]"
+)
 
 
 @record()
@@ -104,13 +106,17 @@ def comments(text: str) -> list[Comment]:
 def strange_text(text: str, fault: UnexpectedCharacters) -> tuple[str, int]:
     """Text that begins no token, and the position behind it.
 
-    A character or a whole word in letters of another alphabet; `#` begins what other languages take for a comment.
+    A character, a mark of other languages, or a whole word in letters of another alphabet; `#`, and `%` where a
+    statement may begin, begin what other languages take for a comment.
     """
     assert fault.pos_in_stream is not None
-    match = _STRANGE.match(text, fault.pos_in_stream)
+    position = fault.pos_in_stream
+    match = _STRANGE.match(text, position)
     assert match is not None
-    line_end = text.find("\n", match.end()) if match[0] == "#" else match.end()
-    return match[0], line_end if line_end >= 0 else len(text)
+    first = text[text.rfind("\n", 0, position) + 1 : position].strip()[-1:] in ("", ";")
+    mark = match[0][0] if match[0][0] == "%" and first else match[0]
+    line_end = text.find("\n", match.end()) if mark == "#" or (mark == "%" and first) else match.end()
+    return mark, line_end if line_end >= 0 else len(text)
 
 
 # ---- what a token may not be ---------------------------------------------------------------------------------------

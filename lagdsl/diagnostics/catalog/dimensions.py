@@ -21,8 +21,16 @@ ROWS: dict[str, Row] = {
         label="this is {found}",
         help="divide it by a reference value of the same dimension",
     ),
-    "E0403": error("a {keyword} on {target} must be {expected}, this is {found}", label="this is {found}"),
-    "E0404": error("`{keyword}` must be {expected}, this is {found}", label="this is {found}"),
+    "E0403": error(
+        "a {keyword} on {target} must be {expected}, this is {found}",
+        label="this is {found}",
+        help="check the formula: it must give {expected}",
+    ),
+    "E0404": error(
+        "`{keyword}` must be {expected}, this is {found}",
+        label="this is {found}",
+        help="check the formula: it must give {expected}",
+    ),
     "E0405": error(
         "bare `{number}` {preposition} {words}",
         label="a number without a unit",

@@ -3,7 +3,9 @@
 from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
-    "E0201": error("unknown name `{name}`", label="not declared in {scope}"),
+    "E0201": error(
+        "unknown name `{name}`", label="not declared in {scope}", help="check the spelling, or declare it with its type"
+    ),
     "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
     "E0203": error(
         "`{name}` is ambiguous: it is imported from {imports}", label="ambiguous name", secondary="has one, too"
@@ -20,7 +22,11 @@ ROWS: dict[str, Row] = {
         help="use it or delete it; a misspelt name elsewhere may be the cause",
     ),
     "E0207": error("a declaration cannot hide `{name}`", label="a name of the language", help="choose another name"),
-    "E0208": error("unknown type `{name}`", label="neither a quantity nor declared in the file"),
+    "E0208": error(
+        "unknown type `{name}`",
+        label="neither a quantity nor declared in the file",
+        help="check the spelling; a component needs the `import` of its package: `import Lag.Planar.*;`",
+    ),
     "E0209": error(
         "unknown function `{name}`",
         label="no function of this name",

@@ -1,5 +1,6 @@
 """Family 01: reading the text."""
 
+from lagdsl.diagnostics.catalog.habits import is_called
 from lagdsl.diagnostics.catalog.row import Row, error, note
 
 ROWS: dict[str, Row] = {
@@ -112,62 +113,75 @@ ROWS: dict[str, Row] = {
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }
 
-_CHARACTER_HELP = {
-    "&&": "write `and`",
-    "||": "write `or`",
-    "!": "write `not` before a condition, `<>` for unequal",
-    "%": "write a percentage as a number: `0.05`; a comment begins with `//`",
-    "#": "a comment begins with `//`",
-    "?": "write `if condition then a else b`",
-    "|": "write `abs(x)` for the amount of a number, `norm(v)` for that of a vector",
-    "'": 'text stands in double quotes: "..."; the rate of x is `der(x)`',
-    "“": 'text stands in straight double quotes: "..."',
-    "”": 'text stands in straight double quotes: "..."',
-    "−": "write the minus of the keyboard: `-`",
-    "–": "write the minus of the keyboard: `-`",
-    "·": "write `*` for a product",
-    "×": "write `*` for a product, `cross(a, b)` for a vector product",
-    "²": "write `^2`",
-    "³": "write `^3`",
-    "°": "write the unit `deg`",
-    "µ": "write the prefix `u`: `um` is a micrometre",
-    "Ω": "write the unit `Ohm`",
-    "\ufeff": "remove the byte order mark inside the text",
-}
-
-
-def character_help(text: str) -> str | None:
-    """Help of E0108: what to write instead of `text`, which begins with a character that is no part of the language."""
-    known = _CHARACTER_HELP.get(text, _CHARACTER_HELP.get(text[0]))
-    if known is None and text[0].isalpha():
-        return "names consist of the letters a to z, digits and `_`: `theta` instead of a Greek letter"
-    return known
-
 
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
     """Help of E0105."""
-    if suggestion is not None:
-        return f"did you mean `{suggestion}`?"
-    return f"for a product write `{number}*{word}`"
+    if word[:1] == "_" and word[1:].replace("_", "").isdigit():
+        return f"digits are not grouped: write `{number}{word.replace('_', '')}`"
+    product = f"for a product write `{number}*{word}`"
+    if suggestion is not None and len(word) == 1:
+        return f"{product}; if the unit is meant, `{number} {suggestion}`"
+    return product if suggestion is None else f"did you mean `{suggestion}`?"
 
 
-def unexpected_help(after: str, found: str, expected: str) -> str | None:
-    """Help of E0100, from the texts of the token before and of the one at fault and from what is expected."""
-    match (after, found):
-        case (_, ":"):
-            return "an equation or binding is written with `=`"
-        case ("*", "*"):
-            return "a power is written `^`"
+def unexpected_help(before: str, found: str, after: str, expected: str) -> str | None:
+    """Help of E0100, from the texts of the token before, of the one at fault and of the next, and what is expected."""
+    if found in _WORDS:
+        return _WORDS[found]
+    if found in ("**", ".^"):
+        return f"a power is written `^`: `{before}^{after}`" if _short(before, after) else "a power is written `^`"
+    if found == "." and "expression" in expected:
+        return f"digits stand before the decimal point: `0.{after if after[:1].isdigit() else 5}`"
+    if is_called(before) and after != ")":
+        return f"call it: `{before}({found})`"
+    return _equals_help(before, found, after, expected) or _missing_mark(before, found, after, expected)
+
+
+def _equals_help(before: str, found: str, after: str, expected: str) -> str | None:
+    """Help around `=`, and for brackets that are none."""
+    whole = "a description in quotes" in expected
+    match (before, found):
+        case (_, ":") if after == "=" or "`=`" in expected:
+            labels = whole and after != "="
+            ending = "; labels stand in `constraint` and `contact` only" if labels else ""
+            return f"an equation or binding is written with `=`{ending}"
         case (("=" | "<" | ">"), "="):
-            return "relations are `<=`, `>=`, `==` and `<>`"
-        case (_, ("elif" | "elsif")):
-            return "write `elseif`"
-        case (_, ".") if "expression" in expected:
-            return "digits stand before the decimal point: `0.5`"
-        case (_, ",") if after.isdigit():
-            return "a number has a decimal point, not a comma: `0.5`"
+            return "an equation or binding has one `=`; relations are `<=`, `>=`, `==` and `<>`"
+        case (("+" | "-" | "*" | "/"), "="):
+            return "an equation is no assignment; in a `when` clause a counter is written `n = pre(n) + 1`"
+        case (_, "=") if whole:
+            return "an equation has one `=`: write two equations"
+        case ("{", "}"):
+            return "an array has elements; delete what needs none"
+        case (_, "<") if "expression" in expected:
+            return "components stand in braces: `{x, y}`"
+        case (_, ";") if expected.startswith("`else`"):
+            return "a value needs both branches: `if condition then a else b`"
         case _:
-            pass
-    if "operator" in expected and (found[:1].isalnum() or found[:1] == '"'):
+            return None
+
+
+def _missing_mark(before: str, found: str, after: str, expected: str) -> str | None:
+    """Help where a mark may be missing between two operands."""
+    operand = found[:1].isalnum() or found[:1] == '"'
+    if "operator" in expected and operand:
+        if _short(before, found) and before not in _PLACES and found[:1].isalpha():
+            call = "(...)" if after == "(" else ""
+            return f"an operator may be missing: a product is written `{before}*{found}{call}`"
         return "an operator may be missing: a product is written with `*`"
+    if "`=`" in expected and operand and before.isidentifier():
+        return f"`=` may be missing: `{before} = {found}`"
     return None
+
+
+_WORDS = {
+    "elif": "write `elseif`",
+    "elsif": "write `elseif`",
+    "else": "an expression is written `if condition then a else b`",
+}
+_PLACES = ("at", "on", "from", "to", "with")
+
+
+def _short(*words: str) -> bool:
+    """True if the words are names or numbers that fit into a message."""
+    return all(word.replace(".", "").isalnum() and word.isascii() and len(word) <= 20 for word in words)

@@ -11,7 +11,7 @@ ROWS: dict[str, Row] = {
     "E0302": error(
         "`{name}` is a coordinate; give its start value, not a binding",
         label="a coordinate is an unknown of the motion",
-        help="write `{name}(start = ...)`; for a prescribed motion declare it without `coordinate`",
+        help="write `{name}(start = {value})`; for a prescribed motion declare it without `coordinate`",
     ),
     "E0303": error(
         "parameter `{name}` has no value and no default",
@@ -26,7 +26,11 @@ ROWS: dict[str, Row] = {
     "E0305": error(
         "circular definition: {path}", label="depends on itself", help="define one of them independently of the others"
     ),
-    "E0306": error("expected a point, found {found}", label="not a position"),
+    "E0306": error(
+        "expected a point, found {found}",
+        label="not a position",
+        help="a point has two or three components: `{{x, y}}`",
+    ),
     "E0307": error(
         "`{name}` is given two values at the same event",
         label="and here again",

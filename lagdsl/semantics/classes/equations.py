@@ -7,7 +7,7 @@ from lagdsl.semantics.operators.paths import designated
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
-from lagdsl.semantics.scope.scope import Binding, Indices, Scope, Symbol
+from lagdsl.semantics.scope.scope import Binding, Indices, Scope, Symbol, is_guess, lookup
 from lagdsl.semantics.scope.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -59,6 +59,12 @@ def _symbol(ctx: Context, scope: Scope, node: nodes.Expression) -> Symbol | None
 def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | None) -> None:
     target = derivative_of(item.left) or derivative_of(item.right)
     found = _symbol(ctx, scope, target) if target is not None else None
+    unknown = _undeclared(scope, item.left) or _undeclared(scope, item.right)
+    if found is not None and unknown is not None:
+        assert target is not None
+        way = f"declare it with its type: `Real {unknown.name} = {_other(item, unknown).span.text};`"
+        ctx.sink.report("E0201", unknown.span, name=unknown.name, scope=scope.title, help=way)
+        return
     if target is not None and found is not None and found.kind != "unknown":
         ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
         if found.kind in _DEFINED and not found.given.bindings:
@@ -76,13 +82,36 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
             # It was meant to get its value here: nothing more is said about it.
             unsolved.kind = "unknown"
     hint = None
-    if symbol is not None and symbol.kind == "coordinate":
+    if _acceleration(ctx, scope, item):
+        hint = "equations of motion follow from energies and forces: write `mass`, `kinetic`, `force`; delete this one"
+    elif symbol is not None and symbol.kind == "coordinate":
         hint = f"an equation between coordinates is a constraint: `constraint {item.span.text.strip().rstrip(';')};`"
     elif symbol is not None and symbol.kind == "discrete":
         hint = f"`{symbol.short}` changes at events: write the equation in a `when` clause"
     elif symbol is not None and symbol.kind in ("parameter", "constant", "structural"):
         hint = f"give `{symbol.short}` its value where it is declared"
     ctx.sink.report("E0322", item.span, help=hint)
+
+
+def _undeclared(scope: Scope, side: nodes.Expression) -> nodes.Reference | None:
+    """The side if it is a name that nothing declares."""
+    unknown = isinstance(side, nodes.Reference) and lookup(scope, side.name) is None and not is_guess(scope)
+    return side if unknown and isinstance(side, nodes.Reference) else None
+
+
+def _other(item: nodes.Equation, side: nodes.Expression) -> nodes.Expression:
+    return item.right if side is item.left else item.left
+
+
+def _acceleration(ctx: Context, scope: Scope, item: nodes.Equation) -> bool:
+    """True if the second derivative of a coordinate occurs: an equation of motion, written by hand."""
+    for node in (*descendants(item.left), *descendants(item.right)):
+        rate = derivative_of(node)
+        inner = derivative_of(rate) if rate is not None else None
+        symbol = _symbol(ctx, scope, inner) if inner is not None else None
+        if symbol is not None and symbol.kind == "coordinate":
+            return True
+    return False
 
 
 def _bind(

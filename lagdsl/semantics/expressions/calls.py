@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.diagnostics.catalog.habits import function_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.events.event_functions import OF_EVENTS
 from lagdsl.semantics.expressions.inline import inlined
@@ -68,7 +69,9 @@ def _method(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.Member
     if isinstance(target, Poison):
         return POISON
     if not isinstance(target, FrameValue):
-        ctx.sink.report("E0209", function.name_span, name=function.name, help="only frames have methods")
+        texts = tuple(argument.span.text for argument in node.arguments)
+        way = function_help(function.name, (function.target.span.text, *texts)) or "only frames have methods"
+        ctx.sink.report("E0209", function.name_span, name=function.name, help=way)
         return POISON
     if not _no_names(ctx, node):
         return POISON
@@ -84,10 +87,12 @@ def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.R
         if isinstance(entry, Symbol):
             entry.made.used = True
         inside = node.span.text[len(name) :].strip()
-        ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside)
+        way = f"quantities depend on time by themselves: write `{name}`" if inside in ("(t)", "(time)") else None
+        ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside, help=way)
     elif not ctx.reports.incomplete:
         functions = [found for found, each in visible(scope) if isinstance(each, FunctionSymbol)]
-        hint = did_you_mean(name, [*builtin.BUILTINS, *functions, *SPECIALS, *OF_EVENTS])
+        texts = tuple(argument.span.text for argument in node.arguments)
+        hint = function_help(name, texts) or did_you_mean(name, [*builtin.BUILTINS, *functions, *SPECIALS, *OF_EVENTS])
         ctx.sink.report("E0209", function.span, name=name, help=hint)
     return POISON
 

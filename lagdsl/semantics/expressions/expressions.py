@@ -13,6 +13,7 @@ from lagdsl.semantics.operators.arithmetic import Operand
 from lagdsl.semantics.operators.choice import choice
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import braces
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import POISON, Scalar, Text, Value, is_structural
 from lagdsl.semantics.variables import scale_points
@@ -75,7 +76,8 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.String():
             return Text(node.value)
         case nodes.Tuple():
-            ctx.sink.report("E0311", node.span, what="a tuple", hint="write an array with braces: `{a, b}`")
+            found = "a list in round brackets"
+            ctx.sink.report("E0312", node.span, expected="one value", found=found, help=braces(node.span.text))
             return POISON
 
 

@@ -6,6 +6,8 @@ import re
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.catalog.habits import name_help, rate_of
+from lagdsl.diagnostics.catalog.modelica import class_help
 from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
@@ -45,7 +47,7 @@ from lagdsl.semantics.scope.values import (
 from lagdsl.semantics.types import enumerations
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
-from lagdsl.units.parse import UnknownUnit, parse_unit
+from lagdsl.units.written import literal_around, literal_of
 
 
 def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
@@ -123,6 +125,16 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
         ctx.sink.report("E0201", node.span, label, name=node.name, scope=title, help=way)
         return
     names = dict(visible(scope))
+    rate = next(((quantity, text) for quantity, text in rate_of(node.name) if quantity in names), None)
+    if rate is not None and isinstance(found := names[rate[0]], Symbol):
+        found.made.used = True
+        label = Label(found.span, f"{an(found.word)}, declared here")
+        ctx.sink.report("E0201", node.span, label, name=node.name, scope=scope.title, help=f"write `{rate[1]}`")
+        return
+    habit = _habit(node)
+    if habit is not None:
+        ctx.sink.report("E0201", node.span, name=node.name, scope=scope.title, help=habit)
+        return
     meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
     entry = names.get(meant) if meant is not None else None
     labels: tuple[Label, ...] = ()
@@ -130,26 +142,25 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
         entry.made.used = True
         labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
     hint = proposal(node.name, meant) if meant is not None else import_hint(scope, node.name)
-    if hint is None and _after_unit(node):
-        hint = f"if the unit `{node.name}` is meant: units are joined by `.`, as in `5 kg.m2`"
     if hint is None and node.name in prelude.TYPES:
         hint = f"`{node.name}` is a type; a value needs a name of its own"
     ctx.sink.report("E0201", node.span, *labels, name=node.name, scope=scope.title, help=hint)
 
 
-_UNIT_BEFORE = re.compile(r"[0-9.]\s*[A-Za-z][A-Za-z0-9.^/]*\s*\*\s*$")
+def _habit(node: nodes.Reference) -> str | None:
+    """Help: the text to write for a unit in a product, for a name of another language."""
+    text, span = node.span.file.text, node.span
+    literal = literal_around(text, span.start, span.end)
+    if literal is not None:
+        return f"a unit stands behind its number: `{literal}`"
+    behind = _PATH.match(text, span.end)
+    assert behind is not None
+    if node.name == "Modelica" and behind[0]:
+        return class_help(node.name + behind[0]) or f"functions and constants have no package: write `{behind[1]}`"
+    return name_help(node.name, behind[0])
 
 
-def _after_unit(node: nodes.Reference) -> bool:
-    """True if the name is a unit multiplied with a quantity literal: `5 kg*m2`."""
-    before = node.span.file.text[max(node.span.start - 40, 0) : node.span.start]
-    if not _UNIT_BEFORE.search(before):
-        return False
-    try:
-        parse_unit(node.name)
-    except UnknownUnit:
-        return False
-    return True
+_PATH = re.compile(r"(?:\.([A-Za-z_][A-Za-z0-9_]*))*")
 
 
 def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
@@ -231,8 +242,19 @@ def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shap
 
 def _no_slice(ctx: Context, node: nodes.Index, value: Value) -> Value:
     if not isinstance(value, Poison):
-        ctx.sink.report("E0312", node.span, expected="an array", found=kind_of(value))
+        ctx.sink.report("E0312", node.span, expected="an array", found=kind_of(value), help=_one_value(node, value))
     return POISON
+
+
+def _one_value(node: nodes.Index, value: Value) -> str | None:
+    """Help for subscripts of what has one value; `1 [kg]` is a number with its unit."""
+    if not isinstance(value, Scalar):
+        return None
+    text = node.target.span.text
+    unit = literal_of(f"{text}*{node.span.text[len(text) :].strip(' []')}")
+    return (
+        f"a unit stands behind its number without brackets: `{unit}`" if unit else f"it has one value: write `{text}`"
+    )
 
 
 def _indexed(ctx: Context, scope: Scope, node: nodes.Index, value: Value) -> Value:

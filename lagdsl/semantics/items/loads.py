@@ -13,10 +13,11 @@ from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, quantity
 from lagdsl.semantics.scope.scope import Scope, Symbol
-from lagdsl.semantics.scope.values import FrameValue, Poison, Scalar, Value, Vector
-from lagdsl.semantics.types.dimensions import fits, hidden_variables, report_unequal
+from lagdsl.semantics.scope.values import AnyDimension, FrameValue, Poison, Scalar, Value, Vector
+from lagdsl.semantics.types.dimensions import bare_number, fits, hidden_variables, quotient, report_unequal
 from lagdsl.syntax import nodes
-from lagdsl.units.dimension import DIMENSIONLESS, ENERGY
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE
 from lagdsl.units.naming import describe, unit_text
 
 
@@ -215,6 +216,7 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
         words = "a moment [N.m]" if angle else quantity(wanted)
         found = quantity(value.dimension)
         hint = "did you mean `force ... at P`?" if angle and node.keyword == "force" else None
+        hint = _with_unit(node.value, wanted, value.dimension) or hint
         notes = hidden_variables(scope, node.value)
         span, keyword = node.value.span, node.keyword
         ctx.sink.report(
@@ -227,6 +229,22 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
         ctx.sink.report("E0412", node.value.span, place, keyword=node.keyword, noun=noun, found=described, target=name)
         return False
     return True
+
+
+def _with_unit(node: nodes.Expression, wanted: Dimension, found: AnyDimension) -> str | None:
+    """Help for a factor without a unit at the beginning of a product: `-0.1*der(theta)`."""
+    first = node
+    while isinstance(first, nodes.Binary) and first.operator in ("*", "/"):
+        first = first.left
+    number = bare_number(first)
+    missing = quotient(wanted, found)
+    if number is None or missing.is_dimensionless:
+        return None
+    noun = "N" if wanted == FORCE else "N.m"
+    rest = unit_text(quotient(DIMENSIONLESS, found))
+    named = noun if rest == "1" else f"{noun}.{rest}"  # `N.m.s`, as a data sheet has it, instead of `kg.m2/s`
+    fitting = "1/" not in rest and wanted in (FORCE, labels.MOMENT)
+    return f"a unit is missing: `{number} {named if fitting else unit_text(missing)}`"
 
 
 def _is_plain_number(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from lagdsl.diagnostics.catalog.habits import count_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.operators.arrays import subscript_indices
 from lagdsl.semantics.operators.paths import designated
@@ -31,9 +32,10 @@ def positional(
             return None
     if not least <= len(found) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
-        ctx.sink.report(
-            "E0315", node.span, function=node.function.span.text, expected=arguments_text(expected), found=len(found)
-        )
+        name = node.function.span.text
+        way = count_help(name, tuple(item.span.text for item in found))
+        texts = arguments_text(expected)
+        ctx.sink.report("E0315", node.span, help=way, function=name, expected=texts, found=len(found))
         return None
     return found
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import pi
 
+from lagdsl.diagnostics.catalog.habits import count_help
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
@@ -14,7 +15,7 @@ from lagdsl.semantics.operators.application import Application, same, scalars
 from lagdsl.semantics.operators.arithmetic import Located, divided, dot, negative
 from lagdsl.semantics.operators.arrays import extreme
 from lagdsl.semantics.operators.tables import table
-from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity
+from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity, row_in_braces
 from lagdsl.semantics.scope.values import (
     POISON,
     AnyDimension,
@@ -233,7 +234,8 @@ def vectors(call: Application) -> list[Vector] | None:
             found.append(vector)
         elif not isinstance(item.value, Poison):
             expected = f"a vector in `{call.name}`"
-            call.ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(item.value))
+            way = row_in_braces(item.node)
+            call.ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(item.value), help=way)
     return found if len(found) == len(call.arguments) else None
 
 
@@ -308,9 +310,10 @@ def apply(call: Application) -> Value:
     function, least, most = BUILTINS[call.name]
     if not least <= len(call.arguments) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
-        call.ctx.sink.report(
-            "E0315", call.node.span, function=call.name, expected=arguments_text(expected), found=len(call.arguments)
-        )
+        way = count_help(call.name, tuple(item.node.span.text for item in call.arguments))
+        texts = arguments_text(expected)
+        found = len(call.arguments)
+        call.ctx.sink.report("E0315", call.node.span, help=way, function=call.name, expected=texts, found=found)
         return POISON
     if any(isinstance(item.value, Poison) for item in call.arguments):
         return POISON

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import assert_never
 
+from lagdsl.diagnostics.catalog.habits import member_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
@@ -13,7 +14,7 @@ from lagdsl.flat.model import FrameStep
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.operators.axes import axis_of
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity
+from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity, row_in_braces
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import (
     POISON,
@@ -34,7 +35,7 @@ from lagdsl.semantics.scope.values import (
     latest,
     rank,
 )
-from lagdsl.semantics.types.dimensions import fits, require
+from lagdsl.semantics.types.dimensions import bare_number, fits, require
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -97,7 +98,10 @@ def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:
         case _:
             assert_never(target)
     listed = f"it has {', '.join(f'`.{name}`' for name in names)}" if names else None
-    hint = did_you_mean(node.name, names, listed, mark=".")
+    if isinstance(target, FrameValue) and node.name.startswith("frame_"):
+        listed = f"it is a frame by itself: write `{node.target.span.text}`"
+    hint = member_help(node.name, node.target.span.text) if isinstance(target, Scalar) else None
+    hint = hint or did_you_mean(node.name, names, listed, mark=".")
     ctx.sink.report("E0210", node.name_span, name=node.name, what=kind_of(target).partition(":")[0], help=hint)
     return POISON
 
@@ -137,6 +141,7 @@ def as_point(ctx: Context, scope: Scope, node: nodes.Expression, value: Value) -
         hint = None
         if isinstance(value, Scalar) and fits(value.dimension, ctx.conventions.dimension(LENGTH)):
             hint = f"did you mean `{{{node.span.text}, 0}}`?"
+        hint = hint or row_in_braces(node)
         ctx.sink.report("E0306", node.span, found=kind_of(value), help=hint)
         return None
     if not require(ctx, scope, node, vector.dimension, LENGTH, "E0415", what="a position"):
@@ -156,6 +161,11 @@ def as_direction(
         if isinstance(value, Scalar) and fits(value.dimension, ctx.conventions.dimension(dimension)):
             text = node.span.text if not isinstance(node, nodes.Binary) else f"({node.span.text})"
             hint = f"give it a direction: `{text}*world.x`"
+            if what == "gravity":
+                hint = f"gravity points down: `-{text.lstrip('-')}*world.y`"
+        elif isinstance(value, Scalar) and what == "gravity" and (number := bare_number(node)) is not None:
+            hint = f"gravity points down and has a unit: `-{number.lstrip('-')} m/s2*world.y`"
+        hint = hint or row_in_braces(node)
         ctx.sink.report("E0312", node.span, expected=f"a vector for {what}", found=kind_of(value), help=hint)
         return None
     words = {"what": what, "expected": "a moment [N.m]"} if what == "a torque" else {"what": what}

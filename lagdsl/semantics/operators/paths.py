@@ -23,6 +23,8 @@ from lagdsl.semantics.scope.values import POISON, AnyValue, Component, Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
+_MOST = 12  # names in a message
+
 
 def designated(ctx: Context, scope: Scope, node: nodes.Expression) -> Entry | None:
     """The symbol, component or class that `node` names; poison after a diagnostic, None where it is no such name.
@@ -71,7 +73,8 @@ def member_of(ctx: Context, instance: Instance, name: str, span: Span) -> Entry:
         return POISON
     if entry is None:
         names = [known for known in instance.scope.entries if known not in instance.protected]
-        hint = did_you_mean(name, names, mark=".")
+        listed = f"it has {', '.join(f'`.{known}`' for known in names[:_MOST])}" if names else None
+        hint = did_you_mean(name, names, listed, mark=".")
         label = Label(instance.span, f"a component of class {instance.scope.title}")
         ctx.sink.report("E0210", span, label, name=name, what=f"`{short}`", help=hint)
         return POISON

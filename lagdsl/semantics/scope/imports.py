@@ -10,6 +10,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.diagnostics.catalog.habits import package_help
+from lagdsl.diagnostics.catalog.modelica import import_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.scope import ClassSymbol, Entry, Root, Scope, lookup_path
@@ -142,7 +144,8 @@ def follow(sink: Sink, root: Root, target: Target) -> Entry:
     first, *rest = target.parts
     entry = root.find(first, target.span)
     if entry is None:
-        hint = did_you_mean(first, root.names())
+        way = package_help(first) or import_help(".".join(target.parts))
+        hint = way or did_you_mean(first, root.names())
         sink.report("E0250", target.span, name=first, notes=("\n".join(root.places(first)),), help=hint)
         return POISON
     for position, part in enumerate(rest, 1):

@@ -63,6 +63,20 @@ def _bracket(dimension: AnyDimension) -> str:
     return "" if dimension is None or dimension.is_dimensionless else f" [{unit_text(dimension)}]"
 
 
+def braces(text: str) -> str:
+    """Help for components that stand in other brackets than braces."""
+    inside = text[1:-1].replace(";", ",").strip()
+    short = inside.isprintable() and len(inside) <= 60
+    return f"components stand in braces: `{{{inside}}}`" if short else "components stand in braces: `{a, b}`"
+
+
+def row_in_braces(node: nodes.Node) -> str | None:
+    """Help for `[x, y]` and `[x; y]`: one row or one column is an array of numbers in braces."""
+    if not isinstance(node, nodes.Matrix) or (len(node.rows) > 1 and any(len(row) > 1 for row in node.rows)):
+        return None
+    return braces(node.span.text)
+
+
 def element_name(name: str, indices: tuple[int, ...]) -> str:
     """`q[2,1]`; the name itself for a scalar."""
     return f"{name}[{','.join(str(index) for index in indices)}]" if indices else name

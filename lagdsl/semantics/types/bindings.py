@@ -7,7 +7,7 @@ from dataclasses import replace
 from lagdsl.flat import expression as flat
 from lagdsl.record import record
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.naming import an, kind_of
+from lagdsl.semantics.scope.naming import an, kind_of, row_in_braces
 from lagdsl.semantics.scope.prelude import BaseType
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import (
@@ -16,6 +16,7 @@ from lagdsl.semantics.scope.values import (
     Array,
     Poison,
     Scalar,
+    Text,
     Value,
     Vector,
     components,
@@ -78,6 +79,12 @@ def _shaped(ctx: Context, node: nodes.Node, value: Value, expected: Expected) ->
     hint = None
     if isinstance(value, Scalar) and len(expected.shape) == 1:
         hint = f"write `fill({node.span.text}, {expected.shape[0]})` to repeat it"
+        if expected.what == "`I` of a body":
+            hint = f"a body that moves in a plane has `Izz = {node.span.text}`"
+    elif isinstance(node, nodes.Matrix) and len(expected.shape) == 1:
+        hint = row_in_braces(node)
+    elif isinstance(value, Text) and not expected.shape:
+        hint = f"write it without quotes: `{value.value}`" if value.value[:1].isalnum() else None
     ctx.sink.report("E0334", node.span, what=expected.what, expected=wanted, found=kind_of(value), help=hint)
     return None
 

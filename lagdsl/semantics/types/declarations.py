@@ -61,7 +61,8 @@ def _report_twice(ctx: Context, name: str, other: Entry, entry: Entry, span: Spa
         first, second, place, span = second, first, span, place
     around = f" of {other.scope.title}" if isinstance(other, Symbol) and _inherited(other, entry) else ""
     labels = (Label(place, f"first as {first}{around}"),) if place is not None else ()
-    ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
+    way = "delete one of the two, or rename it" if first == second else None
+    ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second, help=way)
     label = isinstance(entry, Symbol) and entry.kind in LABELS
     if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
         other.kind = "unknown"  # which of the two a text means nobody knows

@@ -18,7 +18,10 @@ from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
+from lagdsl.units.dimension import dimension as dimension_of
 from lagdsl.units.naming import base_text, describe, unit_text
+from lagdsl.units.parse import parse_unit
+from lagdsl.units.written import literal_of
 
 
 def fits(left: AnyDimension, right: AnyDimension) -> bool:
@@ -149,6 +152,11 @@ def require(
         ctx.sink.report("E0405", node.span, number=bare, preposition="used as", words=describe(wanted), unit=unit)
     else:
         notes = hidden_variables(scope, node)
+        literal = literal_of(node.span.text) if help is None else None
+        if literal is not None and parse_unit(literal.partition(" ")[2]).dimension == wanted:
+            help = f"a unit stands behind its number: `{literal}`"
+        if wanted == dimension_of(K=1) and isinstance(node, nodes.Quantity) and node.unit == "C":
+            help = f"`C` is the coulomb: did you mean `{node.number} degC`?"
         texts = {"expected": quantity(wanted), "found": quantity(found), **words}
         ctx.sink.report(code, node.span, notes=notes, help=help, edit=None, **texts)
     return False

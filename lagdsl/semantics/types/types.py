@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
+from lagdsl.diagnostics.catalog.habits import word_help
+from lagdsl.diagnostics.catalog.modelica import class_help, import_help
 from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
 from lagdsl.semantics.scope import prelude
 from lagdsl.semantics.scope.context import Context
@@ -180,16 +182,16 @@ def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     if ctx.reports.incomplete or is_guess(scope):
         return
     if name.parts[0] in ("Modelica", "SI"):
-        known = f"quantities are known by their plain name: `{name.parts[-1]}`"
-        ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=known)
+        ctx.sink.report("E0208", name.span, name=text, help=class_help(text) or import_help(text))
         return
     if len(name.parts) > 1 and _not_in_package(ctx, name, scope):
         return
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
     meant = nearest(text, [*types, *reachable(scope), *prelude.TYPES, *STATEMENTS])
-    hint = proposal(text, meant) if meant else import_hint(scope, name.parts[0])
+    near = proposal(text, meant) if meant else import_hint(scope, name.parts[0])
     if meant in STATEMENTS:
-        hint = f"did you mean the statement `{meant}`?"
+        near = f"did you mean the statement `{meant}`?"
+    hint = word_help(text) or class_help(text) or near
     ctx.sink.report("E0208", name.span, name=text, help=hint)
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import prod
 
 from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.catalog.modelica import class_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
@@ -127,7 +128,7 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
     else:
         type_name = symbol.info.name if symbol.info is not None else symbol.kind
-        hint = did_you_mean(name, names)
+        hint = did_you_mean(name, names) or class_help(type_name)
         listed = ", ".join(names) if names else "none"
         place = _declared(symbol, modifier)
         ctx.sink.report("E0202", span, *place, name=name, type=type_name, attributes=listed, help=hint)

@@ -59,7 +59,7 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
         return []
     if symbol.given.bindings:
         binding = next(iter(symbol.given.bindings.values()))
-        ctx.sink.report("E0302", binding.node.span, name=symbol.short)
+        ctx.sink.report("E0302", binding.node.span, name=symbol.short, value=binding.node.span.text)
         return []
     dimension = _dimension(symbol)
     rate_dimension = dimension / ctx.conventions.dimension(TIME)

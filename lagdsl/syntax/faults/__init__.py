@@ -12,6 +12,15 @@ from lark import Token
 
 from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, ends_outer_class, missing_class_name
 from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
+from lagdsl.syntax.faults.habits import (
+    assignment,
+    decimal_comma,
+    equality_for_equation,
+    foreign_power,
+    foreign_word,
+    semicolon_in_brackets,
+    unexpected,
+)
 from lagdsl.syntax.faults.literals import open_string, unit_after_number
 from lagdsl.syntax.faults.statements import (
     array_size_after_type,
@@ -23,14 +32,15 @@ from lagdsl.syntax.faults.statements import (
     outside_of_classes,
     reserved_name,
     second_relation,
-    unexpected,
 )
 from lagdsl.syntax.session import Session
 from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
 
 RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     open_string,
+    decimal_comma,
     unit_after_number,
+    semicolon_in_brackets,
     wrong_bracket,
     unclosed_bracket,
     end_of_text,
@@ -38,6 +48,8 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     keyword_as_variable,
     reserved_name,
     missing_class_name,
+    assignment,
+    foreign_word,
     misspelt_keyword,
     outside_of_classes,
     array_size_after_type,
@@ -45,6 +57,8 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     declaration_among_equations,
     missing_separator,
     second_relation,
+    foreign_power,
+    equality_for_equation,
     unexpected,
 )
 

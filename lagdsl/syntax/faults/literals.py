@@ -7,10 +7,12 @@ import re
 from lark import Token
 
 from lagdsl.source import Span
+from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.session import Session
 from lagdsl.syntax.tokens import end_of, start_of
 from lagdsl.syntax.unknown_unit import report_unknown_unit
 
+_BRANCHES = ("elif", "elsif", "elsef")
 _UNIT_LIKE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(?:[./^][A-Za-z0-9_^-]+)*")
 
 
@@ -19,8 +21,14 @@ def unit_after_number(session: Session, token: Token) -> bool:
     before, text = session.previous, session.file.text
     if before.type != "NUMBER" or token.type != "IDENT" or text[end_of(before) : start_of(token)].strip(" \t"):
         return False
+    if token.value in _BRANCHES and session.stack.accepts("ELSEIF"):
+        span = session.span(token)
+        session.sink.report("E0100", span, found=found(token), expected=expected(session.stack), help="write `elseif`")
+        return session.shift(token.update(type="ELSEIF", value="elseif"))
     match = _UNIT_LIKE.match(text, start_of(token))
     assert match is not None
+    if match[0][0] == "_" or match[0] == "e":  # what follows is still the number
+        session.reported.last = start_of(token)
     called = text[match.end() : match.end() + 1] == "("
     report_unknown_unit(session.sink, Span(session.file, *match.span()), before.value, match[0], called=called)
     if called and session.insert("*"):

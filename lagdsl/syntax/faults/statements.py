@@ -7,10 +7,9 @@ from collections.abc import Iterable
 from lark import Token
 
 from lagdsl.diagnostics import Edit, Label
-from lagdsl.diagnostics.catalog.syntax import unexpected_help
+from lagdsl.diagnostics.catalog.habits import energy_help
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
-from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.session import CLOSING, Session
 from lagdsl.syntax.stack import statement_words
 from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
@@ -27,7 +26,7 @@ _SECTIONS = ("_section_item", "when_equation")
 
 def keyword_as_variable(session: Session, token: Token) -> bool:
     """`force.x = 1;` among equations: there the word is the keyword, whatever variables exist."""
-    first, *rest = [*_statement(session, token), token]
+    first, *rest = [*statement_before(session, token), token]
     if session.stack.kind() not in _SECTIONS or not rest or rest[0].value not in (".", "["):
         return False
     if _VARIABLE_LIKE.isdisjoint(vocabulary().words.get(first.value, ())):
@@ -56,7 +55,7 @@ def _is_operator(token: Token) -> bool:
 
 def misspelt_keyword(session: Session, token: Token) -> bool:
     """The first word of the statement resembles a keyword: read the statement again with that."""
-    statement = _statement(session, token)
+    statement = statement_before(session, token)
     first = statement[0] if statement else token
     height = session.stack.boundary()
     words = vocabulary().words
@@ -81,7 +80,7 @@ def outside_of_classes(session: Session, token: Token) -> bool:
     """A statement at the level of the file; said once."""
     if session.stack.kind() != "_item":
         return False
-    statement = _statement(session, token)
+    statement = statement_before(session, token)
     first = statement[0] if statement else token
     words = vocabulary().words
     if any("CLASS_KIND" in words.get(t.value, ()) or t.value in _OUTSIDE for t in statement):
@@ -97,7 +96,7 @@ def outside_of_classes(session: Session, token: Token) -> bool:
 
 def array_size_after_type(session: Session, token: Token) -> bool:
     """`Real[3] x;`."""
-    statement = _statement(session, token)
+    statement = statement_before(session, token)
     if token.value != "[" or not statement or session.stack.kind() not in ("_element", "_section_item"):
         return False
     ahead = list(session.look_ahead(start_of(token)))
@@ -128,9 +127,10 @@ def bare_equation(session: Session, token: Token) -> bool:
     place = ("E0103", -1 if block is None else start_of(block))
     if place not in session.reported.told:
         session.reported.told.add(place)
-        last = list(session.look_ahead(start))[-1]
-        span = Span(session.file, start, end_of(last))
-        session.sink.report("E0103", span, line=session.file.line_number(start))
+        tokens = list(session.look_ahead(start))
+        span = Span(session.file, start, end_of(tokens[-1]))
+        energy = energy_help(first.value) if tokens[1].value in ("=", ":") else None
+        session.sink.report("E0103", span, help=energy, line=session.file.line_number(start))
     session.panic(token)
     return True
 
@@ -160,7 +160,7 @@ def _begins_operand(token: Token) -> bool:
 
 def declaration_among_equations(session: Session, token: Token) -> bool:
     """`Real x = 1;` after the word `equation`; read on behind it."""
-    statement = _statement(session, token)
+    statement = statement_before(session, token)
     if session.stack.kind() not in _SECTIONS or token.type != "IDENT" or not statement or session.starts_line(token):
         return False
     names = statement[::2]
@@ -205,7 +205,7 @@ def second_relation(session: Session, token: Token) -> bool:
     """`a < b < c`."""
     if token.type != "REL":
         return False
-    first = next((t for t in reversed(_statement(session, token)) if t.type == "REL"), None)
+    first = next((t for t in reversed(statement_before(session, token)) if t.type == "REL"), None)
     if first is None:
         return False
     session.sink.report("E0125", session.span(token), Label(session.span(first), "first relation"))
@@ -213,16 +213,7 @@ def second_relation(session: Session, token: Token) -> bool:
     return True
 
 
-def unexpected(session: Session, token: Token) -> bool:
-    """Anything else."""
-    words = expected(session.stack)
-    help_text = unexpected_help(session.previous.value, token.value, words)
-    session.sink.report("E0100", session.span(token), found=found(token), expected=words, help=help_text)
-    session.panic(token)
-    return True
-
-
-def _statement(session: Session, token: Token) -> list[Token]:
+def statement_before(session: Session, token: Token) -> list[Token]:
     """The tokens of the statement before `token`."""
     before = []
     for ahead in session.look_ahead(session.statement_start(token)):

@@ -13,6 +13,7 @@ from lagdsl.syntax.unknown_unit import report_unknown_unit
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^"}
 _OPERATORS |= {"or_": "or", "and_": "and"}
+_LONGEST = 60  # characters of a text that a message shows
 _SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
 
 
@@ -22,7 +23,10 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
     def call(c: list[Any], span: Span) -> nodes.Call | nodes.Reduction:
         function, arguments = c
         if not isinstance(function, nodes.Reference | nodes.Member):
-            sink.report("E0121", function.span)
+            rest = span.text[function.span.end - span.start :].strip()
+            product = f"{function.span.text}*{rest}"
+            short = len(product) <= _LONGEST and product.isprintable()
+            sink.report("E0121", function.span, help=f"for a product write `{product}`" if short else None)
         if isinstance(arguments, _Reduced):
             return nodes.Reduction(span=span, function=function, body=arguments.body, iterators=arguments.iterators)
         return nodes.Call(span=span, function=function, arguments=arguments or ())
@@ -33,7 +37,8 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             start = target.span.end - len(target.unit)
             report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.value}")
         elif isinstance(target, nodes.Number):
-            sink.report("E0127", token_span(name, span))
+            way = f"digits must follow the decimal point: `{target.text}.0`" if len(target.text) <= _LONGEST else None
+            sink.report("E0127", token_span(name, span), help=way)
         return nodes.Member(span=span, target=target, name=name.value, name_span=token_span(name, span))
 
     binary = {rule: _binary(operator) for rule, operator in _OPERATORS.items()}

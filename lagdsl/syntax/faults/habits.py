@@ -1,0 +1,189 @@
+"""Faults of those who write another language: its words, its decimal comma, its assignments, its brackets."""
+
+from __future__ import annotations
+
+import re
+
+from lark import Token
+
+from lagdsl.diagnostics.catalog.habits import form_help, package_help, word_help
+from lagdsl.diagnostics.catalog.syntax import unexpected_help
+from lagdsl.source import Span
+from lagdsl.syntax.expected import expected, found
+from lagdsl.syntax.faults.statements import statement_before
+from lagdsl.syntax.session import CLOSING, Session
+from lagdsl.syntax.tokens import end_of, plain_tokens, start_of, unit_of
+from lagdsl.syntax.vocabulary import pattern, vocabulary
+
+_NUMBERS = ("NUMBER", "QUANTITY")
+_GROUPED = re.compile(r"\d{1,3}(?:\.\d{3})+")
+_POWERS = {("*", "*"): "**", (".", "^"): ".^"}
+
+
+def decimal_comma(session: Session, token: Token) -> bool:
+    """`0,5 m`: two numbers with a comma and no blank between them."""
+    text = session.file.text
+    comma = start_of(token) if token.value == "," else start_of(token) - 1
+    before = re.compile(r"[0-9]+(?:\.[0-9]+)*$").search(text[max(comma - 40, 0) : comma])
+    after = pattern("QUANTITY").match(text, comma + 1) or pattern("NUMBER").match(text, comma + 1)
+    if text[comma : comma + 1] != "," or before is None or after is None:
+        return False
+    if token.type not in _NUMBERS and token.value != ",":
+        return False
+    whole = before[0].replace(".", "") if _GROUPED.fullmatch(before[0]) else before[0]
+    span = Span(session.file, comma - len(before[0]), after.end())
+    help_text = f"a number has a decimal point: `{whole}.{after[0]}`"
+    session.sink.report("E0100", span, found=f"`{span.text}`", expected="one number", help=help_text)
+    session.panic(token)
+    return True
+
+
+def assignment(session: Session, token: Token) -> bool:
+    """`x := 3`: read on as if it were `x = 3`."""
+    ahead = next(plain_tokens(session.file.text, end_of(token)), None)
+    if token.value != ":" or ahead is None or ahead.value != "=" or start_of(ahead) != end_of(token):
+        return False
+    if not session.stack.accepts(ahead.type):
+        return False
+    help_text = "write `=`: equations and bindings are no assignments"
+    session.sink.report(
+        "E0100", session.span(token).to(session.span(ahead)), found="`:=`", expected="`=`", help=help_text
+    )
+    session.rewind(end_of(token))
+    return True
+
+
+def foreign_power(session: Session, token: Token) -> bool:
+    """`x**2`, `x.^2`."""
+    mark = _POWERS.get((session.previous.value, token.value))
+    if mark is None or end_of(session.previous) != start_of(token):
+        return False
+    base = statement_before(session, token)[-2:-1]
+    power = next(session.look_ahead(end_of(token)), None)
+    help_text = unexpected_help(
+        base[0].value if base else "", mark, power.value if power is not None else "", "an operator"
+    )
+    span = session.span(session.previous).to(session.span(token))
+    session.sink.report("E0100", span, found=f"`{mark}`", expected="an operator", help=help_text)
+    session.panic(token)
+    return True
+
+
+def semicolon_in_brackets(session: Session, token: Token) -> bool:
+    """`(x; y)`, `{x; y}`: read on as if a comma stood there."""
+    if token.type != "SEMICOLON" or not session.brackets or session.brackets[-1].value == "[":
+        return False
+    opened = session.brackets[-1]
+    line_end = session.file.text.find("\n", end_of(token))
+    rest = session.file.text[end_of(token) : line_end if line_end >= 0 else len(session.file.text)]
+    inside = rest.partition(CLOSING[opened.value])
+    if not inside[1] or opened.value in inside[0] or not inside[0].strip():
+        return False
+    whole = session.file.text[end_of(opened) : end_of(token) + len(inside[0])].replace(";", ",").strip()
+    shown = f": `{{{whole}}}`" if len(whole) <= 40 and whole.isprintable() else ""
+    help_text = f"components stand in braces, separated by commas{shown}"
+    session.sink.report("E0100", session.span(token), found="`;`", expected="`,`", help=help_text)
+    if not session.shift(token.update(type="COMMA", value=",")):
+        session.panic(token)
+    return True
+
+
+def foreign_word(session: Session, token: Token) -> bool:
+    """`spring 3 N/m`, `const Real k`, `while ...`: the word that begins the statement is one of another language."""
+    statement = statement_before(session, token)
+    first = statement[0] if statement else token
+    known = first.value in vocabulary().words and first.value != "from"
+    if first.type not in ("IDENT", "FROM") or known or session.stack.kind() in (None, "_item"):
+        return False
+    name = next((each.value for each in reversed([*statement, token]) if each.type == "IDENT"), "x")
+    help_text = word_help(first.value, name)
+    if help_text is None:
+        return False
+    session.sink.report("E0102", session.span(first), word=first.value, help=help_text)
+    if first.value == "while":  # its `end while` would close the class
+        session.give_up()
+    else:
+        session.panic(token)
+    return True
+
+
+def equality_for_equation(session: Session, token: Token) -> bool:
+    """`constraint a == b;`."""
+    if token.type != "SEMICOLON" or not session.stack.accepts("EQUAL"):
+        return False
+    statement = statement_before(session, token)
+    relation = next((each for each in statement if each.type == "REL"), None)
+    if relation is None:
+        return False
+    if relation.value == "==":
+        help_text = "an equation is written with one `=`"
+    else:
+        help_text = "an inequality is a contact: `contact a >= b with restitution = 0;`"
+    session.sink.report("E0100", session.span(relation), found=found(relation), expected="`=`", help=help_text)
+    session.panic(token)
+    return True
+
+
+def unexpected(session: Session, token: Token) -> bool:
+    """Anything else."""
+    words = expected(session.stack)
+    ahead = next(session.look_ahead(end_of(token)), None)
+    help_text = (
+        _unit_help(session, token)
+        or _import(session, token)
+        or unexpected_help(session.previous.value, token.value, ahead.value if ahead is not None else "", words)
+        or _form(session, token)
+    )
+    session.sink.report("E0100", session.span(token), found=found(token), expected=words, help=help_text)
+    session.panic(token)
+    return True
+
+
+def _unit_help(session: Session, token: Token) -> str | None:
+    """`5 N m`: a unit after a quantity."""
+    from lagdsl.units.parse import UnknownUnit, parse_unit
+
+    before = session.previous
+    if before.type != "QUANTITY" or token.type != "IDENT":
+        return None
+    try:
+        parse_unit(f"{unit_of(before.value)}.{token.value}")
+    except UnknownUnit:
+        return None
+    return f"units are joined by `.`: `{before.value}.{token.value}`"
+
+
+def _form(session: Session, token: Token) -> str | None:
+    """Help for a statement whose keyword is right and whose parts are not."""
+    statement = [*statement_before(session, token), token]
+    first = statement[0]
+    if first.value == "mass" and token.value == ",":
+        return "components of a point stand in braces: `{x, y}`"
+    if first.value in ("force", "torque") and token.type == "SEMICOLON":
+        return _load(session, first, statement)
+    return form_help(first.value) if first.value in vocabulary().words else None
+
+
+def _import(session: Session, token: Token) -> str | None:
+    """`import numpy as np`."""
+    statement = statement_before(session, token)
+    if token.value != "as" or not statement or statement[0].value != "import":
+        return None
+    package = "".join(each.value for each in statement[1:])
+    ahead = next(session.look_ahead(end_of(token)), None)
+    return package_help(package.partition(".")[0]) or (
+        f"write `import {ahead.value} = {package};`" if ahead is not None else None
+    )
+
+
+def _load(session: Session, first: Token, statement: list[Token]) -> str | None:
+    """`torque -0.1*der(theta);`: on what it acts."""
+    rates = [
+        after.value
+        for word, bracket, after in zip(statement, statement[1:], statement[2:], strict=False)
+        if word.value == "der" and bracket.value == "(" and after.type == "IDENT"
+    ]
+    text = session.file.text[start_of(first) : end_of(session.previous)]
+    if len(set(rates)) != 1 or len(text) > 60 or not text.isprintable():
+        return form_help(first.value)
+    return f"a load acts on a coordinate: `{text} on {rates[0]};`"

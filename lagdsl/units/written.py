@@ -1,0 +1,47 @@
+"""Quantities that are written as products of a number and units: `9.81*m/s^2`."""
+
+from __future__ import annotations
+
+import re
+
+from lagdsl.units.parse import UnknownUnit, parse_unit
+
+_LONGEST = 80  # characters on each side that are looked at
+_POWER = r"[A-Za-z]+[0-9]?(?:(?:\^|\*\*)-?[1-9])?"
+_FACTOR = rf"{_POWER}(?:\.{_POWER})*"
+_PRODUCT = re.compile(
+    rf"(?<![\w.])(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)"
+    rf"(?P<units>(?:[ \t]*(?![eE])|[ \t]+){_FACTOR})?(?P<rest>(?:[ \t]*[*/][ \t]*{_FACTOR})+)(?![\w(\[.])"
+)
+
+
+def literal_around(text: str, start: int, end: int) -> str | None:
+    """The literal, `9.81 m/s2`, of the product of a number and units that the name at `start` to `end` is part of."""
+    first = max(start - _LONGEST, text.rfind("\n", 0, start) + 1)
+    for match in _PRODUCT.finditer(text, first, min(end + _LONGEST, len(text))):
+        if match.start() <= start and end <= match.end():
+            return _literal(match)
+    return None
+
+
+def literal_of(text: str) -> str | None:
+    """The literal of a text that is a product of a number and units as a whole."""
+    match = _PRODUCT.fullmatch(text.strip()) if len(text) <= _LONGEST else None
+    return None if match is None else _literal(match)
+
+
+def _literal(match: re.Match[str]) -> str | None:
+    """None where a factor is no unit."""
+    above: list[str] = [match["units"].strip()] if match["units"] else []
+    below: list[str] = []
+    for mark, factor in re.findall(rf"([*/])[ \t]*({_FACTOR})", match["rest"]):
+        (above if mark == "*" else below).append(factor)
+    if any("/" in factor for factor in above):
+        return None
+    unit = ".".join(above) + (f"/{'.'.join(below)}" if below else "")
+    unit = unit.replace("**", "").replace("^", "")
+    try:
+        parse_unit(unit)
+    except UnknownUnit:
+        return None
+    return f"{match['number']} {unit}"
