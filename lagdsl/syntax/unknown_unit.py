@@ -14,6 +14,8 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
     """
     suggestion = None if called else _suggestion(unit)
     edit = None if suggestion is None else Edit(span, suggestion)
+    if len(unit) == 1:  # more likely a factor
+        edit = Edit(Span(span.file, span.start, span.start), "*")
     sink.report("E0105", span, help=unit_help(suggestion, number, unit), edit=edit, unit=unit)
 
 

@@ -8,7 +8,7 @@ from typing import assert_never
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog.habits import name_help, rate_of
 from lagdsl.diagnostics.catalog.modelica import class_help
-from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
+from lagdsl.diagnostics.suggest import Proposal, did_you_mean, nearest, proposal
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.expressions import slices
@@ -129,7 +129,8 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if rate is not None and isinstance(found := names[rate[0]], Symbol):
         found.made.used = True
         label = Label(found.span, f"{an(found.word)}, declared here")
-        ctx.sink.report("E0201", node.span, label, name=node.name, scope=scope.title, help=f"write `{rate[1]}`")
+        way = Proposal(f"write `{rate[1]}`", node.name, rate[1])
+        ctx.sink.report("E0201", node.span, label, name=node.name, scope=scope.title, help=way)
         return
     habit = _habit(node)
     if habit is not None:
