@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 if TYPE_CHECKING:
     from lagdsl.textbook.provenance import Source
     from lagdsl.textbook.recipe import Recipe
+    from lagdsl.textbook.small_motions.study import Equilibrium, Study
 
 Form: TypeAlias = Literal["text", "markdown", "latex", "html", "json"]
 ENDINGS: dict[str, Form] = {
@@ -87,6 +88,34 @@ class Derivation:
             for term in self.terms
             if any(span.first.line <= line <= span.last.line for source in term.sources for span in source.spans[-1:])
         )
+
+    @cached_property
+    def _study(self) -> Study | None:
+        from lagdsl.textbook.small_motions.study import study
+
+        found = self._recipe.derivation
+        return None if found is None or not self._recipe.flat.coordinates else study(self._recipe.flat, found)
+
+    @property
+    def accelerations(self) -> Mapping[Any, Any]:
+        """Accelerations, then multipliers of constraints, as SymPy symbols, each with what it is equal to in SymPy.
+
+        Those whose solution is long are left out; all of them where the model is too large to be written out."""
+        return {} if self._study is None else dict(self._study.accelerations.values)
+
+    @property
+    def equilibria(self) -> Sequence[Equilibrium]:
+        """Equilibria in SymPy: `.at`, `.arbitrary`, `.conditions`, `.exists`, and `.linear`, the linear equations
+        about it with `.mass .damping .stiffness` and `.frequencies`, whose `.square` is that of a natural frequency.
+
+        Empty where there is none, and where `no_equilibria_because` is not None: no short roots, constraints, events.
+        """
+        return () if self._study is None else self._study.equilibria
+
+    @property
+    def no_equilibria_because(self) -> str | None:
+        """The reason, in words, why no equilibria were looked for or found in symbols; None if `equilibria` are all."""
+        return "The model is too large to be written out." if self._study is None else self._study.reason
 
     def __str__(self) -> str:
         return self.to("text")

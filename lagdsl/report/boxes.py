@@ -132,9 +132,16 @@ class Matrix:
     rows: tuple[tuple[Box, ...], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """One symbol of several letters, without a blank: δ and its coordinate."""
+
+    items: tuple[Box, ...]
+
+
 Box: TypeAlias = (
     "Name | Upright | Number | Operator | Row | Sum | Fraction | Power | Subscript | Root | Dotted | Derivative | Call "
-    "| Bracket | Marked | Cases | Column | Matrix"
+    "| Bracket | Marked | Cases | Column | Matrix | Joined"
 )
 
 

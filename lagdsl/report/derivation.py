@@ -7,21 +7,23 @@ from typing import Literal, TypeAlias
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.report.document import Block, Document
-from lagdsl.report.forces import loads
 from lagdsl.report.html import html
-from lagdsl.report.instants import contacts, events
 from lagdsl.report.latex import latex
-from lagdsl.report.left_side import coordinates, derivatives, energies, parameters, positions, velocities
 from lagdsl.report.markdown import markdown
 from lagdsl.report.notation import notation
 from lagdsl.report.outline import outline
 from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
-from lagdsl.report.results import abbreviations, conserved, constraints, equations, outputs, states
+from lagdsl.report.sections.forces import loads
+from lagdsl.report.sections.instants import contacts, events
+from lagdsl.report.sections.left_side import coordinates, derivatives, energies, parameters, positions, velocities
+from lagdsl.report.sections.results import abbreviations, conserved, constraints, equations, outputs, states
+from lagdsl.report.sections.small_motions import accelerations, small_motions
 from lagdsl.report.typeset import Typesetter
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.recipe import Derivation, Recipe
+from lagdsl.textbook.small_motions.study import study
 from lagdsl.units.dimension import MASS
 
 Format: TypeAlias = Literal["text", "markdown", "latex", "html"]
@@ -38,6 +40,8 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     loads,
     equations,
     constraints,
+    accelerations,
+    small_motions,
     contacts,
     states,
     events,
@@ -78,4 +82,5 @@ def typesetter(flat: FlatModel, derivation: Derivation) -> Typesetter:
 
 def _page(familiar: Familiar, derivation: Derivation) -> Page:
     typeset = typesetter(familiar.flat, derivation)
-    return Page(familiar=familiar, derivation=derivation, notation=typeset.notation, typeset=typeset)
+    found = study(familiar.flat, derivation) if familiar.flat.coordinates else None
+    return Page(familiar=familiar, derivation=derivation, notation=typeset.notation, typeset=typeset, study=found)

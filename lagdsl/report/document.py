@@ -88,6 +88,12 @@ def text(words: str) -> Inline:
     return (Text(words),)
 
 
+def with_code(words: str) -> Inline:
+    """Words of this report, not of a model, in which backticks mark code."""
+    pieces = words.split("`")
+    return tuple(Code(piece) if number % 2 else Text(piece) for number, piece in enumerate(pieces) if piece)
+
+
 def inline(
     content: Inline,
     math: Callable[[Box], str],

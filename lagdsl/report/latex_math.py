@@ -14,6 +14,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Joined,
     Marked,
     Matrix,
     Name,
@@ -49,7 +50,8 @@ _OTHER_FORMS = {letter: rf"\mathcal{{{plain}}}" for plain, letter in zip("LTVDQM
 _OTHER_FORMS |= {letter: rf"\mathfrak{{{plain}}}" for plain, letter in zip("pedkft", "𝔭𝔢𝔡𝔨𝔣𝔱", strict=True)}
 _OTHER_FORMS |= {letter: rf"\mathbf{{{plain}}}" for plain, letter in zip("rvFqg", "𝐫𝐯𝐅𝐪𝐠", strict=True)}
 _OTHER_FORMS["𝛚"] = r"\boldsymbol{\omega}"
-_SYMBOLS = _OTHER_FORMS | _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}
+_SIGNS = {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "±": r"\pm", "δ": r"\delta", "-∞": r"-\infty"}
+_SYMBOLS = _OTHER_FORMS | _LETTERS | _SIGNS
 
 
 def escape(text: str) -> str:
@@ -106,6 +108,8 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
         case Column(components):
             lines = r" \\ ".join(tex(x) for x in components)
             return rf"\begin{{pmatrix}} {lines} \end{{pmatrix}}"
+        case Joined(items):
+            return "".join(tex(item) for item in items)
         case Matrix(rows):
             lines = r" \\ ".join(" & ".join(tex(x) for x in row) for row in rows)
             return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"

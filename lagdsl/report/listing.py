@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 
 from sympy import Expr
 
@@ -14,22 +15,27 @@ from lagdsl.report.typeset import Typesetter
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.provenance import Source, Term, sources
 from lagdsl.textbook.recipe import Recipe
+from lagdsl.textbook.small_motions.study import Equilibrium, Study, study
 from lagdsl.version import __version__
 
 
 def listing(recipe: Recipe) -> str:
-    """An object with `coordinates`, `sources` and `terms`, whose `sources` are indices; no terms of a large model."""
+    """An object with `coordinates`, `sources` and `terms`, whose `sources` are indices, then `accelerations` and
+    `equilibria`; all but the first two are empty for a large model."""
     flat, derivation = recipe.flat, recipe.derivation
-    terms = [] if derivation is None else [_term(typesetter(flat, derivation), each) for each in derivation.terms]
-    found = {
+    typeset = None if derivation is None else typesetter(flat, derivation)
+    terms = [] if derivation is None or typeset is None else [_term(typeset, each) for each in derivation.terms]
+    found = study(flat, derivation) if derivation is not None and flat.coordinates else None
+    content = {
         "lagdsl": __version__,
         "model": flat.name,
         "coordinates": [coordinate.name for coordinate in flat.coordinates],
         "written_out": derivation is not None,
         "sources": [_source(each) for each in sources(flat)],
         "terms": terms,
+        **({} if found is None or typeset is None else _study(typeset, found)),
     }
-    return json.dumps(found, ensure_ascii=False, indent=1) + "\n"
+    return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
 
 
 def _source(source: Source) -> dict[str, object]:
@@ -42,6 +48,43 @@ def _statements(spans: Spans) -> list[dict[str, object]]:
         {"file": span.file.name, "first": list(span.first), "last": list(span.last), "text": span.text}
         for span in spans
     ]
+
+
+def _study(typeset: Typesetter, found: Study) -> dict[str, object]:
+    """Values by the names of the model; `omega_squared` are the squares of the natural frequencies."""
+    return {
+        "accelerations": [{"symbol": s.name, **_written(typeset, value)} for s, value in found.accelerations.values],
+        "equilibria": [_equilibrium(typeset, each) for each in found.equilibria],
+        "no_equilibria_because": found.reason,
+    }
+
+
+def _equilibrium(typeset: Typesetter, found: Equilibrium) -> dict[str, object]:
+    linear = found.linear
+    result: dict[str, object] = {
+        "at": [{"symbol": q.name, **_written(typeset, value)} for q, value in found.at],
+        "arbitrary": [q.name for q in found.arbitrary],
+        "conditions": [{"kind": each.kind, **_written(typeset, each.value)} for each in found.conditions],
+        "exists": found.exists,
+    }
+    if linear is None:
+        return result
+    matrices = {"mass": linear.mass, "damping": linear.damping, "stiffness": linear.stiffness}
+    result |= {name: [[line(typeset(entry)) for entry in row] for row in matrix] for name, matrix in matrices.items()}
+    result["omega_squared"] = [
+        {
+            "coordinates": [q.name for q in each.coordinates],
+            **_written(typeset, each.square),
+            "value": each.number if math.isfinite(each.number) else None,
+        }
+        for each in linear.frequencies
+    ]
+    return result
+
+
+def _written(typeset: Typesetter, value: Expr) -> dict[str, str]:
+    box = typeset(value)
+    return {"text": line(box), "latex": tex(box)}
 
 
 def _term(typeset: Typesetter, term: Term) -> dict[str, object]:

@@ -14,6 +14,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Joined,
     Marked,
     Matrix,
     Name,
@@ -81,6 +82,8 @@ def element(box: Box) -> str:  # noqa: C901, PLR0912
             return f'<mrow><mo stretchy="true">{{</mo><mtable class="cases">{rows}</mtable></mrow>'
         case Column(components):
             return f"<mrow>{_bracketed(_table(tuple((x,) for x in components)))}</mrow>"
+        case Joined(items):
+            return f"<mrow>{''.join(element(item) for item in items)}</mrow>"
         case Matrix(rows):
             return f"<mrow><mo>[</mo>{_table(rows)}<mo>]</mo></mrow>"
         case _:

@@ -36,9 +36,9 @@ from lagdsl.report.document import (
     Text,
     text,
 )
-from lagdsl.report.instants import event_list
 from lagdsl.report.names import own_name, statement
 from lagdsl.report.notation import Notation, notation
+from lagdsl.report.sections.instants import event_list
 from lagdsl.textbook.extent import Extent
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.symbols import symbols

@@ -14,7 +14,9 @@ from lagdsl.report.typeset import Typesetter
 from lagdsl.textbook.contributions import AppliedForce, AppliedTorque, Inertial
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.geometry import Vector
+from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.recipe import Derivation
+from lagdsl.textbook.small_motions.study import Study
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,7 @@ class Page:
     derivation: Derivation
     notation: Notation
     typeset: Typesetter
+    study: Study | None
 
     @property
     def flat(self) -> FlatModel:
@@ -33,6 +36,10 @@ class Page:
     def inertial_elements(self) -> list[tuple[Box, Inertial]]:
         """Masses and bodies with the index their vectors carry."""
         return list(zip(carrier_labels(self.flat), self.derivation.inertials, strict=True))
+
+    def is_positive(self, symbol: Symbol) -> bool:
+        """True for a parameter with a positive value."""
+        return symbol == STANDARD_GRAVITY or any(p.name == symbol.name and p.value > 0 for p in self.flat.parameters)
 
     @property
     def lagrangian(self) -> Box:

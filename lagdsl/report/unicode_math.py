@@ -13,6 +13,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Joined,
     Marked,
     Matrix,
     Name,
@@ -76,6 +77,8 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             return f"(if {line(condition)} then {line(value)} else {line(otherwise)})"
         case Column(components):
             return f"({', '.join(line(component) for component in components)})"
+        case Joined(items):
+            return "".join(line(item) for item in items)
         case Matrix(rows):
             return "[" + "; ".join(", ".join(line(x) for x in row) for row in rows) + "]"
         case _:

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import QQ, Expr, Rational
+from sympy import QQ, Expr, Integer, Rational
 from sympy.polys.rings import PolyRing
 
 from lagdsl.textbook.polynomial import Monomial, Polynomial, exponents, times
+
+_LARGEST_TO_CANCEL = 400
+_MOST_KERNELS = 10
 
 
 def lowest(polynomial: Polynomial) -> Monomial:
@@ -44,6 +47,18 @@ def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
     result = _from_ring(ring_quotient.terms(), kernels)
     shift = times(common, tuple((kernel, -power) for kernel, power in other))
     return {times(monomial, shift): coefficient for monomial, coefficient in result.items()}
+
+
+def in_lowest_terms(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """A fraction without common factors, as far as the bound lets one look for them."""
+    shared = lowest({**dict.fromkeys(above, Integer(1)), **dict.fromkeys(below, Integer(1))})
+    above, below = divided(above, shared), divided(below, shared)
+    kernels = _kernels(above, below)
+    if len(below) == 1 or len(above) * len(below) > _LARGEST_TO_CANCEL or len(kernels) > _MOST_KERNELS:
+        return above, below
+    ring_above, ring_below = _to_ring(above, kernels), _to_ring(below, kernels)
+    first, second = ring_above.cancel(ring_below)
+    return _from_ring(first.terms(), kernels), _from_ring(second.terms(), kernels)
 
 
 def _kernels(*polynomials: Polynomial) -> list[int]:

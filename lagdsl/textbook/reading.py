@@ -96,11 +96,16 @@ def read(flat: FlatModel, *, written_out: bool = False) -> Reading:
 def _whole(flat: FlatModel, converter: Converter, constants: frozenset[Symbol]) -> Iterator[Expr]:
     """Short sums of declared energies that are factors, as r - l0 of a spring: people leave them as they are."""
     for term in flat.energies:
-        for node in preorder_traversal(converter.scalar(term.value)):
-            factors = node.args if node.is_Mul else node.args[:1] if node.is_Pow else ()
-            for factor in factors:
-                if factor.is_Add and len(factor.args) <= _LONGEST_WHOLE and not factor.free_symbols <= constants:
-                    yield factor
+        yield from whole_sums(converter.scalar(term.value), constants)
+
+
+def whole_sums(expression: Expr, constants: frozenset[Symbol]) -> Iterator[Expr]:
+    """Short sums that move and are factors."""
+    for node in preorder_traversal(expression):
+        factors = node.args if node.is_Mul else node.args[:1] if node.is_Pow else ()
+        for factor in factors:
+            if factor.is_Add and len(factor.args) <= _LONGEST_WHOLE and not factor.free_symbols <= constants:
+                yield factor
 
 
 def _names(flat: FlatModel) -> set[str]:

@@ -68,15 +68,42 @@ class Tidy:
         self._nesting += 1
         try:
             polynomial = self.reduced(expression)
-            collected = min(self._collect(polynomial), expression, key=size)
-            if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
-                whole = self._collect(bracketed)
-                return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
-            return collected
+            return self._bracketed(polynomial, min(self._collect(polynomial), expression, key=size))
         except TooLargeError:
             return expression
         finally:
             self._nesting -= 1
+
+    def collected(self, polynomial: Polynomial) -> Expr:
+        """A reduced polynomial as a short expression."""
+        return self._bracketed(polynomial, self._collect(polynomial))
+
+    def _bracketed(self, polynomial: Polynomial, collected: Expr) -> Expr:
+        """The sums that stay whole as brackets, where that is about as short as `collected`."""
+        if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
+            whole = self._collect(bracketed)
+            return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
+        return collected
+
+    def factored(self, polynomial: Polynomial) -> Expr:
+        """A reduced polynomial as a product, or collected, whichever is shorter."""
+        content, rest = self._factor(polynomial)
+        return min(content * rest, self.collected(polynomial), key=size)
+
+    def factors(self, expression: Expr) -> tuple[Expr, ...]:
+        """Factors that are no numbers, without multiplicity and without denominators; raises TooLargeError."""
+        polynomial = self.reduced(expression)
+        if not polynomial:
+            return (Integer(0),)
+        divisor = lowest(polynomial)
+        shifted = divided(polynomial, divisor)
+        outside = tuple(self._kernels[kernel] for kernel, power in divisor if power > 0)
+        if len(shifted) == 1:
+            return outside
+        unknowns = {kernel for monomial in shifted for kernel, _ in monomial}
+        if len(shifted) > _LARGEST_TO_FACTOR or len(unknowns) > _MOST_UNKNOWNS_TO_FACTOR:
+            return (*outside, self._sum(shifted))
+        return (*outside, *(self.collected(part) for part, _ in factors(shifted)[1]))
 
     def reduced(self, expression: Expr) -> Polynomial:
         """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
@@ -225,7 +252,7 @@ class Tidy:
         brackets: dict[Expr, list[Expr]] = {}
         for fixed, moving_part in groups.items():
             content, bracket = self._factor(moving_part)
-            brackets.setdefault(bracket, []).append(content * self._monomial(fixed))
+            brackets.setdefault(bracket, []).append(content * self.monomial(fixed))
         return Add(*(_common(factors) * bracket for bracket, factors in brackets.items()))
 
     def _is_constant(self, index: int) -> bool:
@@ -234,17 +261,18 @@ class Tidy:
             known = self._constant_kernels[index] = bool(self._kernels[index].free_symbols <= self.constants)
         return known
 
-    def _monomial(self, monomial: Monomial) -> Expr:
+    def monomial(self, monomial: Monomial) -> Expr:
+        """The product of kernels."""
         return Mul(*(self._kernels[index] ** power for index, power in monomial))
 
     def _factor(self, polynomial: Polynomial) -> tuple[Expr, Expr]:
         """Rational content and the rest, factored where it is small."""
         divisor = lowest(polynomial)
         shifted = divided(polynomial, divisor)
-        common = self._monomial(divisor)
+        common = self.monomial(divisor)
         if len(shifted) == 1:
             [(monomial, coefficient)] = shifted.items()
-            return coefficient, common * self._monomial(monomial)
+            return coefficient, common * self.monomial(monomial)
         unknowns = {kernel for monomial in shifted for kernel, _ in monomial}
         if len(shifted) > _LARGEST_TO_FACTOR or len(unknowns) > _MOST_UNKNOWNS_TO_FACTOR:
             return Integer(1), common * self._sum(shifted)
@@ -254,7 +282,7 @@ class Tidy:
         return content, Mul(common, *(self._sum(_positive(part)) ** power for part, power in parts))
 
     def _sum(self, polynomial: Polynomial) -> Expr:
-        return Add(*(c * self._monomial(monomial) for monomial, c in polynomial.items()))
+        return Add(*(c * self.monomial(monomial) for monomial, c in polynomial.items()))
 
 
 def _mostly_negative(polynomial: Polynomial) -> bool:

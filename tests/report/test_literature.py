@@ -172,6 +172,33 @@ def test_printed_equations_are_those_of_the_books(
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
 
 
+SOLVED = [case for case in CASES if Path(case[0]).stem in ("pendulum", "bead_on_hoop", "double_pendulum", "wedge")]
+
+
+@pytest.mark.parametrize(("path", "book", "names"), SOLVED, ids=[Path(path).stem for path, _, _ in SOLVED])
+def test_printed_accelerations_fulfil_the_equations_of_the_books(
+    path: str, book: Callable[[Any], list[float]], names: dict[str, str]
+) -> None:
+    """The right-hand sides, and the factors before the accelerations, hold no acceleration: at zero they leave it."""
+    sink = Sink()
+    file = read(_ROOT / path, sink)
+    assert file is not None
+    flat = flatten_file(file, sink)
+    assert flat is not None
+    printed = equations(render(recipe(flat), "text"), "Solved for the accelerations")
+    unknown = [key for key in names if key.endswith("dd")]
+    assert len(printed) == len(unknown)
+    rng = np.random.default_rng(12)
+    for _ in range(5):
+        values = dict(zip(names, rng.uniform(0.3, 1.7, len(names)).tolist(), strict=True))
+        for key, line in zip(unknown, printed, strict=True):
+            at_zero, at_one = (
+                residual(line, {names[k]: v for k, v in (values | {key: x}).items()}) for x in (0.0, 1.0)
+            )
+            values[key] = -at_zero / (at_one - at_zero)
+        np.testing.assert_allclose(book(SimpleNamespace(**values)), 0, atol=1e-12)
+
+
 def test_the_reader_of_printed_lines_sees_a_wrong_sign() -> None:
     values = {"m": 2.0, "θ̈": 3.0, "θ": 0.5, "l₁": 0.7}
     right = "½ m l₁² θ̈ + m (1 − 2 sin² θ) − ⅓ m/4 = 0"

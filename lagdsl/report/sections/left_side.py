@@ -9,10 +9,10 @@ from sympy import Expr
 from lagdsl.flat.model import Parameter
 from lagdsl.flat.quantity import Quantity
 from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
-from lagdsl.report.counting import count_blocks
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
 from lagdsl.report.names import gathered, indexed, listed, own_name
 from lagdsl.report.page import Page, partial
+from lagdsl.report.sections.counting import count_blocks
 from lagdsl.report.typeset import LONGEST
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.tidy import size

@@ -21,9 +21,9 @@ from lagdsl.report.document import (
     Text,
     text,
 )
-from lagdsl.report.left_side import definition_lines
 from lagdsl.report.notation import dotted, name_box
 from lagdsl.report.page import Page, partial
+from lagdsl.report.sections.left_side import definition_lines
 from lagdsl.report.typeset import LONGEST
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.recipe import ConstraintRow, CoordinateStep

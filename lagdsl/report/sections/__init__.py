@@ -1,0 +1,1 @@
+"""Sections of a derivation report, each from the page that they share."""

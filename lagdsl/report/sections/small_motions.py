@@ -1,0 +1,251 @@
+"""Results that follow from the equations of motion: accelerations, equilibria, linear equations, frequencies."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Literal, TypeAlias
+
+from sympy import Expr, Integer, Symbol, fraction
+
+from lagdsl.report.boxes import (
+    EQUALS,
+    Box,
+    Bracket,
+    Fraction,
+    Joined,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+)
+from lagdsl.report.document import (
+    Block,
+    Equation,
+    Equations,
+    Heading,
+    Math,
+    Paragraph,
+    Strong,
+    Text,
+    text,
+    with_code,
+)
+from lagdsl.report.names import listed
+from lagdsl.report.notation import dotted
+from lagdsl.report.page import Page
+from lagdsl.report.unicode_math import line
+from lagdsl.textbook.small_motions.accelerations import LONGEST_SOLUTION
+from lagdsl.textbook.small_motions.linear import Frequency, Linear
+from lagdsl.textbook.small_motions.roots import Condition
+from lagdsl.textbook.small_motions.study import Equilibrium
+from lagdsl.textbook.tidy import size
+
+Sign: TypeAlias = Literal["+", "-"]
+_ZERO = Number("0")
+_LONGEST_ROOT = 40
+_LONGEST_FRACTION = 76
+_REST = "At rest, with all rates and accelerations zero, the equations of motion are:"
+_NOWHERE = "They have no solution: the system stays nowhere at rest."
+_COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
+_DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
+_EVERYWHERE = "At rest all terms vanish: every configuration is an equilibrium."
+_NONLINEAR = "The equations are not linear in the accelerations and multipliers, so they are solved in numbers."
+
+
+def accelerations(page: Page) -> list[Block]:
+    """Each acceleration by itself, then the multipliers of constraints; nothing for a model without coordinates."""
+    if page.study is None:
+        return []
+    found = page.study.accelerations
+    blocks: list[Block] = [Heading("Solved for the accelerations")]
+    if found.nonlinear:
+        return [*blocks, Paragraph(text(_NONLINEAR))]
+    if found.values:
+        lines = (_solution(page.notation.of(symbol), page.typeset(value)) for symbol, value in found.values)
+        blocks.append(Equations(tuple(lines)))
+    if found.left_out:
+        names = listed([page.notation.of(symbol) for symbol in found.left_out])
+        words = f": more than {LONGEST_SOLUTION} terms and factors, or not determined; they are solved in numbers."
+        blocks.append(Paragraph((Text("Not written out are "), *names, Text(words))))
+    return blocks
+
+
+def _solution(name: Box, value: Box, *, final: bool = False) -> Equation:
+    """`name = value`; a long fraction is multiplied by its denominator, so that its sums can be broken."""
+    if isinstance(value, Fraction) and len(line(value)) > _LONGEST_FRACTION:
+        below = Bracket(value.below) if isinstance(value.below, Sum) else value.below
+        return Equation(Row((*(below.items if isinstance(below, Row) else (below,)), name)), value.above, final=final)
+    return Equation(name, value, final=final)
+
+
+def small_motions(page: Page) -> list[Block]:
+    found = page.study
+    if found is None:
+        return []
+    blocks: list[Block] = [Heading("Equilibria and small motions")]
+    if found.reason is not None:
+        return [*blocks, Paragraph(with_code(found.reason))]
+    if found.held:
+        held = [Row((page.notation.of(u), EQUALS, page.typeset(value))) for u, value in found.held]
+        blocks.append(Paragraph((Text("Inputs are held at their defaults: "), *listed(held), Text("."))))
+    lines = tuple(Equation(page.typeset(value), _ZERO) for value in found.statics if value != 0)
+    if not lines:
+        return [*blocks, Paragraph(text(_EVERYWHERE))]
+    blocks += [Paragraph(text(_REST)), Equations(lines)]
+    if not found.equilibria:
+        return [*blocks, Paragraph(text(_NOWHERE))]
+    for group in _alike(found.equilibria):
+        blocks += _equilibrium(page, group)
+    return blocks
+
+
+def _alike(equilibria: Sequence[Equilibrium]) -> list[list[Equilibrium]]:
+    """Equilibria with the same linear equations together."""
+    result: list[list[Equilibrium]] = []
+    for each in equilibria:
+        same = (g for g in result if each.linear and (g[0].linear, g[0].exists) == (each.linear, each.exists))
+        group = next(same, None)
+        if group is None:
+            result.append([each])
+        else:
+            group.append(each)
+    return result
+
+
+def _equilibrium(page: Page, group: Sequence[Equilibrium]) -> list[Block]:
+    first = group[0]
+    opening: list[Strong | Text | Math] = [Strong("Equilibrium"), Text(" ")]
+    for number, place in enumerate(_places(page, group)):
+        opening += [Text(" and "), *place] if number else place
+    for condition in first.conditions:
+        opening += [Text(", where "), Math(_condition(page, condition))]
+    if first.conditions and not first.exists:
+        opening.append(Text(", which is not so for the values above"))
+    if first.linear is None:
+        return [Paragraph((*opening, Text(". Its linear equations are too long to print.")))]
+    blocks: list[Block] = [Paragraph((*opening, Text(". For small deviations δ:")))]
+    blocks.append(Equations(_linear_lines(page, first.linear)))
+    return [*blocks, *_frequencies(page, first)]
+
+
+def _places(page: Page, group: Sequence[Equilibrium]) -> list[list[Text | Math]]:
+    """Each place in words; two that differ by one sign as one."""
+    if len(group) == 2:
+        pairs = list(zip(group[0].at, group[1].at, strict=True))
+        other = [(q, a) for (q, a), (_, b) in pairs if a != b]
+        if len(other) == 1 and all(a in (b, -b) for (_, a), (_, b) in pairs):
+            return [_place(page, group[0], other[0][0])]
+    return [_place(page, each, None) for each in group]
+
+
+def _place(page: Page, equilibrium: Equilibrium, both: Symbol | None) -> list[Text | Math]:
+    of = page.notation.of
+    boxes: list[Box] = []
+    for q, value in equilibrium.at:
+        shown = page.typeset(value)
+        if q == both:
+            inside = shown.terms[0][1] if isinstance(shown, Sum) and len(shown.terms) == 1 else shown
+            shown = Row((Name("±"), Bracket(inside) if isinstance(inside, Sum) else inside))
+        boxes.append(Row((of(q), EQUALS, shown)))
+    words: list[Text | Math] = []
+    for number, box in enumerate(boxes):
+        words += [Text(", "), Math(box)] if number else [Math(box)]
+    if equilibrium.arbitrary:
+        rest = listed([of(q) for q in equilibrium.arbitrary])
+        pieces = [piece for piece in rest if isinstance(piece, Text | Math)]
+        words += [Text(", with any " if words else "with any "), *pieces]
+    return words
+
+
+def _condition(page: Page, condition: Condition) -> Box:
+    """`a ≤ b` of a quotient of positive quantities, else the whole inequality."""
+    value, at_most = condition.value, Operator("≤")
+    if condition.kind == "nonnegative":
+        return Row((_ZERO, at_most, page.typeset(value)))
+    above, below = fraction(value.together())
+    positive = {s: Symbol(s.name, positive=True) for s in value.free_symbols if page.is_positive(s)}
+    if above.xreplace(positive).is_positive and below.xreplace(positive).is_positive:
+        return Row((page.typeset(above), at_most, page.typeset(below)))
+    return Row((Sum((("-", Number("1")),)), at_most, page.typeset(value), at_most, Number("1")))
+
+
+def _linear_lines(page: Page, linear: Linear) -> tuple[Equation, ...]:
+    symbols = page.derivation.symbols
+    boxes = [page.notation.of(q) for q in symbols.q]
+    if len(boxes) == 1 and len(linear.frequencies) == 1:
+        own = linear.frequencies[0]
+        rows = [((Integer(1),), (own.damping,), (own.square,))]
+    else:
+        rows = list(zip(linear.mass, linear.damping, linear.stiffness, strict=True))
+    return tuple(Equation(_row(page, boxes, row), _ZERO, final=True) for row in rows)
+
+
+def _row(page: Page, boxes: Sequence[Box], row: tuple[Sequence[Expr], ...]) -> Box:
+    terms: list[tuple[Sign, Box]] = []
+    for factors, dots in zip(row, (2, 1, 0), strict=True):
+        for factor, box in zip(factors, boxes, strict=True):
+            if factor != 0:
+                deviation = Joined((page.notation.letter("δ"), dotted(box, dots) if dots else box))
+                terms.append(_term(page, factor, deviation))
+    terms.sort(key=lambda term: term[0] == "-") if terms and terms[0][0] == "-" else None
+    return Sum(tuple(terms)) if terms else _ZERO
+
+
+def _term(page: Page, factor: Expr, deviation: Joined) -> tuple[Sign, Box]:
+    if factor == 1:
+        return "+", deviation
+    shown = page.typeset(factor)
+    sign: Sign = "+"
+    if isinstance(shown, Sum) and len(shown.terms) == 1:
+        [(sign, shown)] = shown.terms
+    if isinstance(shown, Sum | Fraction):
+        shown = Bracket(shown)
+    before = shown.items if isinstance(shown, Row) else (shown,)
+    return sign, Row((*before, deviation))
+
+
+def _frequencies(page: Page, equilibrium: Equilibrium) -> list[Block]:
+    linear, of = equilibrium.linear, page.notation.of
+    assert linear is not None
+    known = sorted(linear.frequencies, key=lambda each: each.number) if equilibrium.exists else linear.frequencies
+    letter = page.notation.letter("ω")
+    names = [Subscript(letter, Number(str(k))) if len(known) > 1 else letter for k in range(1, len(known) + 1)]
+    lines = [_frequency_line(page, name, each) for name, each in zip(names, known, strict=True)]
+    blocks: list[Block] = [Equations(tuple(lines))] if lines else []
+    words: list[Text | Math] = []
+    for name, each in zip(names, known, strict=True):
+        words += _in_numbers(name, each, len(equilibrium.conditions) == 0 or equilibrium.exists)
+    if words:
+        blocks.append(Paragraph((Text("With the values above: "), *words[:-1], Text("."))))
+    for symbols, why in ((linear.coupled, _COUPLED), (linear.damped, _DAMPED)):
+        if symbols:
+            blocks.append(Paragraph((*listed([of(q) for q in symbols]), *with_code(why))))
+    return blocks
+
+
+def _frequency_line(page: Page, name: Box, frequency: Frequency) -> Equation:
+    """The frequency itself where its square is positive whatever the parameters are, else the square."""
+    shown = page.typeset(frequency.square)
+    if frequency.sign > 0 and size(frequency.square) <= _LONGEST_ROOT:
+        return Equation(name, Root(shown), final=True)
+    return _solution(Power(name, Number("2")), shown, final=True)
+
+
+def _in_numbers(name: Box, frequency: Frequency, exists: bool) -> list[Text | Math]:
+    """Frequency, or growth, for the values of the model; each ends with a comma that the last one loses."""
+    square = frequency.number
+    if not exists or not math.isfinite(square):
+        return []
+    root = math.sqrt(abs(square))
+    if square > 0:
+        words = f" = {root:.4g} rad/s, {root / (2 * math.pi):.4g} Hz"
+    elif square < 0:
+        words = f"² = −{-square:.4g} 1/s², unstable: deviations grow by a factor of e in {1 / root:.4g} s"
+    else:
+        words = " = 0: nothing holds this motion"
+    return [Math(name), Text(words), Text("; ")]

@@ -1,0 +1,158 @@
+"""Accelerations, equilibria and small motions of a derivation, each where it is short, else with the reason in words.
+
+The equations at rest and their roots, the linear terms of the Taylor series about each, the roots of det(K - ω² M) = 0:
+small oscillations as in Goldstein, Poole, Safko, *Classical Mechanics* (2002), chapter 6.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Expr, Function, Integer, Symbol, nan, oo, zoo
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.textbook import functions
+from lagdsl.textbook.recipe import Derivation
+from lagdsl.textbook.small_motions.accelerations import Accelerations, accelerations
+from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, defaults, written_out
+from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, linear
+from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
+from lagdsl.textbook.small_motions.statics import Place, places
+from lagdsl.textbook.tidy import TooLargeError, size
+
+_ROUNDING = 1e-9
+_POLES = (zoo, oo, -oo, nan)
+_TOO_LONG = (
+    "The equations of equilibrium are too long for roots in symbols; `lag trim` finds an equilibrium in numbers."
+)
+_CONSTRAINED = (
+    "Equilibria of a system with constraint rows are found in numbers by `lag trim`, their modes by `lag modes`."
+)
+_STATES = "First-order states occur in the equations: `lag trim` and `lag modes` look at both together."
+_TIME = "Time occurs in the equations, so that no equilibrium lasts."
+_SWITCHES = "Relations, corners or discrete variables occur in the equations; `lag modes` looks at one side of them."
+_NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` finds an equilibrium in numbers."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equilibrium:
+    """`at` are values of coordinates; those that are not in it are `arbitrary`. `exists` tells whether the `conditions`
+    hold for the parameters of the model. `linear` is None where the linear equations are not short."""
+
+    at: tuple[tuple[Symbol, Expr], ...]
+    arbitrary: tuple[Symbol, ...]
+    conditions: tuple[Condition, ...]
+    exists: bool
+    linear: Linear | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Study:
+    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why.
+
+    `statics` are the residuals at rest, one per coordinate, with the inputs `held` at their default."""
+
+    accelerations: Accelerations
+    statics: tuple[Expr, ...]
+    held: tuple[tuple[Symbol, Expr], ...]
+    equilibria: tuple[Equilibrium, ...]
+    reason: str | None
+
+
+def study(flat: FlatModel, derivation: Derivation) -> Study:
+    """All of it; bounded, as the derivation is. `flat` has at least one coordinate."""
+    found = balance(flat, derivation)
+    solved = accelerations(found)
+    held = defaults(found)
+    residuals = written_out(derivation, found.residuals)
+    reason = _reason(found, residuals)
+    used = tuple((u, value) for u, value in held.items() if any(u in each.free_symbols for each in residuals))
+    if reason is None:
+        residuals = tuple(each.xreplace(held) for each in residuals)
+        statics, equilibria, reason = _equilibria(found, residuals)
+    if reason is not None:
+        return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
+    return Study(accelerations=solved, statics=statics, held=used, equilibria=equilibria, reason=None)
+
+
+def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
+    """None where the form of the equations lets equilibria be looked for."""
+    table = balance.derivation.symbols
+    if len(balance.unknowns) > len(table.q):
+        return _CONSTRAINED
+    if any(size(each) > LONGEST for each in residuals):
+        return _TOO_LONG
+    present = {symbol for each in residuals for symbol in each.free_symbols}
+    if present & {*table.z}:
+        return _STATES
+    if table.time in present:
+        return _TIME
+    moving = {*table.q, *table.qd, *table.qdd}
+    known = {*moving, *table.u, *balance.numbers}
+    switches = {n for each in residuals for n in each.atoms(Function) if type(n).__module__ == functions.__name__}
+    if any(node.free_symbols & moving for node in switches) or not present <= known:
+        return _SWITCHES
+    return None
+
+
+def _equilibria(
+    balance: Balance, residuals: Sequence[Expr]
+) -> tuple[tuple[Expr, ...], tuple[Equilibrium, ...], str | None]:
+    table = balance.derivation.symbols
+    rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
+    statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
+    try:
+        found = places(balance, statics, table.q)
+        lasting = [each for each in found if _holds(balance, statics, each)]
+        equilibria = tuple(e for each in lasting if (e := _equilibrium(balance, residuals, each)) is not None)
+    except (NotSolvedError, TooLargeError):
+        return statics, (), _NOT_SOLVED
+    return statics, equilibria, None
+
+
+def _holds(balance: Balance, statics: Sequence[Expr], place: Place) -> bool:
+    """False for a place at which a coordinate is at a pole; raises NotSolvedError if the equations do not hold."""
+    values = [balance.tidy(each.xreplace(place.at)) for each in statics]
+    if any(value.has(*_POLES) for value in values):
+        return False
+    if _real(balance, place):
+        numbers = [
+            balance.number(value) for value in values if not value.free_symbols & {*balance.derivation.symbols.q}
+        ]
+        if any(not abs(number) < _ROUNDING * (1 + _scale(balance)) for number in numbers):
+            raise NotSolvedError
+    return True
+
+
+def _scale(balance: Balance) -> float:
+    return max((abs(value) for value in balance.numbers.values() if math.isfinite(value)), default=1.0)
+
+
+def _real(balance: Balance, place: Place) -> bool:
+    return all(_fulfilled(balance, condition) for condition in place.conditions)
+
+
+def _fulfilled(balance: Balance, condition: Condition) -> bool:
+    value = balance.number(condition.value)
+    return abs(value) <= 1 if condition.kind == "unit" else value >= 0
+
+
+def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> Equilibrium | None:
+    """None where the mass matrix is singular: a place of the coordinates alone, as the origin of polar ones."""
+    arbitrary = tuple(q for q in balance.derivation.symbols.q if q not in place.at)
+    exists = _real(balance, place)
+    try:
+        about = linear(balance, residuals, place.at, real=exists)
+    except SingularError:
+        return None
+    except (NotLinearError, TooLargeError):
+        about = None
+    return Equilibrium(
+        at=tuple(place.at.items()),
+        arbitrary=arbitrary,
+        conditions=place.conditions,
+        exists=exists,
+        linear=about,
+    )

@@ -1,0 +1,193 @@
+"""Accelerations, equilibria and natural frequencies in symbols against closed forms of textbooks and against the modes
+that the other derivation computes in numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import acos, pi, sqrt
+from pathlib import Path
+
+import numpy as np
+import pytest
+from choice import chosen
+from sympy import Expr, Float, Symbol
+
+import lagdsl
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import flatten_file, read
+from lagdsl.source import SourceFile
+from lagdsl.textbook.recipe import recipe
+from lagdsl.textbook.small_motions.study import Study, study
+
+_ROOT = Path(__file__).parents[2]
+_MODELS = sorted(
+    str(path.relative_to(_ROOT / "models").with_suffix(""))
+    for folder in ("", "library")
+    for path in (_ROOT / "models" / folder).glob("*.lag")
+)
+_SOME = ["bead_on_hoop", "coupled_oscillators", "double_pendulum", "elastic_pendulum", "three_masses"]
+EQUAL_PENDULA = """
+model EqualPendula
+  parameter Mass m = 2 kg;
+  parameter Length l = 0.7 m;
+  coordinate Angle a, b;
+  point P = {l*sin(a), -l*cos(a)};
+  gravity = {0, -9.81 m/s2};
+  mass m at P;
+  mass m at P + {l*sin(b), -l*cos(b)};
+end EqualPendula;
+"""
+
+
+def studied(source: str | Path) -> Study:
+    sink = Sink()
+    file = read(source, sink) if isinstance(source, Path) else SourceFile("<text>", source)
+    assert file is not None
+    flat = flatten_file(file, sink)
+    assert flat is not None, sink.diagnostics
+    found = recipe(flat)
+    assert found.derivation is not None
+    return study(found.flat, found.derivation)
+
+
+def number(expression: Expr, values: dict[str, float]) -> float:
+    return float(expression.xreplace({Symbol(name): Float(value, 17) for name, value in values.items()}))
+
+
+Closed = Callable[[dict[str, float]], list[tuple[list[float], list[float]]]]
+
+
+def pendulum(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    return [([0], [v["g"] / v["l"]]), ([pi], [-v["g"] / v["l"]])]
+
+
+def bead(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    """Taylor, Classical Mechanics (2005), the bead on a spinning hoop: cos θ = g/(R Ω²) beyond the critical speed."""
+    slow, square = v["g_n"] / v["R"], v["Omega"] ** 2
+    tilted = acos(slow / square)
+    return [
+        ([0], [slow - square]),
+        ([pi], [-slow - square]),
+        ([tilted], [square - slow**2 / square]),
+        ([-tilted], [square - slow**2 / square]),
+    ]
+
+
+def pendula(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    """Equal double pendulum: ω² = (2 ± √2) g/l hanging; with one rod up the product of both is negative."""
+    unit = v["g"] / v["l"]
+    hanging = [(2 - sqrt(2)) * unit, (2 + sqrt(2)) * unit]
+    mixed = [-sqrt(2) * unit, sqrt(2) * unit]
+    return [([0, 0], hanging), ([0, pi], mixed), ([pi, 0], mixed), ([pi, pi], [-x for x in reversed(hanging)])]
+
+
+def coupled(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    return [([0, 0], [v["k"] / v["m"], (v["k"] + 2 * v["kc"]) / v["m"]])]
+
+
+def three(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    """A loaded string of three masses: ω² = 4 k/m sin²(n π/8)."""
+    return [([0, 0, 0], [4 * v["k"] / v["m"] * np.sin(n * pi / 8) ** 2 for n in (1, 2, 3)])]
+
+
+def elastic(v: dict[str, float]) -> list[tuple[list[float], list[float]]]:
+    sag = v["m"] * v["g_n"] / v["k"]
+    down, up = v["l0"] + sag, v["l0"] - sag
+    spring = v["k"] / v["m"]
+    return [
+        ([down, 0], sorted([spring, v["g_n"] / down])),
+        ([up, pi], sorted([spring, -v["g_n"] / up])),
+    ]
+
+
+CASES: list[tuple[str | Path, Closed, dict[str, tuple[float, float]]]] = [
+    (_ROOT / "models/pendulum.lag", pendulum, {"m": (1, 2), "l": (1, 2), "g": (1, 10)}),
+    (_ROOT / "models/bead_on_hoop.lag", bead, {"m": (1, 2), "R": (1, 2), "g_n": (1, 9), "Omega": (4, 8)}),
+    (EQUAL_PENDULA, pendula, {"m": (1, 2), "l": (1, 2), "g": (1, 10)}),
+    (_ROOT / "models/coupled_oscillators.lag", coupled, {"m": (1, 2), "k": (1, 9), "kc": (1, 9)}),
+    (_ROOT / "models/three_masses.lag", three, {"m": (1, 2), "k": (1, 9)}),
+    (_ROOT / "models/elastic_pendulum.lag", elastic, {"m": (1, 2), "k": (60, 90), "l0": (1, 2), "g_n": (1, 9)}),
+]
+
+
+@pytest.mark.parametrize(("source", "closed", "ranges"), CASES, ids=[case[1].__name__ for case in CASES])
+def test_closed_forms(source: str | Path, closed: Closed, ranges: dict[str, tuple[float, float]]) -> None:
+    found = studied(source)
+    assert found.reason is None
+    rng = np.random.default_rng(5)
+    for _ in range(3):
+        values = {name: float(rng.uniform(low, high)) for name, (low, high) in ranges.items()}
+        expected = closed(values)
+        assert len(found.equilibria) == len(expected)
+        for each, (at, squares) in zip(found.equilibria, expected, strict=True):
+            assert each.linear is not None and not each.linear.coupled
+            np.testing.assert_allclose([number(value, values) for _, value in each.at], at, rtol=1e-12, atol=1e-14)
+            own = sorted(number(frequency.square, values) for frequency in each.linear.frequencies)
+            np.testing.assert_allclose(own, squares, rtol=1e-11)
+
+
+def test_a_root_that_is_not_real_here_says_so() -> None:
+    """Below the critical speed the bead has the two equilibria on the axis only; the others keep their condition."""
+    slow = (_ROOT / "models/bead_on_hoop.lag").read_text().replace("Omega = 8 rad/s", "Omega = 2 rad/s")
+    found = studied(slow)
+    assert [each.exists for each in found.equilibria] == [True, True, False, False]
+    [condition] = found.equilibria[2].conditions
+    assert condition.kind == "unit"
+    assert str(condition.value) == "g_n/(Omega**2*R)"
+
+
+REASONS = [
+    (
+        "coordinate Length x; mass 1 kg at {x, 0}; gravity = -g_n*world.y; force cos(time/(1 s))*(1 N) on x;",
+        "Time occurs",
+    ),
+    ("coordinate Length x; mass 1 kg at {x, 0}; gravity = -g_n*world.y; force -sign(der(x))*(1 N) on x;", "corners"),
+    ("coordinate Length x, y; mass 1 kg at {x, y}; gravity = -g_n*world.y; constraint c: y = x;", "constraint rows"),
+    ("coordinate Angle x; kinetic (1 kg.m2)*der(x)^2; potential (1 J)*(x*sin(x) + cos(2*x));", "short roots"),
+]
+
+
+@pytest.mark.parametrize(("body", "words"), REASONS, ids=[words for _, words in REASONS])
+def test_what_is_not_looked_for_has_a_reason(body: str, words: str) -> None:
+    found = studied(f"model X {body} end X;")
+    assert found.reason is not None
+    assert words in found.reason
+    assert not found.equilibria
+
+
+def test_nowhere_at_rest() -> None:
+    found = studied("model X coordinate Length y; mass 1 kg at {0, y}; gravity = -g_n*world.y; end X;")
+    assert found.reason is None
+    assert not found.equilibria
+    assert [str(value) for value in found.statics] == ["g_n*m_1"]
+
+
+def test_an_equation_of_high_degree_is_left_to_numbers() -> None:
+    body = "coordinate Length x; kinetic (1 kg)*der(x)^2; potential (1 J/m6)*x^6 + (1 J/m5)*x^5 + (1 N)*x;"
+    assert studied(f"model X {body} end X;").reason is not None
+
+
+@pytest.mark.parametrize("name", chosen(_MODELS, _SOME))
+def test_squares_are_those_of_the_modes(name: str) -> None:
+    """Eigenvalues s of the other derivation are ±√(-ω²) for every equilibrium whose motions are neither damped nor
+    left to numbers."""
+    model, compared = lagdsl.compile(_ROOT / "models" / f"{name}.lag"), 0
+    for each in model.derive().equilibria:
+        linear = each.linear
+        if linear is None or not each.exists or each.arbitrary or linear.coupled or linear.damped:
+            continue
+        if any(entry != 0 for row in linear.damping for entry in row):
+            continue
+        values = {symbol.name: model_number(model, value) for symbol, value in each.at}
+        modes = model.modes(q=values, qd=dict.fromkeys(values, 0.0))
+        squares = sorted((-(modes.eigenvalues**2)).real.tolist())
+        own = sorted(2 * [frequency.number for frequency in linear.frequencies])
+        np.testing.assert_allclose(squares, own, rtol=1e-7, atol=1e-7 * max(map(abs, own)))
+        compared += 1
+    assert compared or name not in _SOME
+
+
+def model_number(model: lagdsl.Model, value: Expr) -> float:
+    parameters = model.derive()._recipe.flat.parameters
+    values = {item.name: item.value for item in parameters} | {"g_n": 9.80665}
+    return number(value, values)
