@@ -11,7 +11,7 @@ from typing import Literal, TypeAlias
 from lagdsl.backends.identifier import identifier
 from lagdsl.diagnostics import Sink
 
-Language: TypeAlias = Literal["c", "python"]
+Language: TypeAlias = Literal["c", "python", "modelica"]
 
 _PORTS = [f"{port}{k}" for port in ("com", "lpt") for k in range(10)]
 _DEVICES = ("con", "prn", "aux", "nul", "conin$", "conout$", "clock$", *_PORTS)
@@ -48,6 +48,12 @@ _OWN = """
     main realtime makefile readme lag freestanding all clean sources binaries
     fmi2functions fmi2functiontypes fmi2typesplatform fmi3functions fmi3functiontypes fmi3platformtypes
 """
+_MODELICA_KEYWORDS = """
+    algorithm and annotation block break class connect connector constant constrainedby der discrete each else elseif
+    elsewhen encapsulated end enumeration equation expandable extends external false final flow for function if import
+    impure in initial inner input loop model not operator or outer output package parameter partial protected public
+    pure record redeclare replaceable return stream then true type when while within
+"""
 _PACKAGES = (
     "numpy",
     "scipy",
@@ -69,6 +75,8 @@ def _folded(names: Iterable[str]) -> Iterator[str]:
     return (name.lower() for name in names)
 
 
+MODELICA_KEYWORDS = frozenset(_MODELICA_KEYWORDS.split())
+
 _LANGUAGES: dict[Language, tuple[tuple[str, frozenset[str]], ...]] = {
     "c": (
         ("a name that its build files use", frozenset(_OWN.split())),
@@ -82,15 +90,21 @@ _LANGUAGES: dict[Language, tuple[tuple[str, frozenset[str]], ...]] = {
         ("a built-in name of Python", frozenset(_folded(dir(builtins)))),
         ("a device of Windows", frozenset(_DEVICES)),
     ),
+    "modelica": (
+        ("a keyword of Modelica", frozenset(_folded(MODELICA_KEYWORDS))),
+        ("a device of Windows", frozenset(_DEVICES)),
+    ),
 }
 
 C_NAMES = frozenset[str]().union(*(names for _, names in _LANGUAGES["c"]))
 PYTHON_NAMES = frozenset[str]().union(*(names for _, names in _LANGUAGES["python"]))
+MODELICA_NAMES = frozenset[str]().union(*(names for _, names in _LANGUAGES["modelica"]))
+_NAMES: dict[Language, frozenset[str]] = {"c": C_NAMES, "python": PYTHON_NAMES, "modelica": MODELICA_NAMES}
 
 
 def report_renamed(name: str, language: Language, sink: Sink) -> None:
     """N0910 where the files of a model have another name than the model."""
-    stem = identifier(name, C_NAMES if language == "c" else PYTHON_NAMES)
+    stem = identifier(name, _NAMES[language])
     if stem != name:
         sink.report("N0910", None, name=name, stem=stem, reason=_reason(name, language))
 

@@ -5,6 +5,8 @@ The constraint force of `a = b` is +lambda d(a - b)/dq: a positive multiplier pu
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, jacobian
@@ -69,6 +71,29 @@ def velocity_residuals(lowering: Lowering, rows: Rows) -> list[int]:
 def bias(lowering: Lowering, rows: Rows) -> list[int]:
     """gamma of every row: what J qdd has to be."""
     return [lowering.graph.negate(lowering.bias_rate.of(residual)) for residual in velocity_residuals(lowering, rows)]
+
+
+def baumgarte_terms(lowering: Lowering, rows: Rows, rate: int) -> list[int]:
+    """Terms that are subtracted from gamma of every row, so that errors of the constraints decay with the rate a
+    [1/s], the node `rate`: 2 a dphi/dt + a^2 phi for rows of position level, a (A qd + b) for others.
+
+    Source: Baumgarte, *Comput. Methods Appl. Mech. Eng.* 1 (1972), 1, critically damped.
+    """
+    graph = lowering.graph
+    terms = []
+    for residual, position_level in zip(rows.residuals, rows.position_level, strict=True):
+        decaying = residual
+        if position_level:
+            twice = graph.multiply(graph.constant(2.0), lowering.rate.of(residual))
+            decaying = graph.add(twice, graph.multiply(rate, residual))
+        terms.append(graph.multiply(rate, decaying))
+    return terms
+
+
+def with_baumgarte_terms(lowering: Lowering, rows: Rows, plain: list[Row], rate: int) -> list[Row]:
+    """The rows `plain` of `rows_of` with these terms in their biases."""
+    terms = baumgarte_terms(lowering, rows, rate)
+    return [replace(row, bias=lowering.graph.subtract(row.bias, terms[row.index])) for row in plain]
 
 
 def rows_of(lowering: Lowering, rows: Rows, directions: Directions) -> list[Row]:

@@ -11,7 +11,7 @@ from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.rows import Row, Rows
 from lagdsl.eliminate.solve import Factor, Solution, solve
 from lagdsl.graph.graph import Graph
-from lagdsl.mechanics.constraints import rows_of
+from lagdsl.mechanics.constraints import rows_of, with_baumgarte_terms
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.lagrange.inertia import acceleration_form
 from lagdsl.mechanics.lowering.symbols import Directions
@@ -38,13 +38,18 @@ class Eliminated:
     multipliers: Block
 
 
-def eliminate(equations: Equations, structure: Structure | None, forming: int) -> Eliminated | None:
+def eliminate(
+    equations: Equations, structure: Structure | None, forming: int, stabilization: int | None = None
+) -> Eliminated | None:
     """None where it costs more than `forming`, the operations for M, f, J and gamma, and solving at run time.
 
-    `structure` is needed where there are constraints.
+    `structure` is needed where there are constraints. `stabilization` is the rate [1/s] of Baumgarte's terms, a node;
+    without it there are none.
     """
     lowering, directions = equations.lowering, equations.symbols.directions
     rows = rows_of(lowering, equations.rows, directions)
+    if stabilization is not None:
+        rows = with_baumgarte_terms(lowering, equations.rows, rows, stabilization)
     assert structure is not None or not rows, "ranks decide which multipliers are eliminated"
     graph, n, m = lowering.graph, len(directions.rates), len(rows)
     if not n:

@@ -21,7 +21,7 @@ def solve(equations: Equations, program: Program, structure: Structure | None = 
     """
     if structure is not None and not structure.points:
         return program
-    found = eliminate(equations, structure, _cost_of_forming(program))
+    found = eliminate(equations, structure, cost_of_forming(program))
     if found is None:
         return program
     change = acceleration_tangent(found, *program.function("residual_tangent").results)
@@ -30,7 +30,7 @@ def solve(equations: Equations, program: Program, structure: Structure | None = 
     return replace(program, functions=(*program.functions, *added), kept_rows=kept)
 
 
-def _cost_of_forming(program: Program) -> int:
+def cost_of_forming(program: Program) -> int:
     """Operations for M, f, J and gamma at run time."""
 
     def cost(*names: str) -> int:

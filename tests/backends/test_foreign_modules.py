@@ -5,9 +5,7 @@ from __future__ import annotations
 
 import ast
 import json
-import os
 import re
-import subprocess
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,6 +14,7 @@ import numpy as np
 import pytest
 from choice import ALL
 from models.kinds import MODELS
+from peers import PEERS, has, in_peers
 
 import lagdsl
 from lagdsl.backends.registry import BACKENDS
@@ -28,18 +27,10 @@ from lagdsl.verify.states import random_states
 
 CLIENTS = Path(__file__).parent / "clients"
 ROOT = Path(__file__).parents[2]
-PEERS = Path(os.environ.get("PEERS", ".peers")) / "bin" / "python"
 TARGETS = pytest.mark.parametrize("target", ["casadi", "jax"])
 SOME = ("double_pendulum", "four_bar", "bouncing_ball", "van_der_pol", "pendulum_two_dependent_constraints")
 EVERY = MODELS if ALL else SOME
 STATES = 50 if ALL else 5
-
-
-@cache
-def has(package: str) -> bool:
-    if not PEERS.exists():
-        return False
-    return subprocess.run([PEERS, "-c", f"import {package}"], capture_output=True, check=False).returncode == 0
 
 
 @cache
@@ -91,14 +82,6 @@ def _add(found: dict[str, Any], name: str, arguments: Any, blocks: Any) -> None:
     found[f"{name}/inputs"] = len(arguments)
     found |= {f"{name}/in/{k}": argument for k, argument in enumerate(arguments)}
     found |= {f"{name}/out/{k}": block for k, block in enumerate(blocks)}
-
-
-def in_peers(*arguments: object, folder: Path) -> str:
-    done = subprocess.run(
-        [PEERS.absolute(), *map(str, arguments)], capture_output=True, text=True, check=False, cwd=folder, timeout=600
-    )
-    assert done.returncode == 0, (done.stdout + done.stderr)[-3000:]
-    return done.stdout
 
 
 @TARGETS

@@ -20,11 +20,12 @@ from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.settings import settings, split
 
 if TYPE_CHECKING:
+    from lagdsl.backends.backend import Backend
     from lagdsl.backends.start import Start
     from lagdsl.flat.model import FlatModel
     from lagdsl.program.program import Program
 
-_TARGETS = ("numpy", "c", "casadi", "jax")
+_TARGETS = ("numpy", "c", "casadi", "jax", "modelica")
 
 
 @click.command("build", cls=Command)
@@ -58,11 +59,14 @@ def command(
     points: tuple[str, ...],
     batch: bool,
 ) -> None:
-    """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and examples."""
+    """Write the equations of motion of FILE as one file for NumPy, CasADi, JAX or a Modelica tool, or as C sources with
+    header, Makefile and examples."""
     if batch and target != "c":
         raise click.UsageError("--batch is for --target c: the NumPy module takes many states at once in every case")
     if derivation == "textbook" and (terms or frames or points):
         raise click.UsageError("--terms, --frame and --point need the derivation `graph`")
+    if target == "modelica" and (derivation == "textbook" or terms or frames or points):
+        raise click.UsageError("--target modelica takes neither --derivation textbook nor --terms, --frame and --point")
     source = read_or_leave(file, style)
     sink = Sink()
     flat = flatten_file(source, sink, model=model)
@@ -75,13 +79,14 @@ def command(
         program = _with_functions(compilation, terms, frames, points)
     except CompilationFailed as failure:
         leave_with_errors(failure.diagnostics, style)
-    from lagdsl.backends.c.emit import CBackend
-    from lagdsl.backends.registry import BACKENDS
-    from lagdsl.backends.reserved import report_renamed
+    from lagdsl.backends.reserved import Language, report_renamed
 
-    report_renamed(compilation.program.name, "c" if target == "c" else "python", sink)
+    language: Language = "c" if target == "c" else "modelica" if target == "modelica" else "python"
+    report_renamed(compilation.program.name, language, sink)
+    backend = _backend(target, compilation, batch, sink)
+    if backend is None:
+        leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)
-    backend = CBackend(batch=batch, start=_start(compilation)) if target == "c" else BACKENDS[target]
     artifact = backend.emit(program)
     for name, text in artifact.files.items():
         path = folder / name
@@ -91,6 +96,23 @@ def command(
             raise Unwritable(path.parent, error) from error
         write_text(text, path)
         click.echo(path)
+
+
+def _backend(target: str, compilation: Compilation, batch: bool, sink: Sink) -> Backend | None:
+    """The backend of a target; None where it cannot express the model, which `sink` is told."""
+    from lagdsl.backends.c.emit import CBackend
+    from lagdsl.backends.modelica.capability_checks import report_inexpressible
+    from lagdsl.backends.modelica.emit import ModelicaBackend
+    from lagdsl.backends.registry import BACKENDS
+
+    if target == "c":
+        return CBackend(batch=batch, start=_start(compilation))
+    if target != "modelica":
+        return BACKENDS[target]
+    report_inexpressible(compilation.flat, sink)
+    if sink.has_errors:
+        return None
+    return ModelicaBackend(compilation.equations, compilation.structure, _start(compilation))
 
 
 def _with_functions(compilation: Compilation, terms: bool, frames: tuple[str, ...], points: tuple[str, ...]) -> Program:

@@ -37,4 +37,9 @@ ROWS: dict[str, Row] = {
         "the files and constants of `{name}` are named `{stem}`: {reason}",
         help="rename the model to have files of its name",
     ),
+    "E0915": error(
+        "{what} has no statement in Modelica: it would need {reason}",
+        label="this one",
+        help="export an FMU with `lag fmu`, which contains the runtime of lagdsl; or leave this statement out",
+    ),
 }
