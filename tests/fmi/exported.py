@@ -36,6 +36,7 @@ SAMPLE = (
     "van_der_pol",  # states of first order only, stiff
     "clutch",  # constraints that come and go
     "library/parts_with_play",  # components
+    "servo_drive",  # ports of every kind
 )
 EVERY = tuple(MODELS) if EXPLORE else SAMPLE
 

@@ -39,6 +39,7 @@ OF_EACH_KIND = (
     "library/dc_motor",  # circuits
     "library/parts_with_play",  # components with contacts
     "library/ladder_filter",  # many coordinates under constraints
+    "servo_drive",  # inputs of every type
 )
 
 

@@ -255,18 +255,21 @@ def _complex(program: Program, function: str, state: Arrays) -> list[np.ndarray]
 
 @SOME
 def test_power_balance(name: str) -> None:
-    """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with h = qd . dL/dqd - L, inputs and states held."""
+    """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with h = qd . dL/dqd - L, states held, and inputs but for those
+    that have derivatives."""
     program, states = compiled(name).graph, random_states(name)
     for i in range(0, STATES, 5):
         state = {g: a[i] for g, a in states.items()}
         qdd, lam = (x.real for x in _complex_solution(program, state))
+        inputs = state[Group.U] + 1j * STEP * _input_rates(program, state[Group.U])
         moving = state | {
             Group.TIME: state[Group.TIME] + 1j * STEP,
+            Group.U: inputs,
             Group.Q: state[Group.Q] + 1j * STEP * state[Group.QD],
             Group.QD: state[Group.QD] + 1j * STEP * qdd,
         }
         rate = _complex(program, "energies", moving)[3].imag / STEP
-        later = state | {Group.TIME: state[Group.TIME] + 1j * STEP}
+        later = state | {Group.TIME: state[Group.TIME] + 1j * STEP, Group.U: inputs}
         jacobi, momenta = _complex(program, "energies", later)[3], _complex(program, "momenta", later)[0]
         explicit = (momenta @ state[Group.QD] - jacobi).imag / STEP
         load, dissipated = values(program, "power", state)
@@ -276,3 +279,9 @@ def test_power_balance(name: str) -> None:
         swing = np.sum(np.abs(momentum * state[Group.QD])) * np.max(np.abs(state[Group.QD]), initial=0.0)
         size = max(np.sum(np.abs(terms)), np.sum(np.abs(momentum * qdd)), swing, abs(rate))
         assert abs(rate - np.sum(terms)) <= 1e-10 * size
+
+
+def _input_rates(program: Program, u: np.ndarray) -> np.ndarray:
+    """Of inputs whose time derivative is an input, too; zeros else."""
+    names = [slot.name for slot in program.layout.inputs]
+    return np.array([u[names.index(rate)] if (rate := f"der({name})") in names else 0.0 for name in names])

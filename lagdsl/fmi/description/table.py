@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from lagdsl.backends.c.literal import number, string
 from lagdsl.flat.model import FlatModel
+from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.fmi.variables.variables import Kind, Table, Version
 from lagdsl.graph.operation import Group
@@ -30,7 +31,9 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "row_sizes": ("double", _numbers(settings.row_sizes)),
         "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
-        "parameter_range": ("lag_range", _ranges(table)),
+        "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
+        "input_range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
+        "held_relations": ("unsigned char", _held_relations(table)),
         "input_rates": ("size_t", _input_rates(flat)),
         "continuous_inputs": ("unsigned char", _continuous_inputs(table)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
@@ -67,7 +70,7 @@ def _row(variable: Variable, version: Version) -> str:
     kind = "INTEGER" if attributes.type == "ENUMERATION" and version == 2 else attributes.type
     return (
         f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{kind}, LAG_SET_{attributes.setting}, "
-        f"{variable.first}, {variable.count}}}"
+        f"{variable.first}, {variable.count}, {string(variable.name)}}}"
     )
 
 
@@ -83,11 +86,13 @@ def _counts(values: Sequence[int]) -> list[str]:
     return [str(value) for value in values]
 
 
-def _ranges(table: Table) -> list[str]:
-    """Of all parameters, where one of them has bounds."""
-    ranges = [(-math.inf, math.inf)] * len(table.program.layout.parameters)
-    for _, variable in table.of(Role.PARAMETER):
+def _ranges(table: Table, role: Role, count: int) -> list[str]:
+    """Of all `count` parameters or inputs, where one of them has bounds. The motion may lead a real input anywhere."""
+    ranges = [(-math.inf, math.inf)] * count
+    for _, variable in table.of(role):
         attributes = variable.attributes
+        if role is Role.INPUT and attributes.type == "REAL":
+            continue
         low, high = attributes.minimum, attributes.maximum
         if attributes.literals:
             low, high = 1.0, float(len(attributes.literals))
@@ -95,6 +100,11 @@ def _ranges(table: Table) -> list[str]:
             ranges[entry] = (-math.inf if low is None else low, math.inf if high is None else high)
     bounded = any(math.isfinite(bound) for both in ranges for bound in both)
     return [f"{{{number(low)}, {number(high)}}}" for low, high in ranges] if bounded else []
+
+
+def _held_relations(table: Table) -> list[str]:
+    held = held_relations(table.flat, table.program)
+    return _flags(held) if any(held) else []
 
 
 def _input_rates(flat: FlatModel) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from lagdsl.flat.model import FlatModel
+from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.names import Name, aside, belonging
 from lagdsl.fmi.variables.scalar import Attributes, Role, Scalar
 from lagdsl.program.program import Program
@@ -43,7 +44,7 @@ def indicators(flat: FlatModel, program: Program, taken: Iterable[str]) -> Itera
 def indicator_count(flat: FlatModel, program: Program) -> int:
     """Relations, contacts, and corners of the equations."""
     corners = program.function("corner").results[0].elements if program.has("corner") else ()
-    return len(flat.events.relations) + len(flat.events.contacts) + len(corners)
+    return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(corners)
 
 
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:

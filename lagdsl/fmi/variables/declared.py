@@ -64,12 +64,14 @@ def constants(flat: FlatModel) -> Iterator[Scalar]:
 
 def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
     for index, (item, value) in enumerate(zip(flat.inputs, settings.inputs, strict=True)):
-        attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
+        real = item.base == "Real"
+        variability: Variability = "continuous" if real else "discrete"
+        attributes = replace(
+            attributes_of(item, Role.INPUT), causality="input", variability=variability, setting="ALWAYS"
+        )
         if item.derivative_of is not None:  # of another type than the input itself
             attributes = replace(attributes, type_name=None, doc=f"time derivative of {item.derivative_of}")
-        attributes = replace(
-            attributes, **bounds(item, float(value)), nominal=item.nominal if item.base == "Real" else None
-        )
+        attributes = replace(attributes, **bounds(item, float(value)), nominal=item.nominal if real else None)
         yield Scalar(
             name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
         )

@@ -44,15 +44,21 @@ class Structure:
     elements: tuple[tuple[ElementDependency, ...], ...]
 
 
-def structure(variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str]) -> Structure:
+def structure(
+    variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str], held: Sequence[bool]
+) -> Structure:
     """Derivatives in the order of the states, all others in that of the variables. `kinds` are those of the
-    discretes."""
-    return _Search(variables, found, kinds).structure()
+    discretes, `held` flags relations that are no event indicators."""
+    return _Search(variables, found, kinds, held).structure()
 
 
 class _Search:
-    def __init__(self, variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str]) -> None:
-        self._variables, self._found, self._kinds = variables, found, tuple(kinds)
+    def __init__(
+        self, variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str], held: Sequence[bool]
+    ) -> None:
+        self._variables, self._found, self._kinds, self._held = variables, found, tuple(kinds), tuple(held)
+        watched = sum(role is Role.INDICATOR for role, _ in found.moving)
+        self._indicators = [index for index in range(watched) if not (index < len(held) and held[index])]
         self._place: dict[Entry, tuple[int, int]] = {
             (v.attributes.role, entry): (index, element)
             for index, v in enumerate(variables)
@@ -98,9 +104,11 @@ class _Search:
         if role is Role.STATE:
             own: list[Row] = [(((role, entry), Kind.CONSTANT),) for entry in variable.entries]
             return own if variable.derivative_of is not None else []
-        rows = [self._found.moving.get((role, entry), ()) for entry in variable.entries]
-        if role is Role.OUTPUT:
-            rows = [self._at_events(row) for row in rows]
+        if role is Role.INDICATOR:
+            rows = [self._indicator(self._indicators[entry]) for entry in variable.entries]
+        else:
+            rows = [self._found.moving.get((role, entry), ()) for entry in variable.entries]
+        rows = [self._at_events(row) if role is Role.OUTPUT else self._when_set(row) for row in rows]
         return [tuple((entry, kind) for entry, kind in row if entry[0] in _KNOWN) for row in rows]
 
     def _at_events(self, row: Row) -> Row:
@@ -116,6 +124,18 @@ class _Search:
                 if other[0] is Role.DISCRETE:
                     waiting.append(other)
         return tuple(found.items())
+
+    def _when_set(self, row: Row) -> Row:
+        """With the inputs whose values decide upon relations in it: these are told, since it follows where they are
+        set, while indicators tell of all other relations."""
+        found = dict(row)
+        for role, index in [entry for entry, _ in row]:
+            if role is Role.DISCRETE and self._is_held(index):
+                found |= dict.fromkeys(self._deciding((role, index)), Kind.DEPENDENT)
+        return tuple(found.items())
+
+    def _is_held(self, discrete: int) -> bool:
+        return self._kinds[discrete] == "relation" and self._held[discrete - self._kinds.index("relation")]
 
     def _deciding(self, discrete: Entry) -> Iterable[Entry]:
         """Entries that a discrete follows from: those of an indicator, or of a clause, which may read everything."""
@@ -133,11 +153,15 @@ class _Search:
     def _continuous_state(self, index: int) -> Unknown:
         variable = self._variables[index]
         strongest = self._strongest(self._rows(variable))
-        real = variable.attributes.type == "REAL"
         return Unknown(
             variable=index,
-            dependencies=tuple((known, _WORDS[kind] if real else "dependent") for known, kind in strongest),
+            dependencies=tuple((known, self._word(variable, known, kind)) for known, kind in strongest),
         )
+
+    def _word(self, variable: Variable, known: int, kind: Kind) -> str:
+        """Only real numbers are linear in others."""
+        real = variable.attributes.type == "REAL" and self._variables[known].attributes.type == "REAL"
+        return _WORDS[kind] if real else "dependent"
 
     def _strongest(self, rows: Iterable[Row]) -> list[tuple[int, Kind]]:
         """By variable, in their order."""
@@ -149,18 +173,17 @@ class _Search:
         return sorted(found.items())
 
     def _elements(self, variable: Variable) -> tuple[ElementDependency, ...]:
-        real = variable.attributes.type == "REAL"
-        rows = [self._whole(row, real) for row in self._rows(variable)]
+        rows = [self._whole(row, variable) for row in self._rows(variable)]
         if len(rows) > 1 and all(row == rows[0] for row in rows):
             return tuple(_at(0, dependency) for dependency in rows[0])
         return tuple(_at(element, dependency) for element, row in enumerate(rows, 1) for dependency in row)
 
-    def _whole(self, row: Row, real: bool) -> list[tuple[int, int, str]]:
+    def _whole(self, row: Row, variable: Variable) -> list[tuple[int, int, str]]:
         """Variables, entries and kinds; an array of which all entries count in the same way is one."""
         entries: dict[int, list[tuple[int, str]]] = {}
         for entry, kind in row:
             known, element = self._place[entry]
-            entries.setdefault(known, []).append((element, _WORDS[kind] if real else "dependent"))
+            entries.setdefault(known, []).append((element, self._word(variable, known, kind)))
         found: list[tuple[int, int, str]] = []
         for known, told in sorted(entries.items()):
             kinds = {kind for _, kind in told}

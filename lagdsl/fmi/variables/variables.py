@@ -12,6 +12,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables import builtin_variables, continuous_states, declared
 from lagdsl.fmi.variables.arrays import grouped
 from lagdsl.fmi.variables.dependencies import dependencies
+from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.names import apart
 from lagdsl.fmi.variables.parameter_use import free_places
 from lagdsl.fmi.variables.scalar import Role, Scalar, Variable
@@ -67,7 +68,12 @@ def table(
         program=program,
         settings=known,
         variables=variables,
-        structure=structure(variables, dependencies(program, free_places(flat)), program.layout.kinds),
+        structure=structure(
+            variables,
+            dependencies(program, free_places(flat)),
+            program.layout.kinds,
+            held_relations(flat, program),
+        ),
     )
 
 

@@ -297,7 +297,9 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
-    if latest(one, two) == Variability.CONTINUOUS and not ctx.current.quiet:
+    # An Integer that somebody gives changes at events, too: the clauses and rows that it switches act then.
+    given = highest(one, two) == Order.GIVEN
+    if (latest(one, two) == Variability.CONTINUOUS or given) and not ctx.current.quiet:
         return _located(ctx, scope, node, one, two)
     relation = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
     return Scalar(relation, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")

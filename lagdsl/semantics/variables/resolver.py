@@ -206,7 +206,8 @@ class Definitions:
         if symbol.kind == "input" and symbol.info.base == "Boolean":
             return _truth_of_input(ctx, symbol, variable)
         order = Order.GIVEN if symbol.kind == "input" else Order.CONFIGURATION
-        return Scalar(variable, dimension, Variability.CONTINUOUS, order, symbol.info.base)
+        variability = Variability.CONTINUOUS if symbol.info.base == "Real" else Variability.DISCRETE
+        return Scalar(variable, dimension, variability, order, symbol.info.base)
 
     @contextmanager
     def _entered(self, ctx: Context, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:

@@ -138,3 +138,25 @@ def driven_shafts(p: Parameters, t: Floats) -> dict[str, Floats]:
         "der(drag.s_b)": cart,
         "effort": c * (3 * np.sin(w * t) - wheel),
     }
+
+
+def servo_drive(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """A constant torque against a bearing; the winding warms up to what the torque loses. Samples are those of the last
+    tick, of two rows at one time that before it comes first."""
+    torque = p["step"] * 1.0
+    fading = p["d"] / p["J"]
+
+    def rate(time: Floats) -> Floats:
+        return torque / p["d"] * (1 - np.exp(-fading * time))
+
+    before = np.append(np.diff(t) == 0.0, False)
+    ticks = np.maximum(np.floor(t / 0.1 + 1e-9) - before * (np.abs(t / 0.1 - np.rint(t / 0.1)) < 1e-9), 0)
+    steady = p["heating"] * p["losses"] * torque**2
+    return {
+        "phi": torque / p["d"] * (t - (1 - np.exp(-fading * t)) / fading),
+        "der(phi)": rate(t),
+        "warmth": steady * (1 - np.exp(-t / p["cooling"])),
+        "measured": rate(0.1 * ticks),
+        "lost": p["d"] * rate(t) ** 2 * p["cooling"],
+        "does": 2 + 0 * t,
+    }

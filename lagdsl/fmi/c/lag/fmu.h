@@ -19,7 +19,7 @@ typedef enum lag_role {
     LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
     LAG_ROLE_DISCRETE,   /* w (nw) */
     LAG_ROLE_MULTIPLIER, /* lam (nc) */
-    LAG_ROLE_INDICATOR,  /* event indicators, (nindicator + ncontact + ncorner): see lag_instance_indicators() */
+    LAG_ROLE_INDICATOR,  /* event indicators (lag_instance_indicator_count()): see lag_instance_indicators() */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
     LAG_ROLE_OPTION      /* see lag_option */
@@ -44,10 +44,11 @@ typedef enum lag_setting {
     LAG_SET_ALWAYS   /* inputs, and states where the standard lets them be set */
 } lag_setting;
 
-/* Its value reference is its index. An array variable is `count` entries, one after the other. */
+/* Its value reference is its index, its name that of the description. An array variable is `count` entries, one after the other. */
 typedef struct lag_variable {
     unsigned char role, type, setting;
     size_t first, count;
+    const char *name;
 } lag_variable;
 
 /* Dependency of an unknown on a known; the numbers are those of FMI 3. */
@@ -97,6 +98,8 @@ typedef struct lag_fmu {
     const size_t *input_rates; /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
     const unsigned char *continuous_inputs; /* (nu) 1: it has such an input, and may not jump: no blow would follow. Null: none */
     const lag_range *parameter_range; /* (np) null: any */
+    const lag_range *input_range;     /* (nu) of those that change at events only; null: any */
+    const unsigned char *held_relations; /* (nindicator) 1: only values that are set at events change it: no event indicator. Null: none */
 } lag_fmu;
 
 #endif

@@ -44,7 +44,7 @@ lag_status lag_instance_look_at_corners(lag_instance *instance)
 {
     const size_t count = instance->fmu->model->ncorner;
     const lag_status status = count > 0 ? look(instance, instance->held.t, instance->x) : LAG_OK;
-    double *g = instance->g + lag_instance_first_corner(instance);
+    double *g = lag_instance_corner_indicators(instance);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         g[i] = instance->far[i] + (instance->side[i] < 0.0 ? -margin(instance, i) : margin(instance, i));
     }
@@ -74,7 +74,7 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
 void lag_instance_pass_corners(lag_instance *instance)
 {
     const size_t count = instance->fmu->model->ncorner;
-    const double *g = instance->g + lag_instance_first_corner(instance);
+    const double *g = lag_instance_corner_indicators(instance);
     double *largest = instance->largest + lag_instance_first_corner(instance);
     if (count > 0) {
         lag_noise_follow(&instance->run->instants.noise, instance->x);

@@ -158,7 +158,7 @@ static lag_status begin(lag_instance *instance, double far)
 {
     lag_held *held = &instance->held;
     if (held->latched_at != held->t) {
-        memset(instance->latched, 0, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+        memset(instance->latched, 0, lag_instance_watched(instance->fmu) * sizeof(double));
     }
     lag_status status = lag_instance_carry_out(instance);
     if (status == LAG_OK && !held->stopped) {

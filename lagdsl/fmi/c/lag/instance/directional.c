@@ -237,7 +237,7 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
         array = to->worst;
         break;
     default:
-        return lag_instance_fail(instance, LAG_MISSING, "value reference %zu has no derivatives", unknown->variable);
+        return lag_instance_fail(instance, LAG_MISSING, "%s has no derivatives", instance->fmu->variables[unknown->variable].name);
     }
     *value = status == LAG_OK ? array[index] : 0.0;
     if (status == LAG_OK && !isfinite(*value)) {
@@ -276,7 +276,7 @@ static lag_status aim(lag_instance *instance, int pulled, const lag_known *known
         double *place = place_of(instance, &known[k]);
         if (place == NULL) {
             return lag_instance_fail(
-                instance, LAG_MISSING, "there are no derivatives with respect to value reference %zu", known[k].variable);
+                instance, LAG_MISSING, "there are no derivatives with respect to %s", instance->fmu->variables[known[k].variable].name);
         }
         *place += seed[k];
     }

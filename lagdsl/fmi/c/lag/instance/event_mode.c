@@ -31,7 +31,17 @@ static size_t watched(const lag_instance *instance)
 
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    return fmu->model->nindicator + fmu->model->ncontact + fmu->model->ncorner;
+    size_t count = lag_instance_watched(fmu);
+    for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
+        count -= fmu->held_relations[i];
+    }
+    return count;
+}
+
+/* 1: the motion does not change it. */
+static int is_held(const lag_instance *instance, size_t i)
+{
+    return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
 }
 
 /* Value that passes zero downward when the relation or contact changes. */
@@ -64,8 +74,11 @@ lag_status lag_instance_look(lag_instance *instance)
 {
     const size_t count = watched(instance);
     const lag_status status = look(instance, instance->held.t, instance->x);
+    double *g = instance->g;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
+        if (!is_held(instance, i)) {
+            *g++ = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
+        }
     }
     return status == LAG_OK ? lag_instance_look_at_corners(instance) : status;
 }
@@ -98,7 +111,7 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
 
 lag_status lag_instance_release(lag_instance *instance)
 {
-    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));

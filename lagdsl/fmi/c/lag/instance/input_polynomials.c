@@ -123,7 +123,7 @@ lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t vari
     }
     for (size_t i = 0; i < which->count; ++i) {
         if (!isfinite(values[i])) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of an input is infinite or not a number");
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of %s is infinite or not a number", which->name);
         }
     }
     set(instance, (size_t)order, which->first, which->count, values);

@@ -38,7 +38,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_indicator_count(fmu) +
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_watched(fmu) +
            model->ncorner + model->ny;
 }
 
@@ -94,7 +94,7 @@ static void lay_out(lag_instance *instance, double *memory)
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     const size_t size = lag_motion_size(model);
-    const size_t indicators = lag_instance_indicator_count(fmu);
+    const size_t watched = lag_instance_watched(fmu);
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
@@ -105,12 +105,12 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->left = lag_take(&memory, model->nu);
     instance->paths = (lag_path *)(void *)lag_take(&memory, PATH * model->nu);
-    instance->largest = lag_take(&memory, indicators);
-    instance->latched = lag_take(&memory, indicators);
+    instance->largest = lag_take(&memory, watched);
+    instance->latched = lag_take(&memory, watched);
     instance->side = lag_take(&memory, model->ncorner);
     instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
-    instance->g = lag_take(&memory, indicators);
+    instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
     instance->far = lag_take(&memory, model->ncorner);
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);

@@ -79,8 +79,8 @@ struct lag_instance {
     double *given_inputs;   /* (nu) flags: this one was set */
     lag_path *paths;        /* (nu) */
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
-    double *largest;        /* (indicators) magnitudes seen since they stand as they do */
-    double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
+    double *largest;        /* (relations, contacts, corners) magnitudes seen since they stand as they do */
+    double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
@@ -116,6 +116,12 @@ static inline lag_run_options lag_instance_plan(void)
 
 /* ---- instance.c ---- */
 
+/* Number of relations, contacts and corners. */
+static inline size_t lag_instance_watched(const lag_fmu *fmu)
+{
+    return fmu->model->nindicator + fmu->model->ncontact + fmu->model->ncorner;
+}
+
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
 /* Rate at which state derivatives reduce constraint residuals [1/s]: within a fiftieth of the experiment of the FMU. */
@@ -148,10 +154,16 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
 
 /* ---- corner_indicators.c ---- */
 
-/* The first indicator of a corner: they come after relations and contacts. */
+/* The first corner among all that is watched: they come after relations and contacts. */
 static inline size_t lag_instance_first_corner(const lag_instance *instance)
 {
     return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
+}
+
+/* The first indicator of a corner. */
+static inline double *lag_instance_corner_indicators(const lag_instance *instance)
+{
+    return instance->g + lag_instance_indicator_count(instance->fmu) - instance->fmu->model->ncorner;
 }
 
 /* Indicators of corners at the present state, into g. */

@@ -86,11 +86,12 @@ static lag_status check_found(lag_instance *instance, const lag_variable *variab
     const int motion = is_motion((lag_role)variable->role);
     for (size_t i = 0; i < variable->count; ++i) {
         if (motion && !isfinite(values[i])) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: a value is infinite or not a number", instance->held.t);
+            return lag_instance_fail(
+                instance, LAG_NOT_FINITE, "t = %.10g s: %s is infinite or not a number", instance->held.t, variable->name);
         }
         if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= MOST_INTEGER)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
-                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : "a variable", values[i]);
+                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : variable->name, values[i]);
         }
     }
     return LAG_OK;
@@ -122,26 +123,33 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 
 /* ---- setting ---- */
 
+/* The values that entry `i` may have; null: any. */
+static const lag_range *range_of(const lag_fmu *fmu, const lag_variable *variable, size_t i)
+{
+    const lag_range *ranges = variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range :
+                              variable->role == LAG_ROLE_INPUT     ? fmu->input_range :
+                                                                     NULL;
+    return ranges == NULL ? NULL : ranges + variable->first + i;
+}
+
 static lag_status check(lag_instance *instance, const lag_variable *variable, const double *values)
 {
     for (size_t i = 0; i < variable->count; ++i) {
         const double value = values[i];
         if (isnan(value) || (isinf(value) && variable->role != LAG_ROLE_PARAMETER)) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "a value to be set is infinite or not a number");
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "the value for %s is infinite or not a number", variable->name);
         }
-        if (variable->role == LAG_ROLE_PARAMETER && instance->fmu->parameter_range != NULL) {
-            const size_t which = variable->first + i;
-            const lag_range *range = &instance->fmu->parameter_range[which];
-            if (value < range->least || value > range->most) {
-                const char *name = instance->fmu->model->parameters[which].name;
-                return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", name, range->least, range->most, value);
-            }
+        const lag_range *range = range_of(instance->fmu, variable, i);
+        if (range != NULL && (value < range->least || value > range->most)) {
+            const lag_slot *slots = variable->role == LAG_ROLE_PARAMETER ? instance->fmu->model->parameters : instance->fmu->model->inputs;
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", slots[variable->first + i].name, range->least,
+                range->most, value);
         }
         if (variable->type == LAG_TYPE_BOOLEAN && value != 0.0 && value != 1.0) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is neither true nor false", value);
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is true or false, not %g", variable->name, value);
         }
         if ((variable->type == LAG_TYPE_INTEGER || variable->type == LAG_TYPE_ENUMERATION) && value != floor(value)) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is no whole number", value);
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is a whole number, not %g", variable->name, value);
         }
     }
     return LAG_OK;
@@ -211,7 +219,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     case LAG_ROLE_INDICATOR:
     case LAG_ROLE_ENERGY:
     case LAG_ROLE_RESIDUAL:
-        return lag_instance_fail(instance, LAG_MISSING, "this variable cannot be set");
+        return lag_instance_fail(instance, LAG_MISSING, "%s cannot be set", which->name);
     }
     if (changed) {
         held->jumped = 1;

@@ -24,8 +24,8 @@ static int consistent(lag_shell *shell, lag_type type, const uint32_t *reference
         }
         const lag_variable *variable = &shell->fmu->variables[references[i]];
         if (variable->type != (unsigned char)type) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the variable with value reference %lu is %s, not %s",
-                (unsigned long)references[i], type_name((lag_type)variable->type), type_name(type));
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is %s, not %s", variable->name, type_name((lag_type)variable->type),
+                type_name(type));
             return 0;
         }
         total += variable->count;
@@ -67,8 +67,7 @@ static lag_answer ready(lag_shell *shell, uint32_t reference)
         return lag_shell_initialized(shell);
     }
     if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE) {
-        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of the variable with value reference %lu is known from initialization mode on",
-            (unsigned long)reference);
+        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of %s is known from initialization mode on", variable->name);
     }
     return plain(role) ? LAG_ANSWER_OK : lag_shell_initialized(shell);
 }
@@ -116,10 +115,54 @@ static int settable(const lag_shell *shell, const lag_variable *variable)
     case LAG_MODE_CONTINUOUS:
         return (tunable || state) && variable->type == LAG_TYPE_REAL;
     case LAG_MODE_STEP:
-        return variable->setting == LAG_SET_ALWAYS || (tunable && !shell->now.event_mode);
+        return (variable->setting == LAG_SET_ALWAYS && variable->type == LAG_TYPE_REAL) || (tunable && !shell->now.event_mode);
     default:
         return 0;
     }
+}
+
+/* 1: these are the values that an input has, which importers set again and again; a value that is none is different. */
+static int unchanged(lag_shell *shell, uint32_t reference, const void *values, size_t place, lag_fetch *fetch)
+{
+    const lag_variable *variable = &shell->fmu->variables[reference];
+    if (variable->role != LAG_ROLE_INPUT || lag_instance_get(shell->instance, reference, shell->scratch) != LAG_OK) {
+        return 0;
+    }
+    for (size_t k = 0; k < variable->count; ++k) {
+        const double given = fetch != NULL ? fetch(values, place + k) : ((const double *)values)[place + k];
+        if (!(shell->scratch[k] == given)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/*
+ * True if an input keeps its value until the next event mode. Root functions of importers look beyond the next event, and set
+ * inputs as they are there (FMPy): the equations must not change before it.
+ */
+static int waits(const lag_shell *shell, const lag_variable *variable)
+{
+    return shell->now.mode == LAG_MODE_CONTINUOUS && variable->role == LAG_ROLE_INPUT && variable->type != LAG_TYPE_REAL;
+}
+
+/* Told once. */
+static lag_answer keep(lag_shell *shell, const lag_variable *variable)
+{
+    if (shell->kept) {
+        return LAG_ANSWER_WARNING;
+    }
+    shell->kept = 1;
+    return lag_shell_say(
+        shell, LAG_ANSWER_WARNING, "%s keeps its value: it changes in event mode only, where it has to be set again", variable->name);
+}
+
+static lag_answer refuse(lag_shell *shell, const lag_variable *variable)
+{
+    const char *format = variable->setting == LAG_SET_NEVER  ? "%s cannot be set" :
+                         variable->role == LAG_ROLE_INPUT ? "%s cannot change now: it is set at events" :
+                                                               "%s cannot be set now";
+    return lag_shell_say(shell, LAG_ANSWER_ERROR, format, variable->name);
 }
 
 static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, const void *values, lag_fetch *fetch)
@@ -127,16 +170,14 @@ static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, co
     size_t place = 0;
     for (size_t i = 0; i < n; ++i) {
         const lag_variable *variable = &shell->fmu->variables[references[i]];
-        if (!settable(shell, variable)) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, variable->setting == LAG_SET_NEVER ?
-                "the variable with value reference %lu cannot be set" : "the variable with value reference %lu cannot be set now",
-                (unsigned long)references[i]);
+        const int fine = settable(shell, variable) || waits(shell, variable) || unchanged(shell, references[i], values, place, fetch);
+        if (!fine) {
+            (void)refuse(shell, variable);
             return 0;
         }
         for (size_t k = 0; k < variable->count; ++k, ++place) {
             if (!isfinite(fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
-                (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for the variable with value reference %lu is infinite or not a number",
-                    (unsigned long)references[i]);
+                (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
                 return 0;
             }
         }
@@ -150,9 +191,16 @@ lag_answer lag_shell_set(
     if (!consistent(shell, type, references, n, values, count) || !acceptable(shell, references, n, values, fetch)) {
         return LAG_ANSWER_ERROR;
     }
+    lag_answer answer = LAG_ANSWER_OK;
     size_t place = 0;
     for (size_t i = 0; i < n; ++i) {
-        const size_t width = shell->fmu->variables[references[i]].count;
+        const lag_variable *variable = &shell->fmu->variables[references[i]];
+        const size_t width = variable->count;
+        if (waits(shell, variable)) {
+            answer = unchanged(shell, references[i], values, place, fetch) ? answer : keep(shell, variable);
+            place += width;
+            continue;
+        }
         const double *given = (const double *)values + (fetch == NULL ? place : 0);
         for (size_t k = 0; k < width && fetch != NULL; ++k) {
             shell->scratch[k] = fetch(values, place + k);
@@ -164,7 +212,7 @@ lag_answer lag_shell_set(
         shell->now.stale = 1;
         place += width;
     }
-    return LAG_ANSWER_OK;
+    return answer;
 }
 
 lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count)
@@ -194,7 +242,7 @@ lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *ref
     }
     for (size_t i = 0; i < n; ++i) {
         if (shell->fmu->variables[references[i]].role != LAG_ROLE_INPUT) {
-            return lag_shell_say(shell, LAG_ANSWER_ERROR, "the variable with value reference %lu is not an input", (unsigned long)references[i]);
+            return lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is not an input", shell->fmu->variables[references[i]].name);
         }
         if (orders[i] < 1 || !isfinite(values[i])) {
             return lag_shell_say(shell, LAG_ANSWER_ERROR, "derivatives of inputs are finite and their orders at least 1");

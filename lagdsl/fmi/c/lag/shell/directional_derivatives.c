@@ -6,8 +6,12 @@ static int entries(lag_shell *shell, const uint32_t *references, size_t n, size_
 {
     *count = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (references[i] >= shell->fmu->nvariable || shell->fmu->variables[references[i]].type != LAG_TYPE_REAL) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no real variable with value reference %lu", (unsigned long)references[i]);
+        if (references[i] >= shell->fmu->nvariable) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)references[i]);
+            return 0;
+        }
+        if (shell->fmu->variables[references[i]].type != LAG_TYPE_REAL) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is no real variable: it has no derivatives", shell->fmu->variables[references[i]].name);
             return 0;
         }
         *count += shell->fmu->variables[references[i]].count;

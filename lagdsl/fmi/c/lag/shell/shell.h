@@ -87,6 +87,7 @@ struct lag_shell {
     lag_course_of_calls now;
     unsigned categories; /* lag_category: what is told */
     int busy;            /* in a callback that may not call back */
+    int kept;            /* it was told that inputs are set at events */
     double *scratch;     /* as many as the longest variable has */
     lag_known *known;    /* (capacity) */
     size_t capacity;

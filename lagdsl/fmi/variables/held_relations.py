@@ -1,0 +1,22 @@
+"""Relations that the motion does not change: only inputs that are set at events, and other discretes, stand in them."""
+
+from __future__ import annotations
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.operation import Group, Op
+from lagdsl.program.program import Program
+
+
+def held_relations(flat: FlatModel, program: Program) -> tuple[bool, ...]:
+    """By relation, in their order. They are evaluated in event mode and are no event indicators (FMI 3.0, 2.3.3)."""
+    if not flat.events.relations:
+        return ()
+    graph = program.graph
+
+    def is_held(node: int) -> bool:
+        symbols = [each for each in graph.live([node]) if graph.op[each] is Op.SYMBOL]
+        groups = {graph.group(each) for each in symbols}
+        given = [flat.inputs[graph.b[each]] for each in symbols if graph.group(each) is Group.U]
+        return groups <= {Group.U, Group.W, Group.P} and bool(given) and all(item.base != "Real" for item in given)
+
+    return tuple(is_held(node) for node in program.function("indicator").results[0].elements)
