@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from lagdsl.api.model import Model
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import CompilationFailed, Diagnostic, UnknownName
+    from lagdsl.signals.hold import Hold
     from lagdsl.signals.trajectory import Event
     from lagdsl.simulate.failure import SimulationFailed
 
@@ -23,6 +24,7 @@ _HOMES = {
     "CompilationFailed": "lagdsl.diagnostics",
     "Diagnostic": "lagdsl.diagnostics",
     "Event": "lagdsl.signals.trajectory",
+    "Hold": "lagdsl.signals.hold",
     "Model": "lagdsl.api.model",
     "SimulationFailed": "lagdsl.simulate.failure",
     "Trajectory": "lagdsl.api.trajectory",
@@ -36,6 +38,7 @@ __all__ = [
     "CompilationFailed",
     "Diagnostic",
     "Event",
+    "Hold",
     "Model",
     "SimulationFailed",
     "Trajectory",

@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Literal
 
 from lagdsl.diagnostics import Sink
+from lagdsl.fmi.description.description import Attribution as Attribution
 from lagdsl.fmi.export import export
+from lagdsl.fmi.variables.ports import Ports as Ports
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile
@@ -26,6 +28,8 @@ def export_fmu(
     parameters: Mapping[str, float],
     start: Mapping[str, float],
     source: SourceFile | None,
+    ports: Ports,
+    attribution: Attribution,
     engine: EngineName,
     sink: Sink | None,
     progress: Callable[[float], None] | None,
@@ -44,6 +48,8 @@ def export_fmu(
         parameters=parameters,
         start=start,
         source=source,
+        ports=ports,
+        attribution=attribution,
         engine=engine,
         sink=Sink() if sink is None else sink,
         progress=progress,

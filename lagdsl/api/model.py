@@ -267,6 +267,12 @@ class Model(SmallMotions):
         platforms: Sequence[str] = (),
         parameters: Mapping[str, Value] | None = None,
         start: Mapping[str, Value] | None = None,
+        outputs: Sequence[str] = (),
+        hide: Sequence[str] = (),
+        scalar: bool = False,
+        author: str | None = None,
+        license: str | None = None,
+        model_version: str | None = None,
         with_source: bool = False,
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
@@ -274,11 +280,14 @@ class Model(SmallMotions):
         """Write the model to `path` as an FMU of FMI 2.0 or 3.0, checked and run once before it appears.
 
         `platforms` are those that binaries are made for, `linux-x86_64`, `windows-x86_64`...; default: this machine's.
-        `parameters` and `start`, by name in SI units, become the defaults of the FMU. `with_source` puts the text of
-        the model into it. Notes go to `sink`. Raises CompilationFailed where there is no FMU of this model or it cannot
-        be made here, OSError where `path` cannot be written, KeyError and ValueError for arguments that do not fit.
+        `parameters` and `start`, by name in SI units, become the defaults of the FMU. `outputs` are variables that
+        become outputs, `hide` those that it does not show; `*` and `?` stand for any text and any character. With
+        `scalar` entries of arrays are variables of their own in FMI 3, too. `author`, `license` and `model_version`
+        stand in its description. `with_source` puts the text of the model into it. Notes go to `sink`. Raises
+        CompilationFailed where there is no FMU of this model or it cannot be made here, OSError where `path` cannot be
+        written, KeyError and ValueError for arguments that do not fit.
         """
-        from lagdsl.api.fmu import export_fmu
+        from lagdsl.api.fmu import Attribution, Ports, export_fmu
 
         self._parameter_vector(parameters)
         source = self._source if with_source else None
@@ -292,6 +301,8 @@ class Model(SmallMotions):
             parameters=chosen,
             start=starts,
             source=source,
+            ports=Ports(outputs=tuple(outputs), hidden=tuple(hide), scalar=scalar),
+            attribution=Attribution(author=author, license=license, version=model_version),
             engine=self._engine.name,
             sink=sink,
             progress=progress,

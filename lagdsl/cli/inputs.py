@@ -19,21 +19,23 @@ from lagdsl.signals.table_io import Tables, in_si, read_inputs
 
 @record()
 class Inputs:
-    """Arguments of `--input`: tables by name, and texts of values by name."""
+    """Arguments of `--input`: tables by name, and texts of values by name; with `hold` tables keep their values between
+    the rows."""
 
     tables: Tables
     values: dict[str, str]
+    hold: bool = False
 
     def of(self, flat: FlatModel, sink: Sink, style: Format) -> dict[str, Signal]:
         """All of them for this model; leaves with status 1 where units of tables do not fit. Raises SettingError for
         names and values that do not fit."""
-        found = {**in_si(self.tables, flat, sink), **constants(flat, self.values, sink)}
+        found = {**in_si(self.tables, flat, sink, hold=self.hold), **constants(flat, self.values, sink)}
         if sink.has_errors:
             leave_with_errors(sink.diagnostics, style)
         return found
 
 
-def inputs_or_leave(given: tuple[str, ...], style: Format) -> Inputs:
+def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False) -> Inputs:
     """Assignments and files of `--input`; leaves with status 2 where a file cannot be read. Raises SettingError."""
     tables: Tables = {}
     values = split([text for text in given if _is_assignment(text)])
@@ -49,7 +51,7 @@ def inputs_or_leave(given: tuple[str, ...], style: Format) -> Inputs:
         if twice:
             raise SettingError(f"--input {text}: `{twice[0]}` is given twice")
         tables |= found
-    return Inputs(tables, values)
+    return Inputs(tables, values, hold)
 
 
 def _is_assignment(text: str) -> bool:

@@ -35,6 +35,9 @@ takes_inputs: Decorator = click.option(
     metavar="NAME=VALUE|FILE",
     help="Value of an input, 'f=2 N', or a CSV file: time and a column for each input.",
 )
+takes_input_hold: Decorator = click.option(
+    "--input-hold", "hold", is_flag=True, help="Keep inputs between the rows of files; numbers are linear otherwise."
+)
 takes_columns: Decorator = click.option(
     "--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated."
 )

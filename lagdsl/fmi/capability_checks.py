@@ -21,7 +21,7 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
     """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902), and which inputs
     belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
     least, most = _INTEGERS[version]
-    counted: tuple[Parameter | Discrete, ...] = (*flat.parameters, *flat.events.discretes)
+    counted: tuple[Parameter | Discrete | Input, ...] = (*flat.parameters, *flat.events.discretes, *flat.inputs)
     for item in counted:
         for what, value in _integers(flat, item, values):
             if not least <= value <= most:
@@ -42,14 +42,17 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
             sink.report("N0903", place(driven), *around(driven), name=named(driven.name).text, derivatives=derivatives)
 
 
-def _integers(flat: FlatModel, item: Parameter | Discrete, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+def _integers(
+    flat: FlatModel, item: Parameter | Discrete | Input, values: Mapping[str, float]
+) -> Iterator[tuple[str, float]]:
     """Values that an FMU writes as integers; bounds at infinity are no bounds."""
-    if item.kind != "Integer":
+    if item.base not in ("Integer", "Enumeration"):
         return
     if isinstance(item, Parameter):
         yield "the value", values.get(item.name, item.value)
     else:
-        yield "the start", evaluate(flat, item.start, Values(variables=values))
+        start = item.start if isinstance(item, Discrete) else item.default
+        yield "the start", evaluate(flat, start, Values(variables=values))
     for what, bound in (("the min", item.minimum), ("the max", item.maximum)):
         if bound is not None and math.isfinite(bound):
             yield what, bound

@@ -51,9 +51,10 @@ def terminal_files(export_model: ExportModel) -> dict[str, bytes]:
 
 
 def _description(export_model: ExportModel, files: Sequence[str], token: str) -> str:
-    if export_model.table.version == 2:
-        return fmi2_description(export_model.table, identifier=export_model.stem, source_files=files, token=token)
-    return fmi3_description(export_model.table, identifier=export_model.stem, token=token)
+    table, stem, attribution = export_model.table, export_model.stem, export_model.attribution
+    if table.version == 2:
+        return fmi2_description(table, identifier=stem, source_files=files, token=token, attribution=attribution)
+    return fmi3_description(table, identifier=stem, token=token, attribution=attribution)
 
 
 def _token(description: str, sources: Mapping[str, str]) -> str:

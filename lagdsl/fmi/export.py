@@ -11,6 +11,7 @@ from lagdsl.backends.reserved import report_renamed
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.capability_checks import refuse
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
+from lagdsl.fmi.description.description import Attribution
 from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
@@ -20,6 +21,7 @@ from lagdsl.fmi.package.binary import objects_of
 from lagdsl.fmi.package.sources import require_fmpy
 from lagdsl.fmi.package.trial import try_out
 from lagdsl.fmi.reference import reference
+from lagdsl.fmi.variables.ports import Ports
 from lagdsl.fmi.variables.variables import KINDS, Kind, Version
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.building.compiler import failure
@@ -43,6 +45,8 @@ def export(
     start: Mapping[str, float] | None = None,
     source: SourceFile | None = None,
     documented: bool = True,
+    ports: Ports | None = None,
+    attribution: Attribution | None = None,
     engine: EngineName = "auto",
     sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
@@ -51,10 +55,11 @@ def export(
 
     `platforms` are names of `lagdsl.runtime.building.platforms.PLATFORMS`; none: that of this machine. `parameters`
     and `start`, by name in SI units, become the defaults. `source` goes into the file with all that the model
-    was read from. Without `documented` there is neither documentation nor a picture nor a motion to compare with,
-    which take most of the time. `engine` finds the start and that motion. `progress` is called with the part of the
-    work that is done. The file appears when the validator of fmpy found nothing and its own library, if it is for this
-    machine, came through its first steps; the same model gives the same bytes.
+    was read from; `ports` choose among the variables, `attribution` stands in the description. Without `documented`
+    there is neither documentation nor a picture nor a motion to compare with, which take most of the time. `engine`
+    finds the start and that motion. `progress` is called with the part of the work that is done. The file appears when
+    the validator of fmpy found nothing and its own library, if it is for this machine, came through its first steps;
+    the same model gives the same bytes.
 
     Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
     written.
@@ -66,7 +71,7 @@ def export(
     refuse(compilation.flat, version, parameters or {}, own)
     own.raise_if_errors()
     report_renamed(compilation.program.name, "c", own)
-    exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine)
+    exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine, ports, attribution)
     description, sources = texts(exported)
     told(_WRITTEN)
     objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))

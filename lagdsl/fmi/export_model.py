@@ -11,6 +11,8 @@ from lagdsl.backends.c.emit import stem_of
 from lagdsl.backends.start import Start, start_of
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.limits import check_limits
+from lagdsl.fmi.description.description import Attribution
+from lagdsl.fmi.variables.ports import Ports
 from lagdsl.fmi.variables.variables import Kind, Table, Version, table
 from lagdsl.pipeline import Compilation, compile_flat, with_names
 from lagdsl.program.program import Program
@@ -30,6 +32,7 @@ class ExportModel:
     chosen: Mapping[str, float]
     start: Start
     table: Table
+    attribution: Attribution
     stem: str
 
     @property
@@ -45,6 +48,8 @@ def export_model(
     start: Mapping[str, float],
     sink: Sink,
     engine: EngineName = "auto",
+    ports: Ports | None = None,
+    attribution: Attribution | None = None,
 ) -> ExportModel:
     """`parameters` and `start` (SI) become the defaults, `engine` finds where the motion starts. Raises
     CompilationFailed where nothing starts from them."""
@@ -61,20 +66,25 @@ def export_model(
     state = (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist())
     where = start_of(graph.flat, initial.t, [float(value) for value in state], start)
     whole = replace(graph, program=_with_defaults(with_names(graph), parameters))
+    variables = table(
+        whole,
+        version,
+        where,
+        kinds=kinds,
+        engine=computing,
+        redundant=initial.redundant,
+        parameters=[float(value) for value in initial.p],
+        ports=ports,
+        sink=sink,
+    )
+    _raise(sink)
     return ExportModel(
         compilation=whole,
         plain=plain,
         chosen=start,
         start=where,
-        table=table(
-            whole,
-            version,
-            where,
-            kinds=kinds,
-            engine=computing,
-            redundant=initial.redundant,
-            parameters=[float(value) for value in initial.p],
-        ),
+        table=variables,
+        attribution=Attribution() if attribution is None else attribution,
         stem=stem_of(whole.program),
     )
 

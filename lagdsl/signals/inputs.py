@@ -15,9 +15,10 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.signal_tables import SignalTable, TabledInputs
 from lagdsl.runtime.structures import SignalKind
+from lagdsl.signals.hold import Hold
 
 # A pair is (times, values), or an array of these two rows, see `_of_table`. Two equal times are a jump.
-Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"
+Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats | Hold"
 # (t, before) -> value; `before` asks for the limit from the left.
 _Function: TypeAlias = Callable[[float, bool], float]
 
@@ -26,7 +27,7 @@ _NONE = np.zeros(0)
 # A monotone cubic has a continuous slope: of higher derivatives only the second is a function.
 _MOST_DERIVATIVES = 2
 _MOST_NAMED = 4
-_KINDS = "a number, a function of time or a pair (times, values)"
+_KINDS = "a number, a function of time, a pair (times, values) or a Hold of these"
 
 
 @record()
@@ -68,7 +69,8 @@ def signals(
 
     Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
     derivative the model needs and nobody gave (E0818), a table that has not as many derivatives (E0846) or jumps where
-    one is needed (E0847), a derivative of what stands still (E0849), parts of an Integer (E0845); and the note N0848.
+    one is needed (E0847), a derivative of what stands still (E0849), what an Integer, a Boolean or an enumeration
+    cannot be (E0845, E0885); and the note N0848.
     Raises ValueError for what is no signal at all.
     """
     names = [item.name for item in flat.inputs]
@@ -166,14 +168,18 @@ def _function(
             place = item.spans[0] if item.spans else None
             sink.report("E0818", place, name=source, derivative=item.name)
         return lambda t, before: float(given(t))
-    if isinstance(signal, (tuple, list)) or np.ndim(signal) > 0:
-        times, values = _columns(item.name, signal)
+    if isinstance(signal, (tuple, list, Hold)) or np.ndim(signal) > 0:
+        held = isinstance(signal, Hold)
+        times, values = _columns(item.name, (signal.times, signal.values) if isinstance(signal, Hold) else signal)
         if times[0] > span[0] or times[-1] < span[1]:
             sink.report(
                 "E0817", None, name=_base(item.name), first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
             return _Constant(0.0)
-        _check_bounds(item, values if order == 0 else values[:0], sink)
+        if order == 0 and not _is_allowed(item, values, times, sink):
+            return _Constant(0.0)
+        if held and item.base == "Real":
+            times, values = np.repeat(times, 2)[1:], np.repeat(values, 2)[:-1]
         return _of_table(item, source, (times, values), orders, breaks, sink)
     try:
         constant = float(cast(float, signal))
@@ -182,8 +188,7 @@ def _function(
     if not np.isfinite(constant):
         raise ValueError(f"input `{item.name}` must be a finite number, not {constant:g}")
     if order == 0:
-        _check_whole(item, np.array([constant]), sink)
-        _check_bounds(item, np.array([constant]), sink)
+        _is_allowed(item, np.array([constant]), None, sink)
     return _Constant(constant if order == 0 else 0.0)
 
 
@@ -195,7 +200,6 @@ def _of_table(
     times, values = table
     order, needed = orders
     if item.base != "Real":
-        _check_whole(item, values, sink)
         breaks.update(times[1:][np.diff(values) != 0.0].tolist())
         return SignalTable(SignalKind.STEPS, times, values)
     if needed == 0:
@@ -243,11 +247,39 @@ def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
     return times, values
 
 
-def _check_whole(item: Input, values: Floats, sink: Sink) -> None:
-    """E0845 for an Integer that is none."""
-    odd = values[values != np.round(values)]
-    if len(odd) and item.base in ("Integer", "Enumeration"):
-        sink.report("E0845", item.spans[0] if item.spans else None, name=item.name, value=odd[0])
+def _is_allowed(item: Input, values: Floats, times: Floats | None, sink: Sink) -> bool:
+    """True if the input may have these values. The motion may lead a real input beyond its bounds (W0328); others have
+    no meaning there: E0845, E0885."""
+    if item.base == "Real":
+        _check_bounds(item, values, sink)
+        return True
+    place = item.spans[0] if item.spans else None
+    odd = values[(values != np.round(values)) | ((item.base == "Boolean") & (values != 0.0) & (values != 1.0))]
+    if len(odd):
+        what = "true (1) or false (0)" if item.base == "Boolean" else "whole numbers"
+        sink.report("E0845", place, name=item.name, what=what, value=f"{odd[0]:g}")
+        return False
+    least = 1.0 if item.literals else item.minimum
+    most = float(len(item.literals)) if item.literals else item.maximum
+    outside = np.zeros(len(values), dtype=np.bool_)
+    outside |= values < (-np.inf if least is None else least)
+    outside |= values > (np.inf if most is None else most)
+    if not outside.any():
+        return True
+    row = int(np.argmax(outside))
+    when = "" if times is None else f" at t = {times[row]:g} s"
+    sink.report(
+        "E0885", place, name=item.name, value=f"{values[row]:g}", when=when, allowed=_allowed(item, least, most)
+    )
+    return False
+
+
+def _allowed(item: Input, least: float | None, most: float | None) -> str:
+    if item.literals:
+        return ", ".join(f"{place} ({name})" for place, name in enumerate(item.literals, 1))
+    if most is None:
+        return f"{least:g} and more"
+    return f"{most:g} and less" if least is None else f"{least:g} to {most:g}"
 
 
 def _check_bounds(item: Input, values: Floats, sink: Sink) -> None:

@@ -16,6 +16,7 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
+from lagdsl.signals.hold import Hold
 from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile, Span
@@ -27,16 +28,19 @@ from lagdsl.units.parse import UnknownUnit, parse_unit
 
 @record()
 class Table:
-    """A column of a file over its times [s], in the unit of its header; without one in SI units."""
+    """A column of a file over its times [s], in the unit of its header; without one in SI units. `words` is the first
+    cell that is `true` or `false`: its place, text and line."""
 
     times: list[float]
     values: list[float]
     unit: str = ""
+    words: tuple[Label, str, int] | None = None
 
 
 Tables: TypeAlias = dict[str, Table]  # by name of the input
 _LARGEST_INPUT = 200_000_000
 _PARQUET = ".parquet"
+_TRUTHS = {"true": 1.0, "false": 0.0}
 _WITH_UNIT = re.compile(r"(.*\S)\s+\[([^\[\]]+)\]")
 
 
@@ -165,19 +169,37 @@ def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
         sink.report("E0822", _line_span(file, line), line=line)
         return None
     seconds = _converted(times.tolist(), dict(heads)["time"])
-    return {name: Table(seconds, table[:, i].tolist(), unit) for i, (name, unit) in enumerate(heads) if name != "time"}
+    words = [_words(file, numbered[1:], i) for i in range(len(heads))]
+    return {
+        name: Table(seconds, table[:, i].tolist(), unit, words[i])
+        for i, (name, unit) in enumerate(heads)
+        if name != "time"
+    }
 
 
-def in_si(tables: Tables, flat: FlatModel, sink: Sink) -> dict[str, Signal]:
-    """The tables as inputs of this model; E0878 for a unit that is none of the input."""
+def in_si(tables: Tables, flat: FlatModel, sink: Sink, *, hold: bool = False) -> dict[str, Signal]:
+    """The tables as inputs of this model; with `hold` they keep their values between the rows. E0878 for a unit that is
+    none of the input, E0823 for truths in the column of a number."""
     inputs = {item.name: item for item in flat.inputs}
     found: dict[str, Signal] = {}
     for name, table in tables.items():
         if table.unit and name in inputs and parse_unit(table.unit).dimension != inputs[name].dimension:
             why = f"`{name}` is {describe(inputs[name].dimension)} [{inputs[name].unit}]"
             sink.report("E0878", None, name=name, unit=table.unit, why=why)
-        found[name] = (table.times, _converted(table.values, table.unit))
+        if table.words and name in inputs and inputs[name].base != "Boolean":
+            place, text, line = table.words
+            sink.report("E0823", place, text=text, line=line, column=name)
+        values = _converted(table.values, table.unit)
+        found[name] = Hold(table.times, values) if hold else (table.times, values)
     return found
+
+
+def _words(file: SourceFile, rows: list[tuple[int, list[str]]], index: int) -> tuple[Label, str, int] | None:
+    for line, cells in rows:
+        text = cells[index].strip()
+        if text.lower() in _TRUTHS:
+            return Label(_cell_span(file, line, cells, index)), text, line
+    return None
 
 
 def _converted(values: list[float], unit: str) -> list[float]:
@@ -248,6 +270,9 @@ def _cell_span(file: SourceFile, line: int, cells: list[str], index: int) -> Spa
 
 
 def _number(cell: str) -> float | None:
+    truth = _TRUTHS.get(cell.strip().lower())
+    if truth is not None:
+        return truth
     try:
         number = float(cell)
     except ValueError:

@@ -12,6 +12,7 @@ from lagdsl.backends.start import Start
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.description.fmi2_description import fmi2_description
 from lagdsl.fmi.description.fmi3_description import fmi3_description
+from lagdsl.fmi.variables.ports import Ports
 from lagdsl.fmi.variables.variables import KINDS, Kind, Table, Version, table
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file, with_names
 from lagdsl.runtime.engines.selection import engine_of
@@ -30,11 +31,19 @@ def of_text(text: str) -> Compilation:
     return compilation
 
 
-def table_of(compilation: Compilation, version: Version, kinds: tuple[Kind, ...] = KINDS) -> Table:
+def table_of(
+    compilation: Compilation,
+    version: Version,
+    kinds: tuple[Kind, ...] = KINDS,
+    ports: Ports | None = None,
+    sink: Sink | None = None,
+) -> Table:
     engine = engine_of(compilation.program)
     initial = initial_state(compilation.flat, engine, sink=Sink())
     start = Start(initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))
-    return table(replace(compilation, program=with_names(compilation)), version, start, kinds=kinds, engine=engine)
+    program = with_names(compilation)
+    whole = replace(compilation, program=program)
+    return table(whole, version, start, kinds=kinds, engine=engine, ports=ports, sink=sink)
 
 
 @cache

@@ -40,9 +40,17 @@ from lagdsl.settings.settings import split
     help=f"Platform of a binary; default: this machine. One of {', '.join(PLATFORMS)}, all.",
 )
 @takes_settings
+@click.option(
+    "--output", "outputs", multiple=True, metavar="NAME", help="Variable that becomes an output: 'der(theta)'."
+)
+@click.option("--hide", multiple=True, metavar="NAME", help="Parameter or variable to leave out: 'arm.*'.")
+@click.option("--scalar", is_flag=True, help="Entries of arrays as variables of their own; FMI 2 has no others.")
+@click.option("--author", metavar="TEXT", help="Author of the model.")
+@click.option("--license", metavar="TEXT", help="License of the model.")
+@click.option("--model-version", metavar="TEXT", help="Version of the model.")
 @takes_engine
 @click.option("--with-source", is_flag=True, help="Put the text of the model into the FMU.")
-@click.option("-o", "--output", type=PATH, metavar="F.fmu", help="Name of the file; default: MODEL.fmu in this folder.")
+@click.option("-o", "path", type=PATH, metavar="F.fmu", help="Name of the file; default: MODEL.fmu in this folder.")
 def command(
     file: Path,
     model: str | None,
@@ -51,23 +59,31 @@ def command(
     kind: str,
     platforms: tuple[str, ...],
     assignments: tuple[str, ...],
+    outputs: tuple[str, ...],
+    hide: tuple[str, ...],
+    scalar: bool,
+    author: str | None,
+    license: str | None,
+    model_version: str | None,
     engine: EngineName,
     with_source: bool,
-    output: Path | None,
+    path: Path | None,
 ) -> None:
     """Write the model in FILE as an FMU. The FMU is validated and run once before it appears.
 
     Values of --set are the defaults of the FMU; structural parameters become numbers of it.
     """
-    require_ending(output, "FMUs are", ".fmu")
-    require_writable(output)
+    require_ending(path, "FMUs are", ".fmu")
+    if file_name := next((name for name in outputs if name.endswith(".fmu")), None):
+        raise click.UsageError(f"--output names a variable; the file is `-o {file_name}`")
+    require_writable(path)
     source = read_or_leave(file, style)
     sink = Sink()
     compilation, chosen = compile_or_leave(source, sink, style, model, "graph", split(assignments))
-    path = Path(f"{compilation.flat.name}.fmu") if output is None else output
+    path = Path(f"{compilation.flat.name}.fmu") if path is None else path
     require_writable(path)
 
-    from lagdsl.api.fmu import export_fmu
+    from lagdsl.api.fmu import Attribution, Ports, export_fmu
 
     machines = PLATFORMS if "all" in platforms else tuple(dict.fromkeys(platforms))
     text = source if with_source else None
@@ -82,6 +98,8 @@ def command(
                 parameters=chosen.parameters,
                 start=chosen.start,
                 source=text,
+                ports=Ports(outputs=outputs, hidden=hide, scalar=scalar),
+                attribution=Attribution(author=author, license=license, version=model_version),
                 engine=engine,
                 sink=sink,
                 progress=report,

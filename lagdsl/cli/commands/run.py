@@ -19,6 +19,7 @@ from lagdsl.cli.options import (
     takes_columns,
     takes_derivation,
     takes_engine,
+    takes_input_hold,
     takes_inputs,
     takes_settings,
     takes_span,
@@ -46,6 +47,7 @@ from lagdsl.simulate.failure import SimulationFailed
 @takes_span
 @takes_settings
 @takes_inputs
+@takes_input_hold
 @takes_engine
 @click.option(
     "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau, rk4, leapfrog, ros2."
@@ -67,6 +69,7 @@ def command(
     tolerance: float | None,
     assignments: tuple[str, ...],
     inputs: tuple[str, ...],
+    hold: bool,
     engine: EngineName,
     solver: str,
     step: str | None,
@@ -87,7 +90,7 @@ def command(
     require_ending(events, "events are", ".csv")
     require_units(output, units)
     source = read_or_leave(file, style)
-    given = inputs_or_leave(inputs, style)
+    given = inputs_or_leave(inputs, style, hold=hold)
     sink = Sink()
     compilation, chosen = compile_or_leave(source, sink, style, model, derivation, split(assignments))
     kept = columns_of(columns, [compilation.flat])

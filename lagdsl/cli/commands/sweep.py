@@ -12,7 +12,15 @@ from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, takes_columns, takes_engine, takes_inputs, takes_span, takes_units
+from lagdsl.cli.options import (
+    PATH,
+    takes_columns,
+    takes_engine,
+    takes_input_hold,
+    takes_inputs,
+    takes_span,
+    takes_units,
+)
 from lagdsl.cli.output import Unwritable, require_units, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.plots import Plot, require_sound, takes_plot
@@ -56,6 +64,7 @@ _MOST_REASONS = 3
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws.")
 @takes_span
 @takes_inputs
+@takes_input_hold
 @takes_engine
 @click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau.")
 @takes_columns
@@ -77,6 +86,7 @@ def command(
     interval: str | None,
     tolerance: float | None,
     inputs: tuple[str, ...],
+    hold: bool,
     engine: EngineName,
     solver: str,
     columns: tuple[str, ...],
@@ -100,7 +110,7 @@ def command(
     require_sound(plot)
     require_page(page)
     source = read_or_leave(file, style)
-    given = inputs_or_leave(inputs, style)
+    given = inputs_or_leave(inputs, style, hold=hold)
     sink = Sink()
     flat = _front(source, style, model, sink)
     the_plan = _plan(flat, assignments, random, seed, sink)

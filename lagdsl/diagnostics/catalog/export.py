@@ -42,4 +42,16 @@ ROWS: dict[str, Row] = {
         label="this one",
         help="export an FMU with `lag fmu`, which contains the runtime of lagdsl; or leave this statement out",
     ),
+    "E0925": error(
+        "no variable that can be an output of the FMU is called `{name}`",
+        help="name a coordinate, a rate, a state, a discrete variable or a definition",
+    ),
+    "E0926": error(
+        "the FMU has no variable `{name}` that could be hidden",
+        help="time, states and their derivatives stay: importers need them",
+    ),
+    "N0927": note(
+        "the model declares no output, so {names} of the FMU",
+        help="declare outputs, or choose them: `--output '{first}'`",
+    ),
 }

@@ -198,9 +198,9 @@ ROWS: dict[str, Row] = {
         "delete one of them; without `fixed = true` a start is a guess",
     ),
     "E0845": error(
-        "input `{name}` takes whole numbers, not {value}",
-        "whole numbers only",
-        "give whole numbers; in a table each holds until the next row",
+        "input `{name}` takes {what}, not {value}",
+        "{what} only",
+        "in a table each value holds until the next row",
     ),
     "E0846": error(
         "the table of input `{name}` has two time derivatives, and the model needs `{derivative}`",
@@ -227,5 +227,10 @@ ROWS: dict[str, Row] = {
         None,
         "look for a division by zero, or a root or logarithm outside its domain; an `if` or `max(x, 1e-9)` keeps away "
         "from it",
+    ),
+    "E0885": error(
+        "input `{name}` cannot be {value}{when}: it takes {allowed}",
+        "declared here",
+        "correct the value; a table changes it at the time of its row",
     ),
 }

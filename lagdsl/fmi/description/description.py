@@ -25,6 +25,19 @@ _LOG_CATEGORIES = {
 _ROWS = 500
 
 
+@record(kw_only=True)
+class Attribution:
+    """Attributes of the description that the model does not have: whose it is, under which terms, which version."""
+
+    author: str | None = None
+    license: str | None = None
+    version: str | None = None
+
+    def attributes(self) -> dict[str, str | None]:
+        """As the standard calls them."""
+        return {"author": self.author, "version": self.version, "license": self.license}
+
+
 TypeKey: TypeAlias = tuple[object, ...]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.fmi.description.description import (
+    Attribution,
     NamedType,
     TypeKey,
     categories_and_experiment,
@@ -25,14 +26,18 @@ from lagdsl.version import __version__
 _TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 
 
-def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[str], token: str) -> str:
+def fmi2_description(
+    table: Table, *, identifier: str, source_files: Sequence[str], token: str, attribution: Attribution | None = None
+) -> str:
     """`identifier` is the stem of the binaries' names, `source_files` what lies in `sources/`, `token` the guid."""
     root = element(
         "fmiModelDescription",
+        None,
         fmiVersion="2.0",
         modelName=one_line(table.flat.name),
         guid=token,
         description=table.flat.doc,
+        **(attribution or Attribution()).attributes(),
         generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
         numberOfEventIndicators=indicator_count(table.flat, table.program),

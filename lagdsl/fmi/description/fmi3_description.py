@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from lagdsl.fmi.description.description import (
+    Attribution,
     NamedType,
     TypeKey,
     categories_and_experiment,
@@ -27,14 +28,16 @@ _TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": 
 _INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
 
 
-def fmi3_description(table: Table, *, identifier: str, token: str) -> str:
+def fmi3_description(table: Table, *, identifier: str, token: str, attribution: Attribution | None = None) -> str:
     """`identifier` is the stem of the binaries' names, `token` the instantiation token."""
     root = element(
         "fmiModelDescription",
+        None,
         fmiVersion="3.0",
         modelName=one_line(table.flat.name),
         instantiationToken=token,
         description=table.flat.doc,
+        **(attribution or Attribution()).attributes(),
         generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
     )

@@ -41,6 +41,7 @@ def parameters(flat: FlatModel, program: Program, settings: Settings) -> Iterato
             initial="approx" if item.free else "exact",
             start=value,
             key=_but_for_tuning(attributes),
+            protected=item.protected,
         )
 
 
@@ -58,6 +59,7 @@ def constants(flat: FlatModel) -> Iterator[Scalar]:
                 initial="exact",
                 start=(item.text or "") if text else item.value,
                 key=None if text else attributes,
+                protected=item.protected,
             )
             counts[text] += 1
 
@@ -107,7 +109,12 @@ def discretes(flat: FlatModel) -> Iterator[Scalar]:
         if isinstance(entry.item, Discrete):
             attributes = replace(attributes_of(entry.item, Role.DISCRETE), variability="discrete")
             yield Scalar(
-                name=named(entry.name), first=index, attributes=attributes, initial="calculated", key=attributes
+                name=named(entry.name),
+                first=index,
+                attributes=attributes,
+                initial="calculated",
+                key=attributes,
+                protected=entry.item.protected,
             )
 
 
@@ -142,6 +149,7 @@ def _computed(
         attributes=attributes,
         initial="calculated",
         key=_but_for_tuning(attributes),
+        protected=item.protected,
     )
 
 

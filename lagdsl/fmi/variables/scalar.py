@@ -69,6 +69,7 @@ class Scalar:
     key: object = None
     reinit: bool = False  # events may change the state
     derivative_of: int | None = None  # index of the state whose time derivative it is
+    protected: bool = False  # the model does not show it
 
 
 @record(kw_only=True)

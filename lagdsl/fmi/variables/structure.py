@@ -76,7 +76,7 @@ class _Search:
     def structure(self) -> Structure:
         of = self._of_role
         return Structure(
-            outputs=tuple(self._continuous_state(index) for index in of(Role.OUTPUT)),
+            outputs=tuple(self._continuous_state(index) for index in self._outputs()),
             derivatives=tuple(self._continuous_state(index) for index in self._derivatives()),
             indicators=tuple(self._continuous_state(index) for index in of(Role.INDICATOR)),
             initial=tuple(self._initial(index) for index in self._initial_unknowns()),
@@ -85,6 +85,9 @@ class _Search:
 
     def _of_role(self, role: Role) -> Iterator[int]:
         return (index for index, v in enumerate(self._variables) if v.attributes.role is role)
+
+    def _outputs(self) -> Iterator[int]:
+        return (index for index, v in enumerate(self._variables) if v.attributes.causality == "output")
 
     def _derivatives(self) -> Iterator[int]:
         return (index for index, v in enumerate(self._variables) if v.derivative_of is not None)
@@ -99,17 +102,19 @@ class _Search:
     # ---- between events ----------------------------------------------------------------------------------------------
 
     def _rows(self, variable: Variable) -> list[Row]:
-        """Of its entries. A state that is a derivative is the rate of a coordinate, which follows from itself."""
-        role = variable.attributes.role
-        if role is Role.STATE:
+        """Of its entries. A state that is an output, or a derivative, as the rate of a coordinate is, follows from
+        itself."""
+        role, output = variable.attributes.role, variable.attributes.causality == "output"
+        if role is Role.STATE or (role is Role.DISCRETE and output):
             own: list[Row] = [(((role, entry), Kind.CONSTANT),) for entry in variable.entries]
-            return own if variable.derivative_of is not None else []
-        if role is Role.INDICATOR:
+            rows = own if output or variable.derivative_of is not None else []
+        elif role is Role.INDICATOR:
             rows = [self._indicator(self._indicators[entry]) for entry in variable.entries]
         else:
             rows = [self._found.moving.get((role, entry), ()) for entry in variable.entries]
-        rows = [self._at_events(row) if role is Role.OUTPUT else self._when_set(row) for row in rows]
-        return [tuple((entry, kind) for entry, kind in row if entry[0] in _KNOWN) for row in rows]
+        rows = [self._at_events(row) if output else self._when_set(row) for row in rows]
+        known = self._place.keys()
+        return [tuple((e, kind) for e, kind in row if e[0] in _KNOWN and e in known) for row in rows]
 
     def _at_events(self, row: Row) -> Row:
         """With what decides upon the discretes in it: outputs are told for event mode, too."""

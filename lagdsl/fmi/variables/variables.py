@@ -8,6 +8,7 @@ from itertools import chain
 from typing import Literal, TypeAlias
 
 from lagdsl.backends.start import Start
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables import builtin_variables, continuous_states, declared
 from lagdsl.fmi.variables.arrays import grouped
@@ -15,6 +16,7 @@ from lagdsl.fmi.variables.dependencies import dependencies
 from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.names import apart
 from lagdsl.fmi.variables.parameter_use import free_places
+from lagdsl.fmi.variables.ports import Ports, shown
 from lagdsl.fmi.variables.scalar import Role, Scalar, Variable
 from lagdsl.fmi.variables.settings import Settings, settings
 from lagdsl.fmi.variables.structure import Structure, structure
@@ -54,13 +56,18 @@ def table(
     engine: Engine | None = None,
     redundant: Sequence[bool] | None = None,
     parameters: Sequence[float] | None = None,
+    ports: Ports | None = None,
+    sink: Sink | None = None,
 ) -> Table:
     """Of a program with all its named values. `start` is the consistent state for the default parameters, `redundant`
-    flags rows of constraints near it, `parameters` are the defaults with free ones as they were found."""
+    flags rows of constraints near it, `parameters` are the defaults with free ones as they were found. `ports` are
+    wishes for the variables, what there is to say of them goes to `sink`."""
     flat, program = compilation.flat, compilation.program
     known = settings(compilation, start, engine, redundant, parameters)
+    wishes = Ports() if ports is None else ports
+    arrays = version == 3 and not wishes.scalar
     scalars = _scalars(flat, program, known, version, kinds)
-    variables = grouped(scalars, arrays=version == 3)
+    variables = grouped(shown(scalars, wishes, Sink() if sink is None else sink, arrays=arrays), arrays=arrays)
     return Table(
         version=version,
         kinds=tuple(kind for kind in KINDS if kind in kinds),

@@ -227,4 +227,5 @@ def _fields(item: flat_model.Coordinate) -> QuantityFields:
         symbol=item.symbol,
         base=item.base,
         literals=item.literals,
+        protected=item.protected,
     )

@@ -24,6 +24,7 @@ class QuantityFields(TypedDict):
     symbol: str | None
     base: Base
     literals: tuple[str, ...]
+    protected: bool
 
 
 def quantity_fields(
@@ -44,7 +45,19 @@ def quantity_fields(
         symbol=sign,
         base=_base(info),
         literals=info.literals,
+        protected=_is_protected(symbol),
     )
+
+
+def _is_protected(symbol: Symbol) -> bool:
+    """True if it, or a component that it is part of, stands under `protected`."""
+    name, instance = symbol.short, symbol.scope.owner.instance
+    while instance is not None:
+        if name in instance.protected:
+            return True
+        name = instance.name.rpartition(".")[2].partition("[")[0]
+        instance = instance.around.owner.instance if instance.around is not None else None
+    return False
 
 
 def _base(info: TypeInfo) -> Base:

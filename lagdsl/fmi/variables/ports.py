@@ -1,0 +1,105 @@
+"""Variables that an exported model shows: outputs that are asked for, what is hidden, arrays or their entries."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.fmi.variables.names import Name, named
+from lagdsl.fmi.variables.scalar import Role, Scalar
+from lagdsl.record import record
+
+# Roles of variables that importers cannot do without.
+_ALWAYS = (Role.TIME, Role.STATE, Role.DERIVATIVE, Role.INDICATOR)
+# Roles of values that a simulation computes.
+_COMPUTED = (Role.STATE, Role.DERIVATIVE, Role.LOCAL, Role.DISCRETE, Role.MULTIPLIER, Role.ENERGY, Role.RESIDUAL)
+_MOST_NAMED = 4
+
+
+@record(kw_only=True)
+class Ports:
+    """`outputs` and `hidden` are names, in which `*` stands for any text and `?` for one character. `scalar`: entries
+    of arrays are variables of their own, also in FMI 3."""
+
+    outputs: tuple[str, ...] = ()
+    hidden: tuple[str, ...] = ()
+    scalar: bool = False
+
+
+def shown(scalars: Sequence[Scalar], ports: Ports, sink: Sink, *, arrays: bool) -> list[Scalar]:
+    """The scalars that the FMU has, outputs among them: those of the model and `ports.outputs`; its coordinates (or
+    states) where there are none. An array is an output as a whole, where there are `arrays`.
+
+    Reports E0925 for a name that is no variable which can be an output, E0926 for one that hides nothing, N0927 for
+    coordinates that become outputs.
+    """
+    asked = _asked(scalars, ports.outputs, sink)
+    if not ports.outputs and not any(scalar.attributes.role is Role.OUTPUT for scalar in scalars):
+        asked = _natural(scalars, sink)
+    wanted = {_identity(name, arrays=arrays) for name in asked}
+    made = [
+        _as_output(scalar)
+        if scalar.attributes.role in _COMPUTED and _identity(scalar.name, arrays=arrays) in wanted
+        else scalar
+        for scalar in scalars
+    ]
+    hidden = _hidden(made, ports.hidden, sink)
+    return [scalar for place, scalar in enumerate(made) if place not in hidden]
+
+
+def _asked(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> list[Name]:
+    found = []
+    possible = [scalar for scalar in scalars if scalar.attributes.role in (*_COMPUTED, Role.OUTPUT)]
+    possible = [scalar for scalar in possible if scalar.attributes.causality in ("local", "output")]
+    for pattern in patterns:
+        own = [scalar.name for scalar in possible if _fits(scalar.name, pattern)]
+        if not own:
+            others = [scalar.name.text for scalar in possible]
+            sink.report("E0925", None, help=did_you_mean(pattern, others), name=pattern)
+        found += own
+    return found
+
+
+def _natural(scalars: Sequence[Scalar], sink: Sink) -> list[Name]:
+    """Coordinates, without them the states of first order."""
+    states = [scalar for scalar in scalars if scalar.attributes.role is Role.STATE and scalar.derivative_of is None]
+    moving = {scalar.derivative_of for scalar in scalars if scalar.attributes.role is Role.STATE}
+    chosen = [scalar.name for scalar in states if scalar.first in moving] or [scalar.name for scalar in states]
+    if chosen:
+        names = [f"`{name.text}`" for name in chosen[:_MOST_NAMED]]
+        more = f" and {len(chosen) - len(names)} more" if len(chosen) > len(names) else ""
+        verb = "is an output" if len(chosen) == 1 else "are outputs"
+        sink.report("N0927", None, names=f"{', '.join(names)}{more} {verb}", first=chosen[0].text)
+    return chosen
+
+
+def _as_output(scalar: Scalar) -> Scalar:
+    return replace(scalar, attributes=replace(scalar.attributes, causality="output"), protected=False)
+
+
+def _hidden(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> set[int]:
+    """Places of what is protected or fits a pattern."""
+    possible = [place for place, scalar in enumerate(scalars) if scalar.attributes.role not in _ALWAYS]
+    hidden = {place for place in possible if scalars[place].protected}
+    for pattern in patterns:
+        own = [place for place in possible if _fits(scalars[place].name, pattern)]
+        if not own:
+            others = [scalars[place].name.text for place in possible]
+            sink.report("E0926", None, help=did_you_mean(pattern, others), name=pattern)
+        hidden.update(own)
+    return hidden
+
+
+def _fits(name: Name, pattern: str) -> bool:
+    """A name is that of the language, `der(der(q[2]))`, or that of the FMU, `der(q[2],2)`; an array is all of it."""
+    parts = re.split(r"([*?])", pattern)
+    expression = "".join(".*" if part == "*" else "." if part == "?" else re.escape(part) for part in parts)
+    own = (name.text, name.array)
+    return any(re.fullmatch(expression, text) for text in own) or named(pattern).text in own
+
+
+def _identity(name: Name, *, arrays: bool) -> tuple[object, ...]:
+    return (name.path, name.order) if arrays else (name.path, name.order, name.indices)
