@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Literal
 
 from lagdsl.diagnostics import Sink
-from lagdsl.fmi.description.description import Attribution as Attribution
+from lagdsl.fmi.description.description import Attribution
 from lagdsl.fmi.export import export
-from lagdsl.fmi.variables.ports import Ports as Ports
+from lagdsl.fmi.variables.ports import Ports
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile

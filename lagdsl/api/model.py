@@ -287,7 +287,9 @@ class Model(SmallMotions):
         CompilationFailed where there is no FMU of this model or it cannot be made here, OSError where `path` cannot be
         written, KeyError and ValueError for arguments that do not fit.
         """
-        from lagdsl.api.fmu import Attribution, Ports, export_fmu
+        from lagdsl.api.fmu import export_fmu
+        from lagdsl.fmi.description.description import Attribution
+        from lagdsl.fmi.variables.ports import Ports
 
         self._parameter_vector(parameters)
         source = self._source if with_source else None

@@ -83,7 +83,9 @@ def command(
     path = Path(f"{compilation.flat.name}.fmu") if path is None else path
     require_writable(path)
 
-    from lagdsl.api.fmu import Attribution, Ports, export_fmu
+    from lagdsl.api.fmu import export_fmu
+    from lagdsl.fmi.description.description import Attribution
+    from lagdsl.fmi.variables.ports import Ports
 
     machines = PLATFORMS if "all" in platforms else tuple(dict.fromkeys(platforms))
     text = source if with_source else None
