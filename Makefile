@@ -77,10 +77,11 @@ c-test: c-check  ## the same, with warnings of every compiler there is, the sani
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest $(SPREAD) tests/fmi
 
-update: $(READY)  ## regenerate what is generated: automaton of the grammar, unit table, functions in C, list of the library, expectations of the corpus
+update: $(READY)  ## regenerate what is generated: automaton of the grammar, grammars of editors, unit table, functions in C, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
 	$(BIN)/python -m lagdsl.runtime.generate
+	$(BIN)/python -m lagdsl.highlight.generate
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/docs tests/units tests/semantics
 
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
@@ -103,6 +104,7 @@ bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy jax rumoca pymoca
+	! command -v npm >/dev/null || npm install --silent --prefix $(PEERS) vscode-textmate vscode-oniguruma
 
 $(VENV)/.docs: $(READY)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'

@@ -8,7 +8,10 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE / "_extensions")]
 
+from sphinx.application import Sphinx  # noqa: E402
+
 import lagdsl  # noqa: E402
+from lagdsl.highlight.pygments_lexer import LagLexer  # noqa: E402
 
 project = "lagdsl"
 author = "the authors of lagdsl"
@@ -21,7 +24,6 @@ extensions = [
     "sphinx_click",
     "mathml_renderer",
     "generated_pages",
-    "lag_lexer",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
 smartquotes = False  # commands can be copied
@@ -49,3 +51,9 @@ html_show_copyright = False
 html_theme_options = {"sidebar_hide_name": False, "navigation_with_keys": True}
 highlight_language = "none"
 pygments_style = "friendly"
+
+
+def setup(app: Sphinx) -> None:
+    """Model texts on GitHub are fenced as Modelica, whose colours it knows; here they have their own."""
+    app.add_lexer("modelica", LagLexer)
+    app.add_lexer("lag", LagLexer)

@@ -1,0 +1,27 @@
+"""Writes the grammars of editors from that of the language: `python -m lagdsl.highlight.generate`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from lagdsl.highlight.textmate import textmate
+from lagdsl.resources import grammar_file
+
+TEXTMATE = "editors/vscode/syntaxes/lag.tmLanguage.json"
+
+
+def files() -> dict[str, str]:
+    """Texts of the generated files by their paths in the source tree."""
+    return {TEXTMATE: textmate()}
+
+
+def write(root: Path) -> None:
+    """Write the files below the folder `root`."""
+    for name, text in files().items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    write(grammar_file().parents[1])

@@ -1,0 +1,109 @@
+"""Pygments and TextMate colour model texts as the parser reads them; what is generated is what is stored."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+from choice import spread
+
+from highlight.kinds_of_texts import ROOT, TRAPS, as_the_parser_reads, difference, texts
+from highlight.textmate_engine import KINDS, Engine
+from lagdsl.highlight.generate import TEXTMATE, files
+from lagdsl.highlight.pygments_lexer import TOKENS, LagLexer
+from lagdsl.highlight.rules import Kind
+
+TEXTS = {**{f"trap {number}": text for number, text in enumerate(TRAPS)}, **texts()}
+BY_TOKEN = {token: kind for kind, token in TOKENS.items()}
+ENGINE = Engine(json.loads(files()[TEXTMATE]))
+NODE_MODULES = Path(os.environ.get("PEERS", ROOT / ".peers")).absolute() / "node_modules"
+
+
+def by_pygments(text: str) -> list[str]:
+    kinds: list[str] = []
+    for _, token, value in LagLexer().get_tokens_unprocessed(text):
+        kinds += [BY_TOKEN.get(token, str(token))] * len(value)
+    return kinds
+
+
+def wrong(names: list[str], coloured: dict[str, list[str]]) -> list[tuple[str, str]]:
+    found = []
+    for name in names:
+        expected = as_the_parser_reads(TEXTS[name])
+        place = None if expected is None else difference(TEXTS[name], expected, coloured[name])
+        if place is not None:
+            found.append((name, place))
+    return found
+
+
+def chosen_texts() -> list[str]:
+    return [name for name in TEXTS if name.startswith("trap")] + spread(sorted(TEXTS), 80)
+
+
+def test_pygments_colours_what_the_parser_reads() -> None:
+    names = chosen_texts()
+    assert wrong(names, {name: by_pygments(TEXTS[name]) for name in names}) == []
+
+
+def test_textmate_colours_what_the_parser_reads() -> None:
+    names = chosen_texts()
+    assert wrong(names, {name: ENGINE.kinds(TEXTS[name]) for name in names}) == []
+
+
+@pytest.mark.skipif(
+    not (NODE_MODULES / "vscode-textmate").is_dir() or shutil.which("node") is None,
+    reason="needs node with vscode-textmate and vscode-oniguruma: `make peers`",
+)
+def test_vscode_colours_what_the_parser_reads(tmp_path: Path) -> None:
+    """The engine of VS Code, with Oniguruma."""
+    request = tmp_path / "texts.json"
+    names = chosen_texts()
+    request.write_text(json.dumps({"grammar": files()[TEXTMATE], "texts": {name: TEXTS[name] for name in names}}))
+    script = Path(__file__).with_name("textmate.cjs")
+    command = ["node", str(script), str(request)]
+    environment = {**os.environ, "NODE_PATH": str(NODE_MODULES)}
+    shown = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=300).stdout
+    coloured = {name: [KINDS.get(scope, "none") for scope in scopes] for name, scopes in json.loads(shown).items()}
+    assert wrong(names, coloured) == []
+
+
+def test_texts_are_read_by_the_parser() -> None:
+    """The comparison is about many texts, and every kind occurs in them."""
+    traps = [as_the_parser_reads(text) for text in TRAPS]
+    assert None not in traps
+    kinds = {kind for each in traps if each is not None for kind in each}
+    assert kinds >= set(Kind) - {Kind.TYPE, Kind.LITERAL}
+    assert len(TEXTS) > 700
+
+
+def test_a_wrong_colour_is_found() -> None:
+    """The comparison fails where one character has another kind."""
+    text = TRAPS[0]
+    expected = as_the_parser_reads(text)
+    assert expected is not None
+    kinds = by_pygments(text)
+    kinds[text.index("Mass")] = Kind.KEYWORD
+    assert difference(text, expected, kinds) == "line 4, column 3: `  Mass mass = 1 kg;`: name, not keyword"
+
+
+def test_unfinished_texts_keep_their_characters() -> None:
+    """A lexer of an editor sees every prefix of a text: no character is lost, and the rest of the text is coloured."""
+    for text in TRAPS:
+        for end in range(0, len(text), 7):
+            assert len(by_pygments(text[:end])) == end
+            assert len(ENGINE.kinds(text[:end])) == end
+
+
+@pytest.mark.parametrize("name", sorted(files()))
+def test_stored_grammars_are_generated(name: str) -> None:
+    assert (ROOT / name).read_text(encoding="utf-8") == files()[name], "run `make update`"
+
+
+def test_pygments_finds_the_lexer() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["entry-points"]["pygments.lexers"] == {"lag": f"{LagLexer.__module__}:{LagLexer.__name__}"}
