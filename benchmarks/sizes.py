@@ -18,8 +18,11 @@ FAMILIES: dict[str, tuple[str, float, tuple[int, ...]]] = {
     "masses": ("masses in a row", 0.5, (5, 10, 20, 40, 80)),
     "net": ("net of springs", 0.2, (5, 10, 20)),
     "ladder": ("ladder of coils and capacitors", 5e-3, (5, 10, 20, 40)),
-    "balls": ("balls that bounce", 1.0, (5, 10, 20, 40, 80)),
+    "balls": ("balls that bounce", 1.0, (5, 10, 20, 40, 80, 160)),
 }
+# Models with events: so long nothing happens [s].
+BEFORE = {"balls": 0.15}
+PIECES = 1500
 RUNS = 3
 PATIENCE = 60.0  # s of a process
 
@@ -58,7 +61,18 @@ def one(name: str, n: int) -> dict[str, float]:
     whole = _least(lambda: model.simulate(stop=stop, interval=stop / 100))
     motion = model.simulate(stop=stop, interval=stop / 100)
     found = {"n": n, "derive": derived, "start": first, "motion": max(whole - first, 0.0), "memory": _peak() - before}
-    return {**found, "steps": motion.statistics.steps, "evaluations": motion.statistics.evaluations}
+    counts = {"steps": motion.statistics.steps, "evaluations": motion.statistics.evaluations}
+    return {**found, **counts, **_events(name, model, len(motion.events), max(whole - first, 0.0))}
+
+
+def _events(name: str, model: lagdsl.Model, events: int, motion: float) -> dict[str, float]:
+    """Of a model with events: their number; CPU seconds of one, its step included, and of one of the four evaluations of a step of rk4."""
+    if name not in BEFORE:
+        return {}
+    stop = BEFORE[name]
+    still = _least(lambda: model.simulate(stop=stop / PIECES, interval=stop, solver="rk4", step=stop / PIECES))
+    smooth = _least(lambda: model.simulate(stop=stop, interval=stop, solver="rk4", step=stop / PIECES))
+    return {"events": events, "event": motion / events, "evaluation": (smooth - still) / (4 * PIECES)}
 
 
 def _made(name: str, n: int) -> lagdsl.Model:

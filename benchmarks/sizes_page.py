@@ -7,6 +7,11 @@ _SIZES = """\
 CPU seconds of the derivation, of start values, of the motion behind them (projection and events in it), and the
 growth of the memory of the process; tapes, least of several runs, BLAS with one thread. Exponents as above, of
 all sizes."""
+_EVENTS = """\
+N balls have N times the events of one, at instants of their own. Each ends the step of the one integrator there is, and the next one
+evaluates all N balls: a motion of N^2 evaluations of a ball is what one step size for all can reach, exponent 2. What stands beside an
+event is its own mechanism's: impulses, projections and forces of contacts are found within the component that strikes (`docs/adr/0121`).
+An event with its step in evaluations, those of the step among them:"""
 _IFTOMM = """\
 A01 to A05 of the library of computational benchmark problems (M. Gonzalez, D. Dopico, U. Lugris, J. Cuadrado,
 Multibody System Dynamics 16 (2006) 179), parameters from its specifications. Published: an implementation in
@@ -39,6 +44,15 @@ def sizes(found: Results) -> list[str]:
         slopes = [exponent(rows, key) for key in ("derive", "start", "whole", "memory")]
         told = ["" if slope is None else f"{slope:.2f}" for slope in slopes]
         lines.append(f"| exponent | {told[0]} | {told[1]} | | {told[2]} | {told[3]} | |")
+        lines += _events(points) if "events" in points[0] else []
+    return lines
+
+
+def _events(points: list[dict[str, float]]) -> list[str]:
+    lines = ["", _EVENTS, "", "| N | events | an event [us] | an evaluation [us] | an event in evaluations |", "|---|---|---|---|---|"]
+    for p in points:
+        ratio = p["event"] / p["evaluation"]
+        lines.append(f"| {p['n']} | {p['events']} | {1e6 * p['event']:.0f} | {1e6 * p['evaluation']:.2f} | {ratio:.0f} |")
     return lines
 
 

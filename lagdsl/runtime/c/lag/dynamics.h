@@ -17,6 +17,7 @@
 typedef struct lag_system {
     size_t n, m;            /* unknown accelerations, rows */
     size_t rank;            /* independent rows */
+    size_t combinations;    /* of rows that are not zero, which vanish */
     size_t indefinite;      /* 1: `factor` holds eigenvectors, 0: a Cholesky factor */
     const double *mass;     /* (n, n) */
     const double *jacobian; /* (m, n) */
@@ -33,7 +34,7 @@ typedef struct lag_system {
     double *factor;         /* of its part beyond the rank, tightly packed */
     double *eigenvalue;     /* (n) */
     double *copy;           /* (n, n) */
-    double *excess;         /* (m, m) orthonormal combinations of rows that vanish, one per row beyond the rank */
+    double *excess;         /* (m, m) orthonormal combinations of rows that vanish, one per row beyond the rank that is not zero */
     double *y, *h, *rest;   /* (n) */
     double *l, *row_rest;   /* (m) */
 } lag_system;

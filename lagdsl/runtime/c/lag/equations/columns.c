@@ -14,17 +14,51 @@ static void negate(size_t count, double *x)
     }
 }
 
+/* Number of each coordinate within its component, into `place` (nq); the most that there are in one. */
+static size_t number(const lag_model *model, double *place)
+{
+    const size_t *component = model->components;
+    size_t most = 0;
+    for (size_t i = 0; i < model->nq; ++i) {
+        size_t before = i;
+        while (before > 0 && component != NULL && component[before - 1] != component[i]) {
+            --before;
+        }
+        place[i] = before > 0 ? place[before - 1] + 1.0 : 0.0;
+        most = place[i] + 1.0 > (double)most ? (size_t)place[i] + 1 : most;
+    }
+    return most;
+}
+
+/* Row i of M, from a row that is the sum of rows of several components; both may be one. */
+static void take_own(const lag_model *model, size_t i, const double *sum, double *row)
+{
+    for (size_t j = 0; j < model->nq; ++j) {
+        row[j] = model->components == NULL || model->components[j] == model->components[i] ? sum[j] : 0.0;
+    }
+}
+
+/* M is symmetric: columns are rows. Coordinates of two components share no entry, so that one product serves a coordinate of each. */
 lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *memory, double *mass)
 {
     const size_t n = model->nq;
+    const double *place = memory + n;
+    const size_t most = number(model, memory + n);
     lag_arguments along = *at;
     lag_status status = LAG_OK;
-    clear(n, memory);
     along.dqd = memory;
-    for (size_t i = 0; i < n && status == LAG_OK; ++i) { /* M is symmetric: columns are rows */
-        memory[i] = 1.0;
-        status = model->momentum_tangent(&along, mass + i * n);
-        memory[i] = 0.0;
+    for (size_t k = 0; k < most && status == LAG_OK; ++k) {
+        size_t last = 0;
+        for (size_t i = 0; i < n; ++i) {
+            memory[i] = place[i] == (double)k ? 1.0 : 0.0;
+            last = memory[i] != 0.0 ? i : last;
+        }
+        status = model->momentum_tangent(&along, mass + last * n);
+        for (size_t i = 0; i <= last && status == LAG_OK; ++i) { /* the row of the last is the sum until then */
+            if (memory[i] != 0.0) {
+                take_own(model, i, mass + last * n, mass + i * n);
+            }
+        }
     }
     return status;
 }

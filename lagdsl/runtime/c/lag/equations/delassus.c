@@ -13,7 +13,36 @@ static const double SHORT_RESPONSE = 1e-3;
 
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
-    return 2 * kept * kept + kept * m + 6 * kept;
+    return 2 * kept * kept + kept * m + 9 * kept;
+}
+
+/* Column of entry k. */
+static size_t column_of(const lag_delassus *s, size_t k)
+{
+    return s->entries != NULL ? s->entries->column[k] : k;
+}
+
+/* One behind the last entry of kept row i. */
+static size_t end_of(const lag_delassus *s, size_t i)
+{
+    size_t k = (size_t)s->first[i];
+    while (s->entries != NULL && k < s->entries->count && s->entries->row[k] == s->row[i]) {
+        ++k;
+    }
+    return s->entries != NULL ? k : s->n;
+}
+
+/* Row i of J times y (n). */
+static double along(const lag_delassus *s, size_t i, const double *y)
+{
+    const double *row = s->jacobian + i * s->n;
+    const size_t end = end_of(s, i);
+    double sum = 0.0;
+    for (size_t k = (size_t)s->first[i]; k < end; ++k) {
+        const size_t j = column_of(s, k);
+        sum += row[j] * y[j];
+    }
+    return sum;
 }
 
 void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *memory)
@@ -27,6 +56,7 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
+    s->entries = NULL;
     s->factor = lag_take(&memory, kept * kept);
     s->left = lag_take(&memory, kept);
     s->weight = lag_take(&memory, kept);
@@ -36,6 +66,33 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->part = lag_take(&memory, kept);
     s->x = lag_take(&memory, kept);
     s->rest = lag_take(&memory, kept);
+    s->first = lag_take(&memory, kept);
+    s->component = lag_take(&memory, kept);
+    s->lead = lag_take(&memory, kept);
+    lag_delassus_know(s, NULL, NULL);
+}
+
+void lag_delassus_know(lag_delassus *s, const lag_pattern *entries, const size_t *components)
+{
+    size_t k = 0;
+    s->entries = entries;
+    for (size_t i = 0; i < s->kept; ++i) { /* entries are listed row by row, and kept rows ascend */
+        while (entries != NULL && k < entries->count && entries->row[k] < s->row[i]) {
+            ++k;
+        }
+        s->first[i] = (double)k;
+        s->component[i] = components != NULL && entries != NULL && k < end_of(s, i) ? (double)components[entries->column[k]] : 0.0;
+    }
+}
+
+int lag_delassus_holds(const lag_delassus *s, size_t i)
+{
+    const size_t end = end_of(s, i);
+    size_t k = (size_t)s->first[i];
+    while (k < end && s->jacobian[i * s->n + column_of(s, k)] == 0.0) {
+        ++k;
+    }
+    return k < end;
 }
 
 /* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
@@ -43,13 +100,14 @@ static void weigh(lag_delassus *s)
 {
     double longest = 0.0;
     for (size_t i = 0; i < s->kept; ++i) {
-        s->left[i] = lag_dot(s->n, s->jacobian + i * s->n, s->response + i * s->n);
+        s->left[i] = along(s, i, s->response + i * s->n);
         longest = fmax(longest, s->left[i]);
     }
     for (size_t i = 0; i < s->kept; ++i) {
         const double part = fmin(1.0, s->left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
         s->weight[i] = s->left[i] > 0.0 ? part / s->left[i] : 0.0;
         s->chosen[i] = (double)i;
+        s->lead[i] = 0.0;
     }
 }
 
@@ -69,30 +127,37 @@ static size_t longest_rest(const lag_delassus *s, size_t k)
     return best;
 }
 
-/* Column k of the factor, for the rows that are not chosen yet. */
+/* Column k of the factor, for the rows that are not chosen yet. Rows of other components have zeros there. */
 static void append_column(lag_delassus *s, size_t k)
 {
     const size_t pivot = (size_t)s->chosen[k];
-    const double *own = s->factor + pivot * s->kept;
+    double *own = s->factor + pivot * s->kept;
     const double root = sqrt(s->left[pivot]);
-    s->factor[pivot * s->kept + k] = root;
+    const size_t from = (size_t)s->lead[pivot];
+    own[k] = root;
     for (size_t i = k + 1; i < s->kept; ++i) {
         const size_t row = (size_t)s->chosen[i];
         double *to = s->factor + row * s->kept;
-        const double element = lag_dot(s->n, s->jacobian + row * s->n, s->response + pivot * s->n);
-        to[k] = (element - lag_dot(k, to, own)) / root;
-        s->left[row] -= to[k] * to[k];
+        to[k] = 0.0;
+        if (s->component[row] == s->component[pivot]) {
+            const double element = along(s, row, s->response + pivot * s->n);
+            to[k] = (element - lag_dot(k - from, to + from, own + from)) / root;
+            s->left[row] -= to[k] * to[k];
+        }
+        s->lead[row] += (size_t)s->lead[row] == k && to[k] == 0.0 ? 1.0 : 0.0;
     }
 }
 
 /* x (rank) := L'^-1 x for the chosen rows. */
 static void solve_upper(const lag_delassus *s, double *x)
 {
-    for (size_t k = s->rank; k-- > 0;) {
-        for (size_t i = k + 1; i < s->rank; ++i) {
-            x[k] -= s->factor[(size_t)s->chosen[i] * s->kept + k] * x[i];
+    for (size_t i = s->rank; i-- > 0;) {
+        const size_t row = (size_t)s->chosen[i];
+        const double *own = s->factor + row * s->kept;
+        x[i] /= own[i];
+        for (size_t k = (size_t)s->lead[row]; k < i; ++k) {
+            x[k] -= own[k] * x[i];
         }
-        x[k] /= s->factor[(size_t)s->chosen[k] * s->kept + k];
     }
 }
 
@@ -159,11 +224,23 @@ static void remove_excess(lag_delassus *s, double *lam)
 /* True if a unit of kept multiplier i changes other multipliers. */
 static int adds(const lag_delassus *s, size_t i)
 {
-    size_t j = 0;
+    size_t j = s->kept < s->m ? 0 : s->m;
     while (j < s->m && s->lam_response[i * s->m + j] == 0.0) {
         ++j;
     }
     return j < s->m;
+}
+
+/* Of the rows that are not chosen, those that are zero and whose multipliers add to no others keep zero: open contacts. */
+static void forget_zero_rows(lag_delassus *s)
+{
+    s->dependent = 0;
+    for (size_t i = s->rank; i < s->kept; ++i) {
+        const size_t own = (size_t)s->chosen[i];
+        if (lag_delassus_holds(s, own) || adds(s, own)) {
+            s->chosen[s->rank + s->dependent++] = (double)own;
+        }
+    }
 }
 
 /* S is round-off. Rows whose multipliers add to no others keep zero. */
@@ -206,6 +283,7 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         }
         append_column(s, k);
     }
+    forget_zero_rows(s);
     return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
@@ -215,8 +293,9 @@ static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
     for (size_t k = 0; k < s->rank; ++k) {
         const size_t row = (size_t)s->chosen[k];
         const double *own = s->factor + row * s->kept;
-        const double missing = gamma[row] - lag_dot(s->n, s->jacobian + row * s->n, a);
-        s->rest[k] = (missing - lag_dot(k, own, s->rest)) / own[k];
+        const double missing = gamma[row] - along(s, row, a);
+        const size_t from = (size_t)s->lead[row];
+        s->rest[k] = (missing - lag_dot(k - from, own + from, s->rest + from)) / own[k];
     }
     solve_upper(s, s->rest);
     for (size_t k = 0; k < s->kept; ++k) {

@@ -12,16 +12,20 @@
 
 #include <stddef.h>
 
-#include "lag/status.h"
+#include "lag/model.h"
 
 /* One system; everything points into memory of the caller. */
 typedef struct lag_delassus {
     size_t n, m, kept;              /* accelerations, rows, rows that are left */
-    size_t rank, dependent;         /* independent ones of these; others, less those that are zero for sure */
+    size_t rank, dependent;         /* independent ones of these; others, less those that are zero */
     const size_t *row;              /* (kept) which rows */
     const double *response;         /* Y (kept, n) */
     const double *lam_response;     /* K (kept, m), zero at the kept rows */
     const double *jacobian;         /* J (kept, n) */
+    const lag_pattern *entries;     /* those of J (m, n) that may not be zero; null: all */
+    double *first;                  /* (kept) where the entries of each row begin */
+    double *component;              /* (kept) that of each row: rows of two share nothing */
+    double *lead;                   /* (kept) so many zeros the factor of each row begins with */
     double *factor;                 /* (kept, rank) S = L L', rows as they stand, of those not chosen the first part */
     double *left;                   /* (kept) what is left of the diagonal of S */
     double *weight;                 /* (kept) for comparing rows */
@@ -35,8 +39,14 @@ typedef struct lag_delassus {
 /* Doubles that `kept` of m rows need. */
 size_t lag_delassus_memory(size_t m, size_t kept);
 
-/* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. */
+/* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. Nothing is known of its pattern. */
 void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, double *memory);
+
+/* The pattern of all rows of J (m, n), and components (n); null: not known. */
+void lag_delassus_know(lag_delassus *system, const lag_pattern *entries, const size_t *components);
+
+/* True if kept row i of J has an entry that is not zero. */
+int lag_delassus_holds(const lag_delassus *system, size_t i);
 
 /*
  * Factors S, of whose rows `rank` are independent; none: S is round-off. LAG_MISSING: it has too few digits left to be solved, or the other rows

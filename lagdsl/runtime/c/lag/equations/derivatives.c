@@ -226,10 +226,10 @@ static lag_status turn_multipliers(lag_derivatives *d)
     const lag_model *model = d->model;
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t excess = m - d->system.rank;
+    const lag_system *system = &d->system;
     const double length = size(n, d->least);
     const double more_by = fmax(size(n, d->qdd), 1.0);
-    if (excess == 0 || !(length > 0.0)) {
+    if (system->rank == m || !(length > 0.0)) {
         return LAG_OK;
     }
     lag_arguments more = d->at;
@@ -244,8 +244,12 @@ static lag_status turn_multipliers(lag_derivatives *d)
     for (size_t i = 0; i < m; ++i) {
         d->pulled[i] = (d->pulled[i] - d->rows[i]) * length / more_by;
     }
-    for (size_t k = 0; k < excess; ++k) {
-        const double *direction = d->system.excess + k * m;
+    for (size_t k = system->rank; k < m; ++k) { /* rows that are zero are combinations by themselves */
+        const size_t own = (size_t)system->pivot[k];
+        d->dlam[own] += lag_any(n, system->jacobian + own * n) ? 0.0 : d->pulled[own];
+    }
+    for (size_t k = 0; k < system->combinations; ++k) {
+        const double *direction = system->excess + k * m;
         double part = 0.0;
         for (size_t i = 0; i < m; ++i) {
             part += direction[i] * d->pulled[i];

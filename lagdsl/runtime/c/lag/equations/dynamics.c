@@ -104,11 +104,12 @@ lag_status lag_factor_eliminated(
 {
     size_t rank = 0;
     lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
+    lag_delassus_know(system, model->jacobian_pattern, model->components);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
     for (size_t i = 0; i < model->nk; ++i) {
-        rank += model->redundant[model->kept_rows[i]] == 0 && lag_any(model->nq, jacobian + i * model->nq);
+        rank += model->redundant[model->kept_rows[i]] == 0 && lag_delassus_holds(system, i);
     }
     return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
 }

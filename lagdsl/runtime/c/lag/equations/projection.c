@@ -5,6 +5,7 @@
 
 #include "lag/equations/correction.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 static const double ROUNDING = 1e-14;
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
@@ -362,9 +363,15 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
     }
     lag_motion_look(motion, t, x);
     lag_status status = model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
-    if (status == LAG_OK) {
-        status = model->mass_matrix(&motion->at, projection->mass);
+    if (status != LAG_OK || !lag_any(model->nc, projection->phi)) {
+        return status;
     }
+    if (held == NULL && lag_correction(model, &motion->at, projection->phi, projection->jacobian, projection->round_off,
+                            projection->correction, projection->change) == LAG_OK) {
+        lag_axpy(model->nq, 1.0, projection->change, x + model->nq);
+        return LAG_OK;
+    }
+    status = model->mass_matrix(&motion->at, projection->mass);
     if (status != LAG_OK) {
         return status;
     }

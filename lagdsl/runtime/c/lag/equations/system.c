@@ -36,7 +36,7 @@ void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
 {
     s->n = n;
     s->m = m;
-    s->rank = 0;
+    s->rank = s->combinations = 0;
     s->indefinite = 0;
     s->mass = NULL;
     s->jacobian = NULL;
@@ -155,12 +155,8 @@ static void reduce(lag_system *s)
             s->reduced[i * n + j] = s->mass[i * n + j] * s->column_scale[i] * s->column_scale[j];
         }
     }
-    for (size_t j = 0; j < n; ++j) {
-        lag_qr_apply_transposed(s->rank, n, s->rows, s->tau, s->reduced + j, n);
-    }
-    for (size_t i = 0; i < n; ++i) {
-        lag_qr_apply_transposed(s->rank, n, s->rows, s->tau, s->reduced + i * n, 1);
-    }
+    lag_qr_apply_to_columns(s->rank, n, s->rows, s->tau, n, s->reduced);
+    lag_qr_apply_to_rows(s->rank, n, s->rows, s->tau, n, s->reduced);
 }
 
 /* Copies the part of the reduced M beyond the rank; returns its largest diagonal element. */
@@ -221,13 +217,18 @@ static lag_status factor_by_eigenvectors(lag_system *s, size_t *coordinate)
     return LAG_OK;
 }
 
-/* Combinations of rows without effect: each row beyond the rank, less the independent ones that give the same. */
+/* Rows beyond the rank, each less the independent ones that give the same. Multipliers of rows that are zero stay zero by themselves. */
 static void find_excess(lag_system *s)
 {
     const size_t n = s->n;
     const size_t m = s->m;
+    s->combinations = 0;
     for (size_t i = s->rank; i < m; ++i) {
-        double *direction = s->excess + (i - s->rank) * m;
+        double *direction = s->excess + s->combinations * m;
+        const size_t own = (size_t)s->pivot[i];
+        if (!lag_any(n, s->jacobian + own * n)) {
+            continue;
+        }
         for (size_t j = 0; j < m; ++j) {
             direction[j] = 0.0;
         }
@@ -242,9 +243,8 @@ static void find_excess(lag_system *s)
             const size_t row = (size_t)s->pivot[j];
             direction[row] = s->l[j] * s->row_scale[row];
         }
-        const size_t own = (size_t)s->pivot[i];
         direction[own] = s->row_scale[own] > 0.0 ? s->row_scale[own] : 1.0;
-        lag_orthonormalize(i - s->rank, m, s->excess, direction);
+        lag_orthonormalize(s->combinations++, m, s->excess, direction);
     }
 }
 
@@ -349,7 +349,7 @@ static void correct(lag_system *s, double *a, double *lam)
         const size_t row = (size_t)s->pivot[i];
         lam[row] += s->row_scale[row] * s->l[i];
     }
-    lag_remove_parts(s->m - s->rank, s->m, s->excess, lam);
+    lag_remove_parts(s->combinations, s->m, s->excess, lam);
 }
 
 void lag_system_solve(lag_system *s, const double *force, const double *gamma, double *a, double *lam)

@@ -11,7 +11,7 @@ static const double NOTHING = 1e-9;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 12 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 8 * model->nq + lag_impact_memory(model);
+    return 14 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 9 * model->nq + model->nz + lag_impact_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -29,13 +29,30 @@ static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
     double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
         &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
-        &contacts->back};
+        &contacts->back, &contacts->first, &contacts->entries};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
         *arrays[k] = lag_take(memory, count);
         memset(*arrays[k], 0, count * sizeof(double));
     }
     for (size_t i = 0; i < count; ++i) {
         contacts->until[i] = (double)INFINITY;
+    }
+}
+
+/* Gradients of gaps have the entries of the rows that their contacts are while they are closed; all, where nobody tells these. */
+static void find_entries(lag_contacts *contacts, const lag_model *model)
+{
+    const lag_pattern *pattern = model->jacobian_pattern;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        size_t k = 0;
+        while (pattern != NULL && k < pattern->count && pattern->row[k] < model->contact_rows[i]) {
+            ++k;
+        }
+        contacts->first[i] = (double)k;
+        while (pattern != NULL && k < pattern->count && pattern->row[k] == model->contact_rows[i]) {
+            ++k;
+        }
+        contacts->entries[i] = pattern != NULL ? (double)k - contacts->first[i] : (double)model->nq;
     }
 }
 
@@ -54,6 +71,8 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     contacts->slack[0] = 1e-13;
     place_gaps(contacts, model, &memory);
     place_each(contacts, model->ncontact, &memory);
+    find_entries(contacts, model);
+    contacts->hit = lag_take(&memory, model->nq + model->nz);
     contacts->tau = lag_take(&memory, model->nq);
     contacts->zero = lag_take(&memory, model->nq);
     contacts->moved = lag_take(&memory, model->nq);

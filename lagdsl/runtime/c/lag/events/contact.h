@@ -23,6 +23,7 @@ typedef struct lag_contacts {
     double slack[2];         /* for callers who find events themselves: round-off of gaps, as a part of all numbers, and of forces */
     const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
     double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
+    double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
     double *scale, *pace;    /* (ncontact) length and speed of each, at the state looked at last */
     double *force;           /* (ncontact) the largest that each had to carry, about */
     double *until;           /* (ncontact) bounces that were too short to follow last up to then; infinite: there are none */
@@ -35,6 +36,7 @@ typedef struct lag_contacts {
     double *closing;         /* (ncontact) */
     double *back;            /* (ncontact) accelerations of gaps while they are open */
     double *part, *rows, *speeds, *factor; /* (ngap) (ngap, nq) (ngap) (ngap) of one impact */
+    double *hit;             /* (nq + nz) by component: one impact takes place in it */
     double *tau, *zero, *moved, *other, *forces; /* (nq) each */
 } lag_contacts;
 

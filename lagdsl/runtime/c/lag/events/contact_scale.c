@@ -30,21 +30,31 @@ void lag_contacts_follow(lag_contacts *contacts, const double *x)
     }
 }
 
-void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
+static void scale_one(lag_contacts *contacts, size_t i, const double *gradient, const size_t *columns, size_t count)
 {
     const size_t n = contacts->motion->model->nq;
-    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        double length = 0.0;
-        double speed = 0.0;
-        double gradient = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            const double slope = fabs(jacobian[i * n + j]);
-            length += slope * fmax(contacts->peak[j], contacts->least[j]);
-            speed += slope * contacts->peak[n + j];
-            gradient += slope;
-        }
-        contacts->scale[i] = length > 0.0 ? fmax(length, LEAST * gradient) : gradient;
-        contacts->pace[i] = speed;
+    double length = 0.0;
+    double speed = 0.0;
+    double slopes = 0.0;
+    for (size_t k = 0; k < count; ++k) {
+        const size_t j = columns != NULL ? columns[k] : k;
+        const double slope = fabs(gradient[j]);
+        length += slope * fmax(contacts->peak[j], contacts->least[j]);
+        speed += slope * contacts->peak[n + j];
+        slopes += slope;
+    }
+    contacts->scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
+    contacts->pace[i] = speed;
+}
+
+void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
+{
+    const lag_model *model = contacts->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        const size_t first = (size_t)contacts->first[i];
+        const size_t count = (size_t)contacts->entries[i];
+        scale_one(contacts, i, jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
     }
 }
 

@@ -62,37 +62,71 @@ static int find_closing(lag_contacts *contacts)
     return any;
 }
 
-/* True if a closed contact has an approach speed beyond round-off. */
-static int any_driven(const lag_contacts *contacts)
+/* True if contact i is closed and has an approach speed beyond round-off. */
+static int is_driven(const lag_contacts *contacts, size_t i)
 {
-    int any = 0;
-    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        any = any || (*flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i));
-    }
-    return any;
+    return *flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
 }
 
-/* Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold. */
-static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
+static int any_driven(const lag_contacts *contacts)
+{
+    size_t i = 0;
+    while (i < contacts->motion->model->ncontact && !is_driven(contacts, i)) {
+        ++i;
+    }
+    return i < contacts->motion->model->ncontact;
+}
+
+/* The component of the mechanism that gap i belongs to. */
+static size_t component_of(const lag_contacts *contacts, size_t i)
 {
     const lag_model *model = contacts->motion->model;
-    lag_blow blow = {0, contacts->rows, contacts->speeds, contacts->factor};
-    for (size_t i = 0; i < model->ncontact; ++i) {
+    const double *gradient = contacts->jacobian + i * model->nq;
+    size_t j = 0;
+    while (j + 1 < model->nq && gradient[j] == 0.0) {
+        ++j;
+    }
+    return model->components != NULL ? model->components[j] : 0;
+}
+
+/* Contacts that close. */
+static void add_closing(lag_contacts *contacts, lag_blow *blow)
+{
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         if (contacts->closing[i] != 0.0) {
-            add(contacts, &blow, i, contacts->restitution[i]);
+            add(contacts, blow, i, contacts->restitution[i]);
+            contacts->hit[component_of(contacts, i)] = 1.0;
             if (contacts->approach[i] == 0.0) {
                 contacts->approach[i] = contacts->speed[i];
                 contacts->order[contacts->struck++] = (double)i;
             }
         }
     }
+}
+
+/*
+ * Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of the components in which
+ * something strikes or drives.
+ */
+static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
+{
+    const lag_model *model = contacts->motion->model;
+    lag_blow blow = {0, contacts->rows, contacts->speeds, contacts->factor};
+    memset(contacts->hit, 0, (model->nq + model->nz) * sizeof(double));
+    add_closing(contacts, &blow);
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
             add(contacts, &blow, model->ncontact + i, restitution[i]);
+            contacts->hit[component_of(contacts, model->ncontact + i)] = 1.0;
         }
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0) {
+        if (is_driven(contacts, i)) {
+            contacts->hit[component_of(contacts, i)] = 1.0;
+        }
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0 && contacts->hit[component_of(contacts, i)] != 0.0) {
             add(contacts, &blow, i, 0.0);
         }
     }

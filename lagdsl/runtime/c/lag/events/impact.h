@@ -16,7 +16,10 @@
 typedef struct lag_impact {
     lag_motion *motion;
     lag_places places;
-    double *mass, *jacobian, *residual; /* (nq, nq) (nc, nq) (nc) */
+    double *struck;                     /* (nq + nz) by component: the blow has a gap in it */
+    double *chosen;                     /* (nq) coordinates that the blow may move, ascending, */
+    size_t count;                       /* so many */
+    double *mass, *jacobian, *residual; /* (nq, nq) (nc, nq) (nc), cut down to these coordinates */
     double *opened;                     /* (nw) */
     double *response, *compliance;      /* (ngap, nq) (ngap, ngap) */
     double *force, *gamma, *lam;        /* (nq) (nc) (nc) */

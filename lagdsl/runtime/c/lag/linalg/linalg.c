@@ -3,12 +3,23 @@
 #include <float.h>
 #include <math.h>
 
+/* Column of the first entry of row i of a lower triangle that is not zero; i where there is none. */
+static size_t first_entry(const double *row, size_t i)
+{
+    size_t k = 0;
+    while (k < i && row[k] == 0.0) {
+        ++k;
+    }
+    return k;
+}
+
 size_t lag_cholesky(size_t n, double *a, double tolerance)
 {
     for (size_t j = 0; j < n; ++j) {
         double *row = a + j * n;
         double pivot = row[j];
-        for (size_t k = 0; k < j; ++k) {
+        const size_t first = first_entry(row, j); /* factors have no entries left of those of the matrix */
+        for (size_t k = first; k < j; ++k) {
             pivot -= row[k] * row[k];
         }
         if (!(pivot > tolerance)) {
@@ -17,7 +28,7 @@ size_t lag_cholesky(size_t n, double *a, double tolerance)
         row[j] = sqrt(pivot);
         for (size_t i = j + 1; i < n; ++i) {
             double sum = a[i * n + j];
-            for (size_t k = 0; k < j; ++k) {
+            for (size_t k = first; k < j; ++k) {
                 sum -= a[i * n + k] * row[k];
             }
             a[i * n + j] = sum / row[j];
@@ -117,6 +128,15 @@ static void swap_rows(size_t n, double *first, double *second)
     }
 }
 
+/* One behind the last entry of v from `start` to n that is not zero. */
+static size_t end_of(size_t start, size_t n, const double *v)
+{
+    while (n > start && v[n - 1] == 0.0) {
+        --n;
+    }
+    return n;
+}
+
 /* x := x - tau v (v' x), over entries `start` to n of x. */
 static void reflect(size_t start, size_t n, const double *v, double tau, double *x, size_t stride)
 {
@@ -158,8 +178,9 @@ size_t lag_qr(size_t m, size_t n, double *a, double *tau, double *diagonal, doub
         diagonal[k] = row[k] > 0.0 ? -length : length;
         row[k] -= diagonal[k];
         tau[k] = -1.0 / (diagonal[k] * row[k]);
+        const size_t end = end_of(k, n, row);
         for (size_t i = k + 1; i < m; ++i) {
-            reflect(k, n, row, tau[k], a + i * n, 1);
+            reflect(k, end, row, tau[k], a + i * n, 1);
         }
     }
     return count;
@@ -176,6 +197,28 @@ void lag_qr_apply_transposed(size_t rank, size_t n, const double *a, const doubl
 {
     for (size_t k = 0; k < rank; ++k) {
         reflect(k, n, a + k * n, tau[k], x, stride);
+    }
+}
+
+void lag_qr_apply_to_columns(size_t rank, size_t n, const double *a, const double *tau, size_t count, double *x)
+{
+    for (size_t k = 0; k < rank; ++k) {
+        const double *v = a + k * n;
+        const size_t end = end_of(k, n, v);
+        for (size_t j = 0; j < count; ++j) {
+            reflect(k, end, v, tau[k], x + j, count);
+        }
+    }
+}
+
+void lag_qr_apply_to_rows(size_t rank, size_t n, const double *a, const double *tau, size_t count, double *x)
+{
+    for (size_t k = 0; k < rank; ++k) {
+        const double *v = a + k * n;
+        const size_t end = end_of(k, n, v);
+        for (size_t i = 0; i < count; ++i) {
+            reflect(k, end, v, tau[k], x + i * n, 1);
+        }
     }
 }
 

@@ -26,6 +26,10 @@ size_t lag_qr(size_t m, size_t n, double *a, double *tau, double *diagonal, doub
 void lag_qr_apply(size_t rank, size_t n, const double *a, const double *tau, double *x, size_t stride);
 void lag_qr_apply_transposed(size_t rank, size_t n, const double *a, const double *tau, double *x, size_t stride);
 
+/* x (n, count) := Q' x, and x (count, n) := x Q. */
+void lag_qr_apply_to_columns(size_t rank, size_t n, const double *a, const double *tau, size_t count, double *x);
+void lag_qr_apply_to_rows(size_t rank, size_t n, const double *a, const double *tau, size_t count, double *x);
+
 /* Takes from x (m) its parts along the orthonormal rows of `basis` (count, m). */
 void lag_remove_parts(size_t count, size_t m, const double *basis, double *x);
 
