@@ -66,7 +66,7 @@ def one(name: str, n: int) -> dict[str, float]:
 
 
 def _events(name: str, model: lagdsl.Model, events: int, motion: float) -> dict[str, float]:
-    """Of a model with events: their number; CPU seconds of one, its step included, and of one of the four evaluations of a step of rk4."""
+    """Of a model with events: their number; CPU seconds of one, with its step, and of an evaluation in rk4."""
     if name not in BEFORE:
         return {}
     stop = BEFORE[name]

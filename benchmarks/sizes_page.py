@@ -8,9 +8,10 @@ CPU seconds of the derivation, of start values, of the motion behind them (proje
 growth of the memory of the process; tapes, least of several runs, BLAS with one thread. Exponents as above, of
 all sizes."""
 _EVENTS = """\
-N balls have N times the events of one, at instants of their own. Each ends the step of the one integrator there is, and the next one
-evaluates all N balls: a motion of N^2 evaluations of a ball is what one step size for all can reach, exponent 2. What stands beside an
-event is its own mechanism's: impulses, projections and forces of contacts are found within the component that strikes (`docs/adr/0121`).
+N balls have N times the events of one, at instants of their own. Each ends the step of the one integrator there
+is, and the next one evaluates all N balls: N^2 evaluations of a ball, exponent 2, is what one step size for all can
+reach; below it are sizes at which an event costs more than its evaluations. All else of an event belongs to its own
+mechanism: impulses, projections and forces of contacts are found within the component that strikes (`docs/adr/0121`).
 An event with its step in evaluations, those of the step among them:"""
 _IFTOMM = """\
 A01 to A05 of the library of computational benchmark problems (M. Gonzalez, D. Dopico, U. Lugris, J. Cuadrado,
@@ -49,10 +50,11 @@ def sizes(found: Results) -> list[str]:
 
 
 def _events(points: list[dict[str, float]]) -> list[str]:
-    lines = ["", _EVENTS, "", "| N | events | an event [us] | an evaluation [us] | an event in evaluations |", "|---|---|---|---|---|"]
+    lines = ["", _EVENTS, "", "| N | events | an event [us] | an evaluation [us] | an event in evaluations |"]
+    lines.append("|---|---|---|---|---|")
     for p in points:
-        ratio = p["event"] / p["evaluation"]
-        lines.append(f"| {p['n']} | {p['events']} | {1e6 * p['event']:.0f} | {1e6 * p['evaluation']:.2f} | {ratio:.0f} |")
+        event, evaluation = 1e6 * p["event"], 1e6 * p["evaluation"]
+        lines.append(f"| {p['n']} | {p['events']} | {event:.0f} | {evaluation:.2f} | {event / evaluation:.0f} |")
     return lines
 
 

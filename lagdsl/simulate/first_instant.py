@@ -11,7 +11,7 @@ from lagdsl.runtime.structures import Status
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.placed import placed
-from lagdsl.simulate.unknown_outputs import first_unknown, report_unknown
+from lagdsl.simulate.unknown_outputs import UnknownOutputs
 
 
 def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, sink: Sink) -> None:
@@ -30,6 +30,7 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
             report_fault(course, status, run.explain(status), np.zeros(0), sink)
         elif flat.outputs:
             values = run.evaluate("output", initial.t, initial.x, len(flat.outputs))
-            unknown = first_unknown(flat, values[None, :])
+            outputs = UnknownOutputs(flat)
+            unknown = outputs.first(values[None, :])
             if unknown is not None:
-                report_unknown(flat, unknown[1], initial.t, float(values[unknown[1]]), sink)
+                outputs.report(unknown[1], initial.t, float(values[unknown[1]]), sink)

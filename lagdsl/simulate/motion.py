@@ -23,7 +23,7 @@ from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
-from lagdsl.simulate.unknown_outputs import first_unknown, report_unknown
+from lagdsl.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.structure.names import located, place
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
@@ -89,13 +89,15 @@ class Motion:
 
     def _check_outputs(self, found: Trajectory) -> None:
         """E0857 for the first output that is no number, with all rows."""
-        flat = self._asked.flat
         columns = [column.values for column in found.columns if column.kind == "output"]
-        unknown = first_unknown(flat, np.column_stack(columns)) if columns else None
+        if not columns:
+            return
+        outputs = UnknownOutputs(self._asked.flat)
+        unknown = outputs.first(np.column_stack(columns))
         if unknown is not None:
             row, which = unknown
             sink, t = Sink(), float(found.time[row])
-            name = report_unknown(flat, which, t, float(columns[which][row]), sink)
+            name = outputs.report(which, t, float(columns[which][row]), sink)
             state = {column.name: float(column.values[row]) for column in found.columns if column.kind in _STATE}
             raise SimulationFailed(sink.diagnostics[-1], t, state, name, found)
 

@@ -5,29 +5,71 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import FlatModel
+from lagdsl.flat.traversal import postorder
 from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.state_words import time_text
 
+# So many derivatives of a quantity of this kind come from the equations of motion.
+_SOLVED = {"coordinate": 2, "state": 1}
 
-def first_unknown(flat: FlatModel, values: Floats) -> tuple[int, int] | None:
-    """Row and column of the first output in `values` (rows, outputs) that is infinite or not a number.
 
-    Where constraints lose rank there are no accelerations and no row of outputs: all are nan, none is at fault.
+class UnknownOutputs:
+    """Finds outputs that are infinite or not a number.
+
+    Where constraints lose rank there are no accelerations and no multipliers for an instant: all outputs that read them
+    are nan there, and none is at fault. They are where there are more rows, and they are so in all.
     """
-    wrong = ~np.isfinite(values)
-    if flat.constraints or flat.events.contacts:
-        wrong &= ~np.isnan(values).all(axis=1, keepdims=True)
-    rows = np.flatnonzero(wrong.any(axis=1))
-    return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None
+
+    def __init__(self, flat: FlatModel) -> None:
+        self._flat = flat
+        held = bool(flat.constraints or flat.events.contacts)
+        self._solved = np.array([held and reads for reads in _reading(flat)], dtype=np.bool_)
+
+    def first(self, values: Floats) -> tuple[int, int] | None:
+        """Row and column of the first one in `values` (rows, outputs)."""
+        wrong = ~np.isfinite(values)
+        if self._solved.any() and len(values):
+            lost = np.isnan(values[:, self._solved]).all(axis=1)
+            wrong[:, self._solved] &= ~lost[:, None] | (len(values) > 1 and lost.all())
+        rows = np.flatnonzero(wrong.any(axis=1))
+        return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None
+
+    def report(self, which: int, time: float, value: float, sink: Sink) -> str:
+        """E0857 for an output; returns its name."""
+        output = self._flat.outputs[which]
+        text = flat_expression_text(output.value)
+        label = Label(output.spans[0], f"is {text}"[:120]) if output.spans else None
+        found = "not a number" if np.isnan(value) else "infinite"
+        sink.report("E0857", label, name=output.name, time=time_text(time), found=found)
+        return output.name
 
 
-def report_unknown(flat: FlatModel, which: int, time: float, value: float, sink: Sink) -> str:
-    """E0857 for an output; returns its name."""
-    output = flat.outputs[which]
-    text = flat_expression_text(output.value)
-    label = Label(output.spans[0], f"is {text}"[:120]) if output.spans else None
-    found = "not a number" if np.isnan(value) else "infinite"
-    sink.report("E0857", label, name=output.name, time=time_text(time), found=found)
-    return output.name
+def _reading(flat: FlatModel) -> list[bool]:
+    """Of every output: it reads accelerations, rates of states or multipliers."""
+    kinds = {c.name: "coordinate" for c in flat.coordinates} | {s.name: "state" for s in flat.states}
+    dependence = Dependence(flat)
+    reading: set[str] = set()
+
+    def reads(expression: fx.FlatExpression) -> bool:
+        orders = dependence.of(expression)
+        if any(orders[name] >= _SOLVED[kinds[name]] for name in orders.differentiated() if name in kinds):
+            return True
+        return any(_is_solved(node) or getattr(node, "name", None) in reading for node in postorder(expression, ()))
+
+    for item in flat.named:
+        if isinstance(item, fm.Definition) and reads(item.value):
+            reading.add(item.name)
+    found = []
+    for output in flat.outputs:
+        found.append(reads(output.value))
+        reading |= {output.name} if found[-1] else set()
+    return found
+
+
+def _is_solved(node: fx.FlatExpression) -> bool:
+    return isinstance(node, fx.Multiplier | fx.FrameReaction | fx.ReactionAlong)

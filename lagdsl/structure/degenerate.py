@@ -39,7 +39,10 @@ _STEPS = (1e-2, 1e-3)
 _LOST = 0.02
 _MOST_NAMED = 3
 
-_Fault: TypeAlias = Literal["vanishes", "corner", "none"]
+# Distances at which a row that is zero about a point is looked for elsewhere.
+_FAR = (0.3, 1.0, 3.0, 10.0)
+
+_Fault: TypeAlias = Literal["vanishes", "corner", "none", "slack"]
 
 
 def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:
@@ -50,21 +53,22 @@ def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sin
         return False
     bases = [point.q for point in points] or [space.project(space.q, rows).point]
     suspected = np.logical_and.reduce([_unforetold(space, base) for base in bases])
+    slack = np.logical_or.reduce([_slack(space, base) for base in bases])
     found = False
     for item in located(flat):
         constraint = item.constraint
         if constraint.level != "position" or comes_and_goes(constraint) or constraint.closure is not None:
             continue
         for index, row in enumerate(item.rows):
-            if not suspected[row] or not np.any(space.pattern[row]):
+            if not (suspected[row] or slack[row]) or not np.any(space.pattern[row]):
                 continue
-            fault = _fault(space, bases[-1], row)
+            fault: _Fault | None = "slack" if slack[row] else _fault(space, bases[-1], row)
             if fault is not None and not _follows(space, bases[-1], row, rows):
                 rewrite = restated(constraint.residuals[index], constraint.dimension)
                 sink.report(
                     "E0609",
                     place(constraint),
-                    help=f"write {rewrite}" if rewrite else None,
+                    help=_CONTACT if slack[row] else f"write {rewrite}" if rewrite else None,
                     name=constraint.rows[index],
                     fault=_WORDS[fault],
                 )
@@ -76,7 +80,11 @@ _WORDS: dict[_Fault, str] = {
     "vanishes": "vanishes wherever the constraint holds",
     "corner": "jumps wherever the constraint holds",
     "none": "does not exist where the constraint holds",
+    "slack": "vanishes in a whole region where the constraint holds",
 }
+_CONTACT = (
+    "write what must not be exceeded as a contact, `contact c: x <= l with restitution = 0`, not as `max(x - l, 0) = 0`"
+)
 
 
 def _unforetold(space: Geometry, base: Floats) -> Flags:
@@ -98,6 +106,23 @@ def _unforetold(space: Geometry, base: Floats) -> Flags:
                         np.abs(change - foretold) <= _UNEXPLAINED * np.maximum(np.abs(change), np.abs(foretold))
                     )
         result &= unlike
+    return result
+
+
+def _slack(space: Geometry, base: Floats) -> Flags:
+    """The rows that are zero in a neighborhood of a point about `base`, and not everywhere."""
+    generator = np.random.default_rng(SEED + 3)
+    steps = space.sizes * generator.standard_normal((_DIRECTIONS, len(base)))
+    around = np.concatenate([steps, -steps])
+    points = [base, *(base + far * step for far in _FAR for step in around)]
+    looked = [space.position(point) for point in points]
+    somewhere = np.logical_or.reduce([np.abs(phi) > 0.0 for phi, _ in looked])
+    result: Flags = np.zeros(len(looked[0][0]), dtype=np.bool_)
+    for point, (phi, jacobian) in zip(points, looked, strict=True):
+        still = somewhere & (phi == 0.0) & ~np.any(jacobian != 0.0, axis=1)
+        for near in _NEAR if np.any(still) else ():
+            still &= np.logical_and.reduce([space.position(point + near * step)[0] == 0.0 for step in around])
+        result |= still
     return result
 
 

@@ -21,9 +21,10 @@ from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
 from lagdsl.simulate.simulate import grid
 from lagdsl.simulate.table import heads_of
+from lagdsl.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.sweep.failure_words import FailureWords
 from lagdsl.sweep.plan import Task
-from lagdsl.sweep.run import Options, Outcome, failed, parameters_of
+from lagdsl.sweep.run import Options, Outcome, failed, first_error, parameters_of
 
 # In the rows of one call of C.
 _NUMBERS = 4_000_000
@@ -43,6 +44,7 @@ class Ensemble:
         rows = len(grid(flat.experiment.start_time, options.stop, options.interval))
         self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
         self._columns = [k for k, name in enumerate(names) if options.columns is None or name in options.columns]
+        self._unknown = UnknownOutputs(flat)
         self._names = tuple(names[k] for k in self._columns)
         self._units = tuple(heads[k][1] for k in self._columns)
 
@@ -139,12 +141,23 @@ class Ensemble:
         )
         return told, lambda run, t: np.where(outside, inputs.at(t), u[run])
 
+    def _unknown_output(self, rows: Floats) -> str | None:
+        """Words for the first output that is no number; the motion itself goes on."""
+        values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
+        unknown = self._unknown.first(values)
+        if unknown is None:
+            return None
+        times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)
+        self._unknown.report(unknown[1], float(times[unknown[0]]), float(values[unknown]), sink)
+        return first_error(sink.diagnostics)
+
     def _outcome(self, index: int, made: Made, row: int, words: FailureWords) -> Outcome | None:
         """None where nothing is known of a failure."""
         ended: float | None = float(made.ended[row])
         if made.went_well(row):
             message = words.wrong(made.p[row])
             ended = ended if message is None else None
+            message = message or self._unknown_output(made.rows[row, : made.kept[row]])
         elif row in words.told:
             message, ended = words.told[row]
         else:

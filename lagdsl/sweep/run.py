@@ -86,7 +86,8 @@ class Runner:
         try:
             motion = self._simulate(task)
         except SimulationFailed as failure:
-            return _outcome(task, failure.trajectory, self._options, _text(failure.diagnostics), failure.time)
+            ended = None if failure.diagnostic.code == "E0857" else failure.time  # the motion itself goes on
+            return _outcome(task, failure.trajectory, self._options, _text(failure.diagnostics), ended)
         except CompilationFailed as failure:
             return failed(task.index, _text(failure.diagnostics))
         except (ValueError, KeyError, ArithmeticError) as error:

@@ -8,7 +8,7 @@ import pytest
 import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import flatten_file
-from lagdsl.simulate.unknown_outputs import first_unknown
+from lagdsl.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.source import SourceFile
 
 MODEL = """model M
@@ -44,11 +44,45 @@ def test_rows_without_accelerations_are_left_alone() -> None:
     text = """model P
       coordinate Length x(start = 1 m), y;
       kinetic 1/2*(1 kg)*(der(x)^2 + der(y)^2);
-      constraint x^2 + y^2 = 1 m2;
-      output Length a = x, b = y;
+      constraint rod: x^2 + y^2 = 1 m2;
+      Real pull = multiplier(rod)*(1 m2)/(1 J);
+      output Length a = x;
+      output Real n = 2*pull, m = der(der(x))/(1 m/s2);
     end P;"""
     pendulum = flatten_file(SourceFile("p.lag", text), Sink())
     assert pendulum is not None
-    lost = np.array([[1.0, 2.0], [np.nan, np.nan], [1.0, np.inf]])
-    assert first_unknown(pendulum, lost[:2]) is None
-    assert first_unknown(pendulum, lost) == (2, 1)
+    outputs = UnknownOutputs(pendulum)
+    lost = np.array([[1.0, 2.0, 3.0], [1.0, np.nan, np.nan], [1.0, np.inf, 1.0], [np.nan, 1.0, 1.0]])
+    assert outputs.first(lost[:2]) is None
+    assert outputs.first(lost) == (2, 1)
+    assert outputs.first(lost[[0, 1, 3]]) == (2, 0)
+    assert outputs.first(lost[[1, 1]]) == (0, 1)
+
+
+HELD = """model H
+  parameter Real limit = 0.5;
+  coordinate Angle theta(start = 1 rad);
+  coordinate Length x(start = sin(1)*(1 m)), y(start = -cos(1)*(1 m));
+  gravity = {0, -9.81 m/s2};
+  mass 1 kg at {x, y};
+  constraint rod: {x, y} = {sin(theta)*(1 m), -cos(theta)*(1 m)};
+  output Real root = sqrt(theta + limit);
+end H;
+"""
+
+
+def test_the_only_output_of_a_model_with_constraints() -> None:
+    model = lagdsl.compile(HELD, engine="tape")
+    with pytest.raises(lagdsl.SimulationFailed) as found:
+        model.simulate(stop=2.0, interval=0.1)
+    assert found.value.diagnostic.code == "E0857" and found.value.name == "root"
+
+
+def test_a_run_of_many_says_so_of_itself() -> None:
+    model = lagdsl.compile(HELD, engine="tape")
+    motions = model.simulate_many(parameters={"limit": [2.0, 0.5, 3.0]}, stop=2.0, interval=0.1)
+    assert list(motions.failures) == [1] and motions.failures[1].startswith("E0857: output `root` is not a number")
+    assert np.isfinite(motions["theta"]).all() and (motions.ended == 2.0).all()
+    swept = model.sweep({"limit": [2.0, 0.5, 3.0]}, stop=2.0, interval=0.1)
+    assert list(swept["status"].values) == ["ok", "failed", "ok"]
+    assert str(swept["message"].values[1]) == motions.failures[1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 
 from lagdsl.semantics.scope.context import Context
@@ -23,14 +24,24 @@ _WARNED = {
 
 
 def warn_unused(ctx: Context, symbols: Iterable[Symbol]) -> None:
-    """W0206 for each declared name of the model's file that nothing reads in any instance of its class."""
+    """W0206 for each declared name of the model's file that nothing reads in any instance of its class; E0329 instead
+    for a parameter that is infinite: it is no bound of anything."""
     own = [symbol for symbol in symbols if symbol.span.file is ctx.conventions.home]
     done = {symbol.span.start for symbol in own if symbol.made.used}
     for symbol in own:
         kind = _WARNED.get(symbol.kind)
         if kind is not None and symbol.span.start not in done and not _is_offered(symbol):
             done.add(symbol.span.start)
-            ctx.sink.report("W0206", symbol.span, kind=kind, name=symbol.short)
+            if _is_infinite(ctx, symbol):
+                ctx.sink.report("E0329", symbol.span, subject=f"`{symbol.short}`", conditions="")
+            else:
+                ctx.sink.report("W0206", symbol.span, kind=kind, name=symbol.short)
+
+
+def _is_infinite(ctx: Context, symbol: Symbol) -> bool:
+    """True for a parameter, or an array of them, that has an infinite value."""
+    infinite = {parameter.name for parameter in ctx.product.parameters if math.isinf(parameter.value)}
+    return symbol.name in infinite or any(name.startswith(f"{symbol.name}[") for name in infinite)
 
 
 def _is_offered(symbol: Symbol) -> bool:

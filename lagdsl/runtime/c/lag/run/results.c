@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/equations/discretes.h"
+#include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
 
@@ -38,17 +39,16 @@ static void find_residuals(lag_run *run, double *residual)
     }
 }
 
-/* Outputs, energy and residuals at x. */
+/* Outputs, energy and residuals at x. Without accelerations those outputs are no numbers that read them. */
 static void observe(lag_run *run, double t, const double *x, double *values)
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
     double *energy = values + model->ny;
     double parts[3];
-    lag_status status = LAG_OK;
     if (model->ny > 0) {
-        status = lag_motion_solve(motion, t, x);
-        if (status != LAG_OK || model->output(&motion->at, values) != LAG_OK) {
+        lag_event_iteration_solve(motion, t, x);
+        if (model->output(&motion->at, values) != LAG_OK) {
             lag_fill(model->ny, (double)NAN, values);
         }
     } else {
