@@ -31,7 +31,8 @@ class Item:
 class Quantity(Item):
     """Fields of every named scalar. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
     `symbol` how reports typeset the name (LaTeX). `base` is what its values are, `literals` the names of those of an
-    enumeration, from 1. `protected`: its class does not show it."""
+    enumeration, from 1, `literal_docs` their texts, `type_doc` that of the type. `protected`: its class does not show
+    it."""
 
     name: str
     dimension: Dimension
@@ -42,4 +43,6 @@ class Quantity(Item):
     symbol: str | None = None
     base: Base = "Real"
     literals: tuple[str, ...] = ()
+    literal_docs: tuple[str | None, ...] = ()
+    type_doc: str | None = None
     protected: bool = False

@@ -1,4 +1,5 @@
-"""Documentation in an FMU: the derivation of its equations, a picture of its motion, licenses."""
+"""Documentation in an FMU: its ports, parameters and statements, the derivation of its equations, a picture of its
+motion, licenses."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ from dataclasses import replace
 from importlib.util import find_spec
 
 from lagdsl.fmi.export_model import ExportModel
+from lagdsl.fmi.page_tables import tables
 from lagdsl.fmi.reference import Reference
 from lagdsl.report.derivation import document
 from lagdsl.report.document import Block, Bullets, Code, Heading, Inline, Text
@@ -32,7 +34,7 @@ def documentation_files(export_model: ExportModel, known: Reference | None, head
         picture = png(plot(known.motion))
         files[_ICON[export_model.table.version]] = icon(known.motion)
     whole = document(recipe(export_model.compilation.flat))
-    page = replace(whole, blocks=(*whole.blocks, *_about(export_model, known)))
+    page = replace(whole, blocks=(*tables(export_model.table), *whole.blocks, *_about(export_model, known)))
     return {**files, _INDEX: html(page, picture).encode()}
 
 

@@ -70,12 +70,23 @@ class _StatementWriter(ExpressionWriter):
                 self.doc(node.doc)
             case nodes.TypeDefinition():
                 self.text(f"type {node.name} = ")
-                self.text(f"enumeration({', '.join(node.literals)})" if node.base is None else dotted(node.base))
+                if node.base is None:
+                    self._literals(node)
+                else:
+                    self.text(dotted(node.base))
                 self.subscripts(node.subscripts)
                 self.modifiers(node.modifiers)
                 self.doc(node.doc)
             case nodes.Function():
                 self._function(node)
+
+    def _literals(self, node: nodes.TypeDefinition) -> None:
+        self.text("enumeration(")
+        for position, (name, doc) in enumerate(zip(node.literals, node.literal_docs, strict=True)):
+            self.text(", " if position else "")
+            self.text(name)
+            self.doc(doc)
+        self.text(")")
 
     def _function(self, node: nodes.Function) -> None:
         self.text(f"function {node.name}(")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import re
 import struct
 
 import pytest
@@ -105,3 +107,36 @@ def test_the_motion_is_computed_by_what_the_library_is_linked_from(fall, known, 
     assert found.motion.names == known.motion.names
     for column in known.motion.columns:
         assert found.motion[column.name] == pytest.approx(column.values, rel=1e-12, abs=1e-12), column.name
+
+
+def test_the_page_lists_ports_parameters_and_statements_with_their_components():
+    compilation = made(
+        """type Way = enumeration(off "no <way>", on);
+model Part
+  parameter Length l(min = 0.1 m) = 1 m "<b>long</b>";
+  coordinate Length x(start = 1 m);
+  mass 1 kg at {x*l/(1 m), 0};
+end Part;
+model Whole
+  input Way way "which <way>";
+  input Force f(min = -2 N, max = 2 N);
+  gravity = 0;
+  Part left, right;
+  force (if way == Way.on then f else 0) on left.x;
+  output Length far(nominal = 2 m) = left.x + right.x;
+end Whole;
+"""
+    )
+    page = documentation_files(compilation, None, HEADER)["documentation/index.html"].decode()
+    rows = [
+        [html.unescape(re.sub("<[^>]+>", "", cell)) for cell in re.findall("<td[^>]*>(.*?)</td>", row, re.DOTALL)]
+        for row in re.findall("<tr>(.*?)</tr>", page, re.DOTALL)
+    ]
+    found = [" | ".join(cell.strip() for cell in row if cell.strip()) for row in rows]
+    assert "way | input, discrete | Way | 1 off (no <way>), 2 on | 1 | which <way>" in found
+    assert "f | input, continuous | Force [N] | -2 to 2 | 0.0" in found
+    assert "far | output, continuous | Length [m]" in found
+    assert "left.l | 1.0 | m | from 0.1 | at any time | <b>long</b>" in found
+    assert "left | mass 1 kg at {x*l/(1 m), 0};" in found
+    assert "right | mass 1 kg at {x*l/(1 m), 0};" in found
+    assert "Whole | force (if way == Way.on then f else 0) on left.x;" in found

@@ -168,3 +168,46 @@ def test_a_file_is_no_output() -> None:
     done = CliRunner().invoke(lag, ["fmu", str(path_of("double_pendulum")), "--output", "x.fmu"])
     assert done.exit_code == 2
     assert "-o x.fmu" in done.output
+
+
+TYPES = """type Way = enumeration(off "no <way>", on) "ways to go";
+type Level = Integer(min = 0, max = 7) "of a lift";
+type Load = Force(min = 0) "what it carries";
+
+model Lift
+  input Way way;
+  input Level level;
+  input Mass extra;
+  input Load load;
+  output Load carried = load;
+  output Level next(max = 5) = level;
+  coordinate Length h(start = 1 m);
+  kinetic 1/2*(1 kg)*der(h)^2;
+  force extra*(1 m/s2) on h;
+  force (if way == Way.on then level*(1 N) else load) on h;
+end Lift;
+"""
+
+
+@VERSIONS
+def test_types_with_their_texts_and_bounds(version: Version) -> None:
+    """Bounds of a type are those of its variables, also of types of the language: a mass is not negative."""
+    table = table_of(of_text(TYPES), version)
+    SCHEMA[version].assertValid(tree_of(table))
+    assert broken(tree(table)) == []
+    bounds = {v.name: (v.attributes.minimum, v.attributes.maximum) for v in table.variables}
+    assert bounds["level"] == (0.0, 7.0)
+    assert bounds["next"] == (0.0, 5.0)
+    assert bounds["load"] == bounds["carried"] == bounds["extra"] == (0.0, None)
+    definitions = tree(table).find("TypeDefinitions")
+    assert definitions is not None
+    texts = {kind.get("name"): kind.get("description") for kind in definitions}
+    assert (
+        texts.items()
+        >= {
+            "Way": "ways to go",
+            "Load": "what it carries",
+        }.items()
+    )
+    items = [(item.get("name"), item.get("description")) for item in definitions.iter("Item")]
+    assert items == [("off", "no <way>"), ("on", None)]

@@ -170,3 +170,10 @@ end Cart;
     with pytest.raises(CompilationFailed) as failure:
         lagdsl.compile(text, engine="tape").simulate(stop=1, inputs={"road": lagdsl.Hold([0, 0.5, 1], [0, 1, 1])})
     assert {diagnostic.code for diagnostic in failure.value.diagnostics} == {"E0847"}
+
+
+def test_an_enumeration_that_nobody_gives_is_its_first_literal() -> None:
+    model = lagdsl.compile(MODEL.replace(" = Way.right", ""), engine="tape")
+    assert model.simulate()["time_right"][-1] == 0.0
+    text = MODEL.replace("way == Way.right", "way == Way.off").replace(" = Way.right", "")
+    assert lagdsl.compile(text, engine="tape").simulate()["time_right"][-1] == pytest.approx(2.0)

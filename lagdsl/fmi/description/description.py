@@ -49,7 +49,9 @@ class NamedType:
     type: Type
     quantity: str
     unit: str | None
+    doc: str | None
     literals: tuple[str, ...]
+    literal_docs: tuple[str | None, ...]
 
 
 def categories_and_experiment(root: Element, table: Table) -> None:
@@ -100,7 +102,9 @@ def named_types(table: Table) -> dict[TypeKey, NamedType]:
             type=attributes.type,
             quantity=quantity,
             unit=attributes.unit,
+            doc=attributes.type_doc,
             literals=attributes.literals,
+            literal_docs=attributes.literal_docs,
         )
     return found
 

@@ -87,10 +87,10 @@ def _types(root: Element, types: Mapping[TypeKey, NamedType]) -> None:
         return
     definitions = element("TypeDefinitions", root)
     for kind in types.values():
-        defined = element("SimpleType", definitions, name=kind.name)
+        defined = element("SimpleType", definitions, name=kind.name, description=kind.doc)
         inner = element(_TAGS[kind.type], defined, quantity=kind.quantity, unit=kind.unit)
-        for value, literal in enumerate(kind.literals, 1):
-            element("Item", inner, name=literal, value=value)
+        for value, (literal, doc) in enumerate(zip(kind.literals, kind.literal_docs, strict=True), 1):
+            element("Item", inner, name=literal, value=value, description=doc)
 
 
 def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:

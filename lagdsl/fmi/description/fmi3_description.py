@@ -48,9 +48,11 @@ def fmi3_description(table: Table, *, identifier: str, token: str, attribution: 
         definitions = element("TypeDefinitions", root)
         for kind in types.values():
             tag = f"{_TAGS[kind.type]}Type"
-            defined = element(tag, definitions, name=kind.name, quantity=kind.quantity, unit=kind.unit)
-            for value, literal in enumerate(kind.literals, 1):
-                element("Item", defined, name=literal, value=value)
+            defined = element(
+                tag, definitions, name=kind.name, description=kind.doc, quantity=kind.quantity, unit=kind.unit
+            )
+            for value, (literal, doc) in enumerate(zip(kind.literals, kind.literal_docs, strict=True), 1):
+                element("Item", defined, name=literal, value=value, description=doc)
     categories_and_experiment(root, table)
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):

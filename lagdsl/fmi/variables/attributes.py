@@ -41,6 +41,8 @@ def attributes_of(item: Quantity, role: Role) -> Attributes:
         doc=item.doc,
         type_name=None if item.type_name == item.base else item.type_name,
         literals=item.literals,
+        literal_docs=item.literal_docs,
+        type_doc=item.type_doc,
     )
 
 

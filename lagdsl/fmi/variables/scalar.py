@@ -39,7 +39,7 @@ Initial: TypeAlias = Literal["exact", "approx", "calculated"]
 @record(kw_only=True)
 class Attributes:
     """Fields that the entries of one array share. `unit` is a coherent SI unit, `literals` are those of an
-    enumeration."""
+    enumeration, `literal_docs` their texts, `type_doc` is that of the type."""
 
     role: Role
     type: Type = "REAL"
@@ -54,6 +54,8 @@ class Attributes:
     doc: str | None = None
     type_name: str | None = None
     literals: tuple[str, ...] = ()
+    literal_docs: tuple[str | None, ...] = ()
+    type_doc: str | None = None
 
 
 @record(kw_only=True)

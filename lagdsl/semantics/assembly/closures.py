@@ -227,5 +227,7 @@ def _fields(item: flat_model.Coordinate) -> QuantityFields:
         symbol=item.symbol,
         base=item.base,
         literals=item.literals,
+        literal_docs=item.literal_docs,
+        type_doc=item.type_doc,
         protected=item.protected,
     )

@@ -48,7 +48,8 @@ LABELS = ("energy", "load", "constraint", "contact", "body", "invariant")
 @record()
 class TypeInfo:
     """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions,
-    `literals` are those of an enumeration; `is_difference`: an amount of temperature, not a point on its scale."""
+    `literals` are those of an enumeration, with texts in `literal_docs`; `is_difference`: an amount of temperature, not
+    a point on its scale."""
 
     name: str
     base: BaseType
@@ -61,6 +62,8 @@ class TypeInfo:
     quaternion: bool = False
     is_difference: bool = False
     literals: tuple[str, ...] = ()
+    literal_docs: tuple[str | None, ...] = ()
+    doc: str | None = None
 
 
 @mutable_record()

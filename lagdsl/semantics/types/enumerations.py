@@ -26,7 +26,15 @@ def type_of(ctx: Context, symbol: TypeSymbol) -> TypeInfo | None:
     if twice is not None:
         ctx.sink.report("E0360", node.span, name=twice)
         return None
-    return TypeInfo(node.name, f"{symbol.scope.prefix}{node.name}", DIMENSIONLESS, "1", literals=names)
+    return TypeInfo(
+        node.name,
+        f"{symbol.scope.prefix}{node.name}",
+        DIMENSIONLESS,
+        "1",
+        literals=names,
+        literal_docs=node.literal_docs,
+        doc=node.doc,
+    )
 
 
 def literal(ctx: Context, symbol: TypeSymbol, node: nodes.Member) -> Value:

@@ -24,6 +24,8 @@ class QuantityFields(TypedDict):
     symbol: str | None
     base: Base
     literals: tuple[str, ...]
+    literal_docs: tuple[str | None, ...]
+    type_doc: str | None
     protected: bool
 
 
@@ -45,6 +47,8 @@ def quantity_fields(
         symbol=sign,
         base=_base(info),
         literals=info.literals,
+        literal_docs=info.literal_docs,
+        type_doc=info.doc,
         protected=_is_protected(symbol),
     )
 

@@ -121,7 +121,8 @@ def _defined(ctx: Context, entry: TypeSymbol, depth: int) -> TypeInfo | None:
         return None
     shape = (*((subscript, entry.scope) for subscript in definition.subscripts), *base.shape)
     modifiers = (*base.modifiers, *((modifier, entry.scope) for modifier in definition.modifiers))
-    named = replace(base, name=definition.name, shape=shape, modifiers=modifiers, quaternion=False)
+    doc = base.doc if definition.doc is None else definition.doc
+    named = replace(base, name=definition.name, shape=shape, modifiers=modifiers, quaternion=False, doc=doc)
     return with_unit(ctx, named, definition.modifiers)
 
 

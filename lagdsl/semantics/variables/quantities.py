@@ -223,11 +223,12 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
     if "start" in found:
         what, info = f"the start of `{symbol.short}`", symbol.info
         start = attributes.expressions(ctx, found["start"], what, dimension, shape, unit=info.unit, base=info.base)
-    values = defaults or start or [flat.ZERO] * math.prod(shape)
+    nothing = flat.ZERO if symbol.info.base in ("Real", "Integer", "Boolean") else flat.ONE  # the first literal
+    values = defaults or start or [nothing] * math.prod(shape)
     stated = bool(defaults or start)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))
-    limits = _limits(ctx, found, dimension, shape)
+    limits = _limits(ctx, found, dimension, shape, symbol.info.minimum if symbol.info is not None else None)
     result = []
     for k, indices in enumerate(every(shape)):
         fields = quantity_fields(symbol, indices, sign)
@@ -291,7 +292,8 @@ def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
         value = ctx.resolver.element(ctx, symbol, indices, symbol.span)
         if isinstance(value, Scalar):
             fields = quantity_fields(symbol, indices, sign, value.dimension)
-            limits = _limits(ctx, found, fields["dimension"], shape) if limits is None else limits
+            least = symbol.info.minimum if symbol.info is not None else None
+            limits = _limits(ctx, found, fields["dimension"], shape, least) if limits is None else limits
             result.append(flat_model.Output(**fields, **limits[k], value=value.expression))
     return result
 
@@ -302,11 +304,14 @@ class _Limits(TypedDict):
     maximum: float | None
 
 
-def _limits(ctx: Context, found: dict[str, Attribute], dimension: Dimension, shape: tuple[int, ...]) -> list[_Limits]:
-    """`nominal`, `min` and `max` of each element."""
+def _limits(
+    ctx: Context, found: dict[str, Attribute], dimension: Dimension, shape: tuple[int, ...], least: float | None
+) -> list[_Limits]:
+    """`nominal`, `min` and `max` of each element; `least` is the `min` of its type."""
     numbers = (
         attributes.numbers(ctx, found.get(name), f"`{name}`", dimension, shape) for name in ("nominal", "min", "max")
     )
     return [
-        {"nominal": nominal, "minimum": least, "maximum": most} for nominal, least, most in zip(*numbers, strict=True)
+        {"nominal": nominal, "minimum": least if low is None else low, "maximum": most}
+        for nominal, low, most in zip(*numbers, strict=True)
     ]

@@ -331,13 +331,15 @@ class ShortClass(Definition):
 
 @record(kw_only=True)
 class TypeDefinition(Definition):
-    """`type T = Real[3](unit = "m");` or, with `literals`, an enumeration (then `base` is None)."""
+    """`type T = Real[3](unit = "m");` or, with `literals` and what their texts say, an enumeration (then `base` is
+    None)."""
 
     name: str
     base: Name | None
     subscripts: tuple[Subscript, ...]
     modifiers: tuple[AnyModifier, ...]
     literals: tuple[str, ...]
+    literal_docs: tuple[str | None, ...]
     doc: str | None
 
 

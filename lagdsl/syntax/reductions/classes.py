@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.reductions.action import Action, listed, maker, token_span
+from lagdsl.syntax.reductions.action import Action, listed, maker, token_span, unquote
 from lagdsl.syntax.reductions.declarations import prefixed
 
 
@@ -16,7 +16,7 @@ class _Within(NamedTuple):
 
 
 _CLASS = maker(nodes.Class, "prefixes", "kind", "name", "name_span", "doc", "items", "sections", "end_name")
-_TYPE = maker(nodes.TypeDefinition, "name", "base", "subscripts", "modifiers", "literals", "doc")
+_TYPE = maker(nodes.TypeDefinition, "name", "base", "subscripts", "modifiers", "literals", "literal_docs", "doc")
 
 
 def class_actions(sink: Sink) -> dict[str, Action]:
@@ -73,8 +73,9 @@ _PLAIN: dict[str, Action] = {
     "equation_section": _section,
     "initial_section": lambda c, span: nodes.Section(span=span, keyword="initial equation", items=tuple(c)),
     "type_def": lambda c, span: _TYPE([c[0], *c[1], c[2]], span),
-    "type_rhs": lambda c, span: (*c, None),
-    "enumeration": lambda c, span: (None, None, None, tuple(token.value for token in c)),
+    "type_rhs": lambda c, span: (*c, None, None),
+    "literal": lambda c, span: (c[0].value, None if c[1] is None else unquote(c[1])),
+    "enumeration": lambda c, span: (None, None, None, *zip(*c, strict=True)),
     "function_def": maker(nodes.Function, "name", "*parameters", "result", "result_subscripts", "value", "doc"),
     "param": maker(nodes.FunctionParameter, "type_name", "name", "subscripts", "default"),
 }
