@@ -43,8 +43,10 @@ class Derivation:
     def __init__(self, recipe: Recipe) -> None:
         self._recipe = recipe
 
-    def to(self, form: Form) -> str:
-        """The document in the form `text`, `markdown`, `latex`, `html` or `json`."""
+    def to(self, form: Form, *, units: bool = False) -> str:
+        """The document in the form `text`, `markdown`, `latex`, `html` or `json`.
+
+        `units` adds those of all symbols and equations; JSON always has those of the symbols."""
         if form == "json":
             from lagdsl.report.listing import listing
 
@@ -53,14 +55,14 @@ class Derivation:
 
         if form not in FORMATS:
             raise ValueError(f"form must be one of {', '.join([*FORMATS, 'json'])}, not {form!r}")
-        return render(self._recipe, form)
+        return render(self._recipe, form, units=units)
 
-    def write(self, path: Path | str) -> None:
+    def write(self, path: Path | str, *, units: bool = False) -> None:
         """Write the document to a .txt, .md, .tex, .html or .json file. Raises ValueError for another ending."""
         target = Path(path)
         if target.suffix not in ENDINGS:
             raise ValueError(f"the name must end with one of {', '.join(ENDINGS)}, not {target.suffix!r}")
-        target.write_text(self.to(ENDINGS[target.suffix]), encoding="utf-8")
+        target.write_text(self.to(ENDINGS[target.suffix], units=units), encoding="utf-8")
 
     @property
     def sources(self) -> Sequence[Source]:
@@ -100,7 +102,7 @@ class Derivation:
     def accelerations(self) -> Mapping[Any, Any]:
         """Accelerations, then multipliers of constraints, as SymPy symbols, each with what it is equal to in SymPy.
 
-        Those whose solution is long are left out; all of them where the model is too large to be written out."""
+        Long solutions are left out, and all of a model that is too large to be written out."""
         return {} if self._study is None else dict(self._study.accelerations.values)
 
     @property

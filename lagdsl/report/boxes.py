@@ -139,9 +139,16 @@ class Joined:
     items: tuple[Box, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """The unit of an equation, behind it in square brackets, as the language writes it: `N.m`."""
+
+    text: str
+
+
 Box: TypeAlias = (
     "Name | Upright | Number | Operator | Row | Sum | Fraction | Power | Subscript | Root | Dotted | Derivative | Call "
-    "| Bracket | Marked | Cases | Column | Matrix | Joined"
+    "| Bracket | Marked | Cases | Column | Matrix | Joined | Unit"
 )
 
 

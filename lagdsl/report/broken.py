@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from lagdsl.report.boxes import EQUALS, Box, Bracket, Marked, Row, Sum
+from lagdsl.report.boxes import EQUALS, Box, Bracket, Marked, Row, Sum, Unit
 from lagdsl.report.document import Equation
 from lagdsl.report.unicode_math import line
 
@@ -22,7 +22,16 @@ class Line:
 
 
 def lines(equation: Equation, width: int) -> list[Line]:
-    """The equation in lines of about `width` letters; a long left-hand side takes lines of its own."""
+    """The equation in lines of about `width` letters, its unit in the last one."""
+    found = _lines(equation, width)
+    if equation.unit is None:
+        return found
+    last = found[-1]
+    return [*found[:-1], Line(last.left, Row((last.right, Unit(equation.unit))), last.continued)]
+
+
+def _lines(equation: Equation, width: int) -> list[Line]:
+    """A long left-hand side takes lines of its own."""
     right = _broken(equation.right, width)
     if len(line(equation.left)) <= width // 2:
         return [Line(equation.left, right[0]), *(Line(None, other, True) for other in right[1:])]

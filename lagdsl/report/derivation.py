@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Literal, TypeAlias
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.report.document import Block, Document
+from lagdsl.report.dimensions import Units
+from lagdsl.report.document import Block, Document, filled
 from lagdsl.report.html import html
 from lagdsl.report.latex import latex
 from lagdsl.report.markdown import markdown
@@ -16,7 +17,15 @@ from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
 from lagdsl.report.sections.forces import loads
 from lagdsl.report.sections.instants import contacts, events
-from lagdsl.report.sections.left_side import coordinates, derivatives, energies, parameters, positions, velocities
+from lagdsl.report.sections.left_side import (
+    coordinates,
+    derivatives,
+    energies,
+    parameters,
+    positions,
+    symbols_and_units,
+    velocities,
+)
 from lagdsl.report.sections.results import abbreviations, conserved, constraints, equations, outputs, states
 from lagdsl.report.sections.small_motions import accelerations, small_motions
 from lagdsl.report.typeset import Typesetter
@@ -32,6 +41,7 @@ FORMATS: dict[str, Callable[[Document], str]] = {"text": plain, "markdown": mark
 
 _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     parameters,
+    symbols_and_units,
     coordinates,
     positions,
     velocities,
@@ -51,18 +61,18 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
 )
 
 
-def render(recipe: Recipe, to: Format) -> str:
-    """The report as text of the format, ending with a newline."""
-    return FORMATS[to](document(recipe))
+def render(recipe: Recipe, to: Format, *, units: bool = False) -> str:
+    """The report as text of the format, ending with a newline; with the units of symbols and equations if asked for."""
+    return FORMATS[to](document(recipe, units=units))
 
 
-def document(recipe: Recipe) -> Document:
+def document(recipe: Recipe, *, units: bool = False) -> Document:
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
         blocks = outline(recipe.familiar, recipe.extent)
     else:
-        page = _page(recipe.familiar, derivation)
-        blocks = tuple(block for section in _SECTIONS for block in section(page))
+        page = _page(recipe.familiar, derivation, units)
+        blocks = filled([block for section in _SECTIONS for block in section(page)])
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
 
 
@@ -80,7 +90,14 @@ def typesetter(flat: FlatModel, derivation: Derivation) -> Typesetter:
     )
 
 
-def _page(familiar: Familiar, derivation: Derivation) -> Page:
+def _page(familiar: Familiar, derivation: Derivation, units: bool) -> Page:
     typeset = typesetter(familiar.flat, derivation)
     found = study(familiar.flat, derivation) if familiar.flat.coordinates else None
-    return Page(familiar=familiar, derivation=derivation, notation=typeset.notation, typeset=typeset, study=found)
+    return Page(
+        familiar=familiar,
+        derivation=derivation,
+        notation=typeset.notation,
+        typeset=typeset,
+        study=found,
+        units=Units(familiar.flat, derivation.symbols) if units else None,
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -51,11 +51,12 @@ class Paragraph:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """`left = right`; formats break a long sum on the right."""
+    """`left = right` and, where units are asked for, theirs; formats break a long sum on the right."""
 
     left: Box
     right: Box
     final: bool = False
+    unit: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +83,17 @@ class Document:
     title: str
     subtitle: str | None
     blocks: tuple[Block, ...]
+
+
+def filled(blocks: Sequence[Block]) -> tuple[Block, ...]:
+    """Without equations that have no lines, and without headings that nothing follows."""
+    kept = [block for block in blocks if not isinstance(block, Equations) or block.lines]
+    following = [*kept[1:], Heading("")]
+    return tuple(
+        block
+        for block, after in zip(kept, following, strict=True)
+        if not (isinstance(block, Heading) and isinstance(after, Heading))
+    )
 
 
 def text(words: str) -> Inline:

@@ -23,6 +23,7 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.html_style import STYLE
 from lagdsl.report.mathml import element, mathml
+from lagdsl.report.unicode_math import line as unicode_line
 
 _WIDTH = 92
 
@@ -105,7 +106,13 @@ def _equations(equations: tuple[Equation, ...], width: int) -> str:
         tables += _tables(aligned)
         aligned = []
         tables += _tables([f'<mtr><mtd class="right">{_continued(part)}</mtd></mtr>' for part in parts])
-    return f'<div class="{kind}">{"".join([*tables, *_tables(aligned)])}</div>'
+    letters = max((_letters(part) for equation in equations for part in lines(equation, width)), default=0)
+    style = f' style="--letters: {letters}"' if letters > width else ""
+    return f'<div class="{kind}"{style}>{"".join([*tables, *_tables(aligned)])}</div>'
+
+
+def _letters(part: Line) -> int:
+    return len(unicode_line(part.right)) + (0 if part.left is None else len(unicode_line(part.left)) + 3)
 
 
 def _tables(rows: list[str]) -> list[str]:

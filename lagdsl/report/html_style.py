@@ -42,6 +42,7 @@ mi.word { font-style: italic; }
   :root { --ink: #e4e7eb; --soft: #9aa5b1; --line: #343c47; --paper: #15191f; --accent: #6db3e0; --wash: #1e252e; }
   .step { color: #15191f; } }
 @media print { body { font-size: 11pt; background: #fff; color: #000; } main { max-width: none; padding: 0; }
-  .equations, .scroll { overflow: visible; } .equations math { font-size: 0.82em; }
+  .equations, .scroll { overflow: visible; }
+  .equations math { font-size: min(0.82em, calc(84em / var(--letters, 92))); }
   .aligned > mtr, tr { break-inside: avoid; } h2 { break-after: avoid; } }
 """

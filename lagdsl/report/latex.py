@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import assert_never
 
 from lagdsl.report.document import (
@@ -17,8 +18,12 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.latex_math import escape, tex
 from lagdsl.report.markdown import aligned
+from lagdsl.report.unicode_math import line
 
-_WIDTH = 78
+_WIDTH = 68
+_SHORT_CELL = 14
+_LETTERS_OF_A_LINE = 80
+_BREAKABLE = re.compile(r"(?<=[.,()\[\]{}*/+=:-])")
 _HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
@@ -26,8 +31,10 @@ _HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage{textcomp}
 \usepackage{amsmath,amssymb}
 \usepackage[margin=25mm]{geometry}
-\usepackage{array}
+\usepackage{array,longtable,graphicx}
+\newcommand{\fit}[1]{\resizebox{\ifdim\width>0.8\linewidth 0.8\linewidth\else\width\fi}{!}{$\displaystyle #1$}}
 \allowdisplaybreaks
+\emergencystretch=3em
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.6em}
 """
@@ -49,7 +56,7 @@ def _block(block: Block) -> str:
         case Paragraph(content):
             return _inline(content)
         case Equations(lines):
-            rows = " \\\\\n".join(aligned(equation, _WIDTH) for equation in lines)
+            rows = " \\\\\n".join(aligned(equation, _WIDTH, _narrowed) for equation in lines)
             return f"\\begin{{align*}}\n{rows}\n\\end{{align*}}"
         case Table(header, rows):
             return _table(header, rows)
@@ -59,13 +66,45 @@ def _block(block: Block) -> str:
             assert_never(block)
 
 
+def _narrowed(source: str) -> str:
+    """A formula that has no place to be broken, made smaller where it is wider than the line."""
+    return rf"\fit{{{source}}}"
+
+
 def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str:
-    share = round(0.9 / len(header), 3)
-    columns = "l" + rf"p{{{share}\linewidth}}" * (len(header) - 1)
-    head = " & ".join(rf"\textit{{{title}}}" for title in header)
-    body = [" & ".join(_inline(cell) for cell in row) for row in rows]
+    keep = [i for i in range(len(header)) if any(row[i] for row in rows)]
+    if not keep:
+        return ""
+    lengths = [max(len(header[i]), *(_letters(row[i]) for row in rows)) for i in keep]
+    head = " & ".join(rf"\textit{{{escape(header[i])}}}" for i in keep)
+    body = [" & ".join(_inline(row[i]) for i in keep) for row in rows]
     lines = " \\\\\n".join([head, *body])
-    return f"\\begin{{tabular}}{{@{{}}{columns}@{{}}}}\n{lines}\n\\end{{tabular}}"
+    return f"\\begin{{longtable}}[l]{{@{{}}{_columns(lengths)}@{{}}}}\n{lines}\n\\end{{longtable}}"
+
+
+def _columns(lengths: list[int]) -> str:
+    """Columns of short words as wide as these, the others share the rest of the line."""
+    long = [length for length in lengths if length > _SHORT_CELL]
+    if sum(lengths) <= _LETTERS_OF_A_LINE or not long:
+        return "l" * len(lengths)
+    rest = 0.94 - sum(length for length in lengths if length <= _SHORT_CELL) / _LETTERS_OF_A_LINE
+    rest -= 0.03 * (len(lengths) - 1)
+    shares = (max(rest * min(length, 60) / sum(min(each, 60) for each in long), 0.12) for length in lengths)
+    return "".join(
+        "l" if length <= _SHORT_CELL else rf">{{\raggedright\arraybackslash}}p{{{share:.3f}\linewidth}}"
+        for length, share in zip(lengths, shares, strict=True)
+    )
+
+
+def _letters(cell: Inline) -> int:
+    """Length of a cell; letters of code are wider."""
+    return len(inline(cell, line, str, str, lambda words: words + " " * (len(words) // 5)))
+
+
+def _code(words: str) -> str:
+    """Lines break behind operators, brackets and dots of code."""
+    pieces = r"\allowbreak{}".join(escape(piece) for piece in _BREAKABLE.split(words))
+    return rf"\texttt{{{pieces}}}"
 
 
 def _inline(content: Inline) -> str:
@@ -74,5 +113,5 @@ def _inline(content: Inline) -> str:
         lambda box: f"${tex(box).strip()}$",
         escape,
         strong=lambda words: rf"\textbf{{{escape(words)}}}",
-        code=lambda words: rf"\texttt{{{escape(words)}}}",
+        code=_code,
     )

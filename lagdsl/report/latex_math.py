@@ -25,9 +25,11 @@ from lagdsl.report.boxes import (
     Row,
     Subscript,
     Sum,
+    Unit,
     Upright,
 )
 from lagdsl.report.notation import GREEK
+from lagdsl.report.unit_text import EXPONENT
 
 _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
@@ -50,6 +52,8 @@ _OTHER_FORMS = {letter: rf"\mathcal{{{plain}}}" for plain, letter in zip("LTVDQM
 _OTHER_FORMS |= {letter: rf"\mathfrak{{{plain}}}" for plain, letter in zip("pedkft", "𝔭𝔢𝔡𝔨𝔣𝔱", strict=True)}
 _OTHER_FORMS |= {letter: rf"\mathbf{{{plain}}}" for plain, letter in zip("rvFqg", "𝐫𝐯𝐅𝐪𝐠", strict=True)}
 _OTHER_FORMS["𝛚"] = r"\boldsymbol{\omega}"
+_SPECIAL |= {letter: rf"\ensuremath{{{command}}}" for letter, command in _OTHER_FORMS.items()}
+_SPECIAL |= {letter: rf"\ensuremath{{_{digit}}}" for digit, letter in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 _SIGNS = {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "±": r"\pm", "δ": r"\delta", "-∞": r"-\infty"}
 _SYMBOLS = _OTHER_FORMS | _LETTERS | _SIGNS
 
@@ -108,8 +112,10 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
         case Column(components):
             lines = r" \\ ".join(tex(x) for x in components)
             return rf"\begin{{pmatrix}} {lines} \end{{pmatrix}}"
+        case Unit(text):
+            return rf"\quad[{_unit(text)}]"
         case Joined(items):
-            return "".join(tex(item) for item in items)
+            return " ".join(tex(item) for item in items)
         case Matrix(rows):
             lines = r" \\ ".join(" & ".join(tex(x) for x in row) for row in rows)
             return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
@@ -121,6 +127,13 @@ def _word(text: str, shape: Literal["rm", "it"]) -> str:
     """A name of several letters, or words."""
     plain = text.isascii() and text.isalnum()
     return rf"\math{shape}{{{text}}}" if plain else rf"\text{shape}{{{escape(text)}}}"
+
+
+def _unit(text: str) -> str:
+    """`kg.m2/s` upright, with thin spaces and exponents."""
+    return (
+        rf"\mathrm{{{EXPONENT.sub(lambda found: f'^{{{found.group()}}}', escape(text)).replace('.', chr(92) + ',')}}}"
+    )
 
 
 def _base(box: Box) -> str:

@@ -7,21 +7,23 @@ import math
 
 from sympy import Expr
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Spans
 from lagdsl.report.boxes import Sum
 from lagdsl.report.derivation import typesetter
+from lagdsl.report.dimensions import Units
 from lagdsl.report.latex_math import tex
 from lagdsl.report.typeset import Typesetter
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.provenance import Source, Term, sources
-from lagdsl.textbook.recipe import Recipe
+from lagdsl.textbook.recipe import Derivation, Recipe
 from lagdsl.textbook.small_motions.study import Equilibrium, Study, study
 from lagdsl.version import __version__
 
 
 def listing(recipe: Recipe) -> str:
-    """An object with `coordinates`, `sources` and `terms`, whose `sources` are indices, then `accelerations` and
-    `equilibria`; all but the first two are empty for a large model."""
+    """An object with `coordinates`, `sources` and `terms`, whose `sources` are indices, `units` by names, then
+    `accelerations` and `equilibria`; all but the first two are empty for a large model."""
     flat, derivation = recipe.flat, recipe.derivation
     typeset = None if derivation is None else typesetter(flat, derivation)
     terms = [] if derivation is None or typeset is None else [_term(typeset, each) for each in derivation.terms]
@@ -33,6 +35,7 @@ def listing(recipe: Recipe) -> str:
         "written_out": derivation is not None,
         "sources": [_source(each) for each in sources(flat)],
         "terms": terms,
+        "units": {} if derivation is None else _units(flat, derivation),
         **({} if found is None or typeset is None else _study(typeset, found)),
     }
     return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
@@ -48,6 +51,10 @@ def _statements(spans: Spans) -> list[dict[str, object]]:
         {"file": span.file.name, "first": list(span.first), "last": list(span.last), "text": span.text}
         for span in spans
     ]
+
+
+def _units(flat: FlatModel, derivation: Derivation) -> dict[str, str]:
+    return {s.name: unit for s, unit in Units(flat, derivation.symbols).of_symbols(derivation).items()}
 
 
 def _study(typeset: Typesetter, found: Study) -> dict[str, object]:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from html import escape
 from typing import assert_never
 
+from lagdsl.report.boxes import Box, Matrix
 from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
@@ -20,6 +22,7 @@ from lagdsl.report.document import (
     inline,
 )
 from lagdsl.report.latex_math import tex
+from lagdsl.report.unicode_math import line
 
 _WIDTH = 90
 _SPECIAL = re.compile(r"([\\`*_\[\]$|~])")
@@ -55,17 +58,21 @@ def _equation(equation: Equation) -> str:
     return aligned(equation, _WIDTH)
 
 
-def aligned(equation: Equation, width: int) -> str:
-    """Lines of an `aligned` environment, further ones indented."""
+def aligned(equation: Equation, width: int, narrowed: Callable[[str], str] = str) -> str:
+    """Lines of an `aligned` environment, further ones indented; `narrowed` makes those small that are too wide."""
     rows = []
+
+    def shown(box: Box) -> str:
+        return narrowed(tex(box)) if len(line(box)) > width or isinstance(box, Matrix) else tex(box)
+
     for part in lines(equation, width):
         if part.left is not None:
-            rows.append(f"{tex(part.left)} &= {tex(part.right)}")
+            rows.append(f"{tex(part.left)} &= {shown(part.right)}")
         elif part.continued:
             sign, rest = sign_and_rest(part.right)
-            rows.append(rf"&\quad {sign} {tex(rest)}")
+            rows.append(rf"&\quad {sign} {shown(rest)}")
         else:
-            rows.append(f"&{tex(part.right)}")
+            rows.append(f"&{shown(part.right)}")
     return " \\\\\n".join(rows)
 
 

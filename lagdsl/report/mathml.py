@@ -25,8 +25,10 @@ from lagdsl.report.boxes import (
     Row,
     Subscript,
     Sum,
+    Unit,
     Upright,
 )
+from lagdsl.report.unit_text import readable_unit
 
 _THIN = '<mspace width="0.17em"></mspace>'
 
@@ -82,6 +84,8 @@ def element(box: Box) -> str:  # noqa: C901, PLR0912
             return f'<mrow><mo stretchy="true">{{</mo><mtable class="cases">{rows}</mtable></mrow>'
         case Column(components):
             return f"<mrow>{_bracketed(_table(tuple((x,) for x in components)))}</mrow>"
+        case Unit(text):
+            return f'<mspace width="1.5em"></mspace><mtext class="unit">[{escape(readable_unit(text))}]</mtext>'
         case Joined(items):
             return f"<mrow>{''.join(element(item) for item in items)}</mrow>"
         case Matrix(rows):

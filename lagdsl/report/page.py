@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Concatenate, ParamSpec
 
 from sympy import Symbol
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.report.boxes import Box, Bracket, Derivative, Sum
+from lagdsl.report.boxes import Box, Bracket, Column, Derivative, Name, Operator, Row, Subscript, Sum
+from lagdsl.report.dimensions import Units
+from lagdsl.report.document import Equation
 from lagdsl.report.names import carrier_labels
 from lagdsl.report.notation import Notation
 from lagdsl.report.typeset import Typesetter
+from lagdsl.report.unicode_math import line
 from lagdsl.textbook.contributions import AppliedForce, AppliedTorque, Inertial
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.study import Study
+
+Arguments = ParamSpec("Arguments")
+_WIDEST_VECTOR = 90
 
 
 @dataclass(frozen=True)
@@ -28,6 +36,7 @@ class Page:
     notation: Notation
     typeset: Typesetter
     study: Study | None
+    units: Units | None = None
 
     @property
     def flat(self) -> FlatModel:
@@ -56,6 +65,13 @@ class Page:
     def vector(self, components: Vector) -> Box:
         return self.typeset.vector(components, planar=self.planar)
 
+    def unit(
+        self, of: Callable[Concatenate[Units, Arguments], str | None], *given: Arguments.args, **named: Arguments.kwargs
+    ) -> str | None:
+        """The unit of an equation, where units are asked for; that of a number is none."""
+        found = None if self.units is None else of(self.units, *given, **named)
+        return None if found == "1" else found
+
     @property
     def planar(self) -> bool:
         """True if nothing leaves the plane z = 0."""
@@ -65,6 +81,20 @@ class Page:
         forces = [a for a in actions if isinstance(a, AppliedForce)]
         turned = any(isinstance(a, AppliedTorque) for a in actions)
         return carried and not turned and all(f.force[2] == 0 and f.position[2] == 0 for f in forces)
+
+
+def vector_lines(left: Box, value: Box, unit: str | None) -> list[Equation]:
+    """`left = value`; a vector too wide for a line component by component."""
+    if not isinstance(value, Column) or len(line(value)) <= _WIDEST_VECTOR:
+        return [Equation(left, value, unit=unit)]
+    axes = zip("xyz", value.components, strict=False)
+    return [Equation(_component(left, Name(axis)), component, unit=unit) for axis, component in axes]
+
+
+def _component(vector: Box, axis: Box) -> Box:
+    if isinstance(vector, Subscript):
+        return Subscript(vector.base, Row((vector.index, Operator(","), axis)))
+    return Subscript(Bracket(vector) if isinstance(vector, Derivative) else vector, axis)
 
 
 def partial(of: Box, by: Box) -> Box:

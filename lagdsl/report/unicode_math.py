@@ -24,8 +24,10 @@ from lagdsl.report.boxes import (
     Row,
     Subscript,
     Sum,
+    Unit,
     Upright,
 )
+from lagdsl.report.unit_text import readable_unit
 
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -77,6 +79,8 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             return f"(if {line(condition)} then {line(value)} else {line(otherwise)})"
         case Column(components):
             return f"({', '.join(line(component) for component in components)})"
+        case Unit(text):
+            return f"  [{readable_unit(text)}]"
         case Joined(items):
             return "".join(line(item) for item in items)
         case Matrix(rows):

@@ -22,9 +22,16 @@ from lagdsl.cli.output import form_of, require_writable, write_text
     type=click.Choice(["text", "markdown", "latex", "html", "json"]),
     help="Form of the result; default: that of the file name, else text.",
 )
+@click.option("--units", is_flag=True, help="Show the units of all symbols and equations.")
 @click.option("-o", "--output", type=PATH, help="Write to this .txt, .md, .tex, .html or .json instead.")
 def command(
-    file: Path, model: str | None, style: Format, assignments: tuple[str, ...], form: Form | None, output: Path | None
+    file: Path,
+    model: str | None,
+    style: Format,
+    assignments: tuple[str, ...],
+    form: Form | None,
+    units: bool,
+    output: Path | None,
 ) -> None:
     """Show the derivation of the equations of motion of FILE, step by step."""
     chosen = form_of(output, form, ENDINGS, "text")
@@ -33,4 +40,4 @@ def command(
 
     from lagdsl.textbook.recipe import recipe
 
-    write_text(Derivation(recipe(flat)).to(chosen), output)
+    write_text(Derivation(recipe(flat)).to(chosen, units=units), output)

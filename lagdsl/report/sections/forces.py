@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from sympy import Symbol
 
 from lagdsl.report.boxes import EQUALS, Box, Number, Operator, Row, Subscript, Sum
+from lagdsl.report.dimensions import Units
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -20,9 +23,11 @@ from lagdsl.report.document import (
     text,
 )
 from lagdsl.report.names import statement
-from lagdsl.report.page import Page, added, partial
-from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce, AppliedTorque
+from lagdsl.report.page import Page, added, partial, vector_lines
+from lagdsl.report.unicode_math import line
+from lagdsl.textbook.contributions import Applied, AppliedForce, AppliedGeneralizedForce, AppliedTorque
 from lagdsl.textbook.recipe import ActionStep, Contribution
+from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
 _NO_LOADS = (
     "No loads are declared: weights and springs are in the potential energy, and the forces that uphold what is built "
@@ -34,6 +39,7 @@ _BUILT_IN = (
     "admissible motion, so they are never needed."
 )
 _DECLARED = "The forces of the declared constraints are kept: each enters with its multiplier."
+_WIDEST_CELL = 50
 _REASONS = {
     Contribution.PLACE_HELD: "no admissible motion moves the place it acts on: no work, it drops out.",
     Contribution.PERPENDICULAR: "it is perpendicular to every admissible motion of its place: no work, it drops out.",
@@ -59,32 +65,38 @@ def loads(page: Page) -> list[Block]:
 
 
 def _load_list(page: Page) -> list[Block]:
-    rows = []
+    rows: list[tuple[Inline, ...]] = []
+    below: list[Equation] = []
     for number, step in enumerate(page.derivation.actions, start=1):
         load = page.flat.loads[step.load]
         words = statement(load, load.label or type(load).__name__)
         side: Inline = (Text(" (the opposite one)"),) if step.back else ()
-        rows.append(
-            (
-                (Math(_load_name(page, step, number)),),
-                (Code(words), *side),
-                (Math(_amount(page, step)),),
-                _place(page, step),
-            )
-        )
-    return [Table(("load", "in the model", "value", "acts on"), tuple(rows))]
+        name = _load_name(page, step, number)
+        amount = _in_cell(name, _amount(page, step), below)
+        rows.append(((Math(name),), (Code(words), *side), amount, _place(page, step, number, below)))
+    blocks: list[Block] = [Table(("load", "in the model", "value", "acts on"), tuple(rows))]
+    return [*blocks, Equations(tuple(below))]
 
 
-def _place(page: Page, step: ActionStep) -> Inline:
+def _in_cell(name: Box, value: Box, below: list[Equation]) -> Inline:
+    """The value in a cell of the table, a long one by its name, which an equation below the table has."""
+    if len(line(value)) <= _WIDEST_CELL:
+        return (Math(value),)
+    below += vector_lines(name, value, None)
+    return (Text("below"),)
+
+
+def _place(page: Page, step: ActionStep, number: int, below: list[Equation]) -> Inline:
+    point = Subscript(page.notation.letter("r"), Number(str(number)))
     match step.action:
         case AppliedForce(position=position, frame=None):
-            return (Text("point "), Math(page.vector(position)))
+            return (Text("point "), *_in_cell(point, page.vector(position), below))
         case AppliedForce(position=position, frame=frame):
-            return (Text(f"material point of {frame} at "), Math(page.vector(position)))
+            return (Text(f"material point of {frame} at "), *_in_cell(point, page.vector(position), below))
         case AppliedTorque(frame=frame):
             return text(f"frame {frame}")
         case AppliedGeneralizedForce(target=target):
-            return (Math(page.typeset(target)),)
+            return _in_cell(Subscript(page.notation.letter("x"), Number(str(number))), page.typeset(target), below)
 
 
 def _amount(page: Page, step: ActionStep) -> Box:
@@ -98,11 +110,12 @@ def _amount(page: Page, step: ActionStep) -> Box:
 def _variations(page: Page) -> list[Block]:
     lines = []
     for number, step in enumerate(page.derivation.actions, start=1):
-        for q, variation in zip(page.derivation.symbols.q, step.variations, strict=True):
+        for j, (q, variation) in enumerate(zip(page.derivation.symbols.q, step.variations, strict=True)):
             if not any(component != 0 for component in (variation if isinstance(variation, tuple) else (variation,))):
                 continue
             value = page.vector(variation) if isinstance(variation, tuple) else page.typeset(variation)
-            lines.append(Equation(_variation_name(page, step, number, q), value))
+            unit = page.unit(_variation_unit, step.action, j)
+            lines += vector_lines(_variation_name(page, step, number, q), value, unit)
     if not lines:
         return [Paragraph(text("No admissible motion moves the place of any load."))]
     return [Paragraph(text(_VARIATIONS)), Equations(tuple(lines))]
@@ -117,6 +130,19 @@ def _variation_name(page: Page, step: ActionStep, number: int, q: Symbol) -> Box
             return partial(Subscript(page.notation.letter("ω"), index), page.rate(q))
         case AppliedGeneralizedForce():
             return partial(Subscript(page.notation.letter("x"), index), page.notation.of(q))
+
+
+def _variation_unit(units: Units, action: Applied, j: int) -> str | None:
+    """None for a scalar that is moved: its dimension is not declared."""
+    match action:
+        case AppliedForce():
+            return units.per_coordinate(LENGTH, j)
+        case AppliedTorque():
+            return units.per_coordinate(DIMENSIONLESS, j)
+        case AppliedGeneralizedForce():
+            return None
+        case _:
+            assert_never(action)
 
 
 def _workless(page: Page) -> list[Block]:
@@ -140,7 +166,8 @@ def _generalized_forces(page: Page) -> list[Block]:
             sources.append(Sum((("-", partial(page.notation.letter("D"), page.rate(step.q))),)))
         name = Subscript(page.notation.letter("Q"), page.notation.of(step.q))
         value = page.typeset(total)
-        lines.append(Equation(name, Row((added(sources), EQUALS, value)) if sources and total != 0 else value))
+        right = Row((added(sources), EQUALS, value)) if sources and total != 0 else value
+        lines.append(Equation(name, right, unit=page.unit(Units.force, j)))
     return [Equations(tuple(lines))]
 
 

@@ -8,16 +8,21 @@ from sympy import Expr
 
 from lagdsl.flat.model import Parameter
 from lagdsl.flat.quantity import Quantity
-from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
+from lagdsl.report.boxes import Box, Name, Number, Operator, Row, Subscript, Sum, Upright
+from lagdsl.report.broken import lines as broken_lines
+from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
 from lagdsl.report.names import gathered, indexed, listed, own_name
-from lagdsl.report.page import Page, partial
+from lagdsl.report.page import Page, partial, vector_lines
 from lagdsl.report.sections.counting import count_blocks
 from lagdsl.report.typeset import LONGEST
+from lagdsl.report.unicode_math import line
+from lagdsl.textbook.contributions import Inertial
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.tidy import size
 from lagdsl.units.naming import to_display
 
+_LONGEST_LINE = 80
 _OWN_LETTERS = "LTVDQMt"
 _POSITIONS = "From the world origin, in world axes; of a body its mass centre."
 _ENERGIES_BY_HAND = "No mass or body is declared: the energies are written by hand."
@@ -43,6 +48,29 @@ def parameters(page: Page) -> list[Block]:
     return blocks
 
 
+def symbols_and_units(page: Page) -> list[Block]:
+    """Each symbol that occurs, then the letters of the derivation itself; nothing where units are not asked for."""
+    if page.units is None:
+        return []
+    d, letter = page.derivation, page.notation.letter
+    quantities = [*page.flat.coordinates, *page.flat.parameters, *page.flat.states, *page.flat.inputs, *page.flat.named]
+    words = {STANDARD_GRAVITY.name: "standard gravity"}
+    words |= {item.name: item.doc or "" for item in quantities if isinstance(item, Quantity)}
+    moving = {*d.symbols.q, *d.symbols.qd, *d.symbols.qdd, *d.symbols.lam}
+    rows: list[tuple[Inline, ...]] = [
+        ((Math(page.notation.of(symbol)),), text("" if unit == "1" else unit), text(words.get(symbol.name, "")))
+        for symbol, unit in page.units.of_symbols(d).items()
+        if symbol in d.occurring or symbol in moving
+    ]
+    own = [("T", "J", "kinetic energy"), ("V", "J", "potential energy"), ("L", "J", "Lagrangian")]
+    own += [("D", "W", "Rayleigh function")] if d.dissipation != 0 else []
+    rows += [((Math(letter(name)),), text(unit), text(meaning)) for name, unit, meaning in own]
+    for j, q in enumerate(d.symbols.q):
+        force = Subscript(letter("Q"), page.notation.of(q))
+        rows.append(((Math(force),), text(page.units.force(j)), text("generalized force")))
+    return [Heading("Symbols and units"), Table(("symbol", "unit", "meaning"), tuple(rows))]
+
+
 def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:
     """Parameters that the formulas do not show, and letters that had to give way."""
     blocks: list[Block] = []
@@ -65,7 +93,12 @@ def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:
 
 
 def definition_lines(page: Page, pairs: tuple[tuple[Expr, Expr], ...]) -> Block:
-    return Equations(tuple(Equation(page.notation.of(symbol), page.typeset(value)) for symbol, value in pairs))
+    units = {} if page.units is None else page.units.of_symbols(page.derivation)
+    return Equations(
+        tuple(
+            Equation(page.notation.of(symbol), page.typeset(value), unit=units.get(symbol)) for symbol, value in pairs
+        )
+    )
 
 
 def coordinates(page: Page) -> list[Block]:
@@ -106,7 +139,10 @@ def positions(page: Page) -> list[Block]:
                 )
             )
         )
-    lines = tuple(Equation(indexed(letter, label), page.vector(item.position)) for label, item in moved)
+    unit = page.unit(Units.plain, "m")
+    lines = tuple(
+        each for label, item in moved for each in vector_lines(indexed(letter, label), page.vector(item.position), unit)
+    )
     return [*blocks, Equations(lines)] if lines else blocks
 
 
@@ -118,14 +154,13 @@ def velocities(page: Page) -> list[Block]:
     lines, resting, straight = [], [], []
     for label, item in carriers:
         if any(item.velocity):
-            lines.append(Equation(indexed(speed, label), page.vector(item.velocity)))
+            lines += vector_lines(indexed(speed, label), page.vector(item.velocity), page.unit(Units.plain, "m/s"))
         else:
             resting.append(indexed(speed, label))
         if item.frame is not None and any(item.spin):
             flat = page.planar and not any(item.spin[:2])
-            lines.append(
-                Equation(indexed(spin, label), page.typeset(item.spin[2]) if flat else page.typeset.vector(item.spin))
-            )
+            own_spin = page.typeset(item.spin[2]) if flat else page.typeset.vector(item.spin)
+            lines += vector_lines(indexed(spin, label), own_spin, page.unit(Units.plain, "rad/s"))
         elif item.frame is not None:
             straight.append(indexed(spin, label))
     turning = any(item.frame is not None for _, item in carriers)
@@ -145,17 +180,21 @@ def energies(page: Page) -> list[Block]:
     d, letter = page.derivation, page.notation.letter
     kinetic, potential = letter("T"), letter("V")
     lines = _own_energies(page)
-    lines += [Equation(kinetic, page.typeset(d.kinetic)), Equation(potential, page.typeset(d.potential))]
+    unit = page.unit(Units.plain, "J")
+    lines += [
+        Equation(kinetic, page.typeset(d.kinetic), unit=unit),
+        Equation(potential, page.typeset(d.potential), unit=unit),
+    ]
     total: list[tuple[Literal["+", "-"], Box]] = [("+", kinetic), ("-", potential)]
     if d.extra != 0:
         extra = Subscript(page.lagrangian, Upright("x"))
-        lines.append(Equation(extra, page.typeset(d.extra)))
+        lines.append(Equation(extra, page.typeset(d.extra), unit=unit))
         total.append(("+", extra))
-    lines.append(Equation(page.lagrangian, Sum(tuple(total))))
+    lines.append(Equation(page.lagrangian, Sum(tuple(total)), unit=unit))
     if size(d.lagrangian) <= LONGEST and d.lagrangian != 0:
-        lines.append(Equation(page.lagrangian, page.typeset(d.lagrangian)))
+        lines.append(Equation(page.lagrangian, page.typeset(d.lagrangian), unit=unit))
     if d.dissipation != 0:
-        lines.append(Equation(letter("D"), page.typeset(d.dissipation)))
+        lines.append(Equation(letter("D"), page.typeset(d.dissipation), unit=page.unit(Units.plain, "W")))
     words = "Kinetic and potential energy, and the Lagrangian."
     if d.dissipation != 0:
         words = "Kinetic and potential energy, the Lagrangian, and the Rayleigh function of the dashpots."
@@ -169,21 +208,42 @@ def _own_energies(page: Page) -> list[Equation]:
         return []
     letter = page.notation.letter("T")
     pairs = zip(carriers, page.derivation.own_kinetic, strict=True)
-    return [Equation(indexed(letter, label), page.typeset(own)) for (label, _), own in pairs if own != 0]
+    unit = page.unit(Units.plain, "J")
+    return [
+        Equation(indexed(letter, label), _own_energy(page, label, item, own), unit=unit)
+        for (label, item), own in pairs
+        if own != 0
+    ]
+
+
+def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
+    """Written out, or by the velocities above where squares of these cannot be broken into lines."""
+    shown = page.typeset(own)
+    if max(len(line(part.right)) for part in broken_lines(Equation(shown, shown), _LONGEST_LINE)) <= 2 * _LONGEST_LINE:
+        return shown
+    half, dot = Number("½"), Operator("·")
+    velocity, spin = (indexed(page.notation.letter(letter), label) for letter in ("v", "ω"))
+    terms: list[tuple[Literal["+", "-"], Box]] = []
+    if any(item.velocity):
+        terms.append(("+", Row((half, page.typeset(item.mass), velocity, dot, velocity))))
+    if item.frame is not None and any(item.spin):
+        terms.append(("+", Row((half, spin, dot, indexed(Name("I"), label), spin))))
+    return Sum(tuple(terms))
 
 
 def derivatives(page: Page) -> list[Block]:
     blocks: list[Block] = [Heading("Lagrange's equations, term by term", "5")]
-    for step in page.derivation.coordinates:
+    for j, step in enumerate(page.derivation.coordinates):
+        force = page.unit(Units.force, j)
         q, qd = page.notation.of(step.q), page.rate(step.q)
         momentum = partial(page.lagrangian, qd)
         blocks.append(Paragraph((Text("Coordinate "), Math(q), Text(":"))))
         blocks.append(
             Equations(
                 (
-                    Equation(momentum, page.typeset(step.momentum)),
-                    Equation(Row((page.by_time(), momentum)), page.typeset(step.momentum_rate)),
-                    Equation(partial(page.lagrangian, q), page.typeset(step.gradient)),
+                    Equation(momentum, page.typeset(step.momentum), unit=page.unit(Units.momentum, j)),
+                    Equation(Row((page.by_time(), momentum)), page.typeset(step.momentum_rate), unit=force),
+                    Equation(partial(page.lagrangian, q), page.typeset(step.gradient), unit=force),
                 )
             )
         )

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from sympy import Expr
 
 from lagdsl.report.boxes import EQUALS, Box, Number, Row, Subscript, Sum, row
+from lagdsl.report.dimensions import Units
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -51,8 +52,14 @@ def equations(page: Page) -> list[Block]:
             {term.value: term.sources for term in d.terms if term.equation == j and term.side == side}
             for side in ("left", "right")
         )
-        lines.append(Equation(_left(page, step, left), page.typeset(d.rights[j], right), final=True))
+        lines.append(
+            Equation(_left(page, step, left), page.typeset(d.rights[j], right), final=True, unit=_force(page, j))
+        )
     return [Heading("Equations of motion"), Equations(tuple(lines)), *_matrix_form(page)]
+
+
+def _force(page: Page, j: int) -> str | None:
+    return page.unit(Units.force, j)
 
 
 def _left(page: Page, step: CoordinateStep, sources: Mapping[Expr, tuple[int, ...]]) -> Box:
@@ -76,7 +83,11 @@ def _matrix_form(page: Page) -> list[Block]:
     if len(line(whole)) <= _LONGEST_MATRIX:
         return [Paragraph(text("The matrix of the accelerations, symmetric:")), Equations((Equation(letter, whole),))]
     entries = tuple(
-        Equation(Subscript(letter, Number(f"{i + 1}{j + 1}")), page.typeset(mass[i][j]))
+        Equation(
+            Subscript(letter, Number(f"{i + 1}{j + 1}")),
+            page.typeset(mass[i][j]),
+            unit=page.unit(Units.mass, i, j),
+        )
         for i in range(n)
         for j in range(i, n)
     )
@@ -91,7 +102,9 @@ def constraints(page: Page) -> list[Block]:
     rows = tuple(row for row in rows if row.restricts)
     blocks: list[Block] = [Heading("Constraints")]
     if rows:
-        conditions = tuple(Equation(page.typeset(row.residual), _ZERO, final=True) for row in rows)
+        conditions = tuple(
+            Equation(page.typeset(row.residual), _ZERO, final=True, unit=page.unit(Units.row, row)) for row in rows
+        )
         table = tuple(
             ((Code(row.name),), text(_LEVELS[row.level]), (Math(page.notation.of(row.multiplier)),)) for row in rows
         )
@@ -114,7 +127,15 @@ def _codes(names: Sequence[str]) -> Inline:
 
 
 def _accelerations(page: Page, rows: tuple[ConstraintRow, ...]) -> list[Block]:
-    lines = tuple(Equation(page.typeset(row.acceleration), _ZERO) for row in rows if row.acceleration != 0)
+    lines = tuple(
+        Equation(
+            page.typeset(row.acceleration),
+            _ZERO,
+            unit=page.unit(Units.row, row, 2 if row.level == "position" else 1),
+        )
+        for row in rows
+        if row.acceleration != 0
+    )
     if not lines:
         return []
     return [
@@ -127,7 +148,12 @@ def states(page: Page) -> list[Block]:
     if not page.derivation.states:
         return []
     lines = [
-        Equation(dotted(page.notation.of(symbol), 1), page.typeset(value), final=True)
+        Equation(
+            dotted(page.notation.of(symbol), 1),
+            page.typeset(value),
+            final=True,
+            unit=page.unit(Units.quantity, symbol.name, 1),
+        )
         for symbol, value in page.derivation.states
     ]
     return [Heading("First-order states"), Equations(tuple(lines))]
@@ -136,7 +162,10 @@ def states(page: Page) -> list[Block]:
 def outputs(page: Page) -> list[Block]:
     if not page.derivation.outputs:
         return []
-    from_names = [Equation(name_box(name), page.typeset(value)) for name, value in page.derivation.outputs]
+    from_names = [
+        Equation(name_box(name), page.typeset(value), unit=page.unit(Units.quantity, name))
+        for name, value in page.derivation.outputs
+    ]
     turning = any(item.turning for item in page.flat.outputs)
     words: list[Block] = [Paragraph(text(_TURNING))] if turning else []
     return [Heading("Outputs"), Equations(tuple(from_names)), *words]

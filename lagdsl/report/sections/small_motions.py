@@ -23,6 +23,7 @@ from lagdsl.report.boxes import (
     Subscript,
     Sum,
 )
+from lagdsl.report.dimensions import Units
 from lagdsl.report.document import (
     Block,
     Equation,
@@ -66,7 +67,11 @@ def accelerations(page: Page) -> list[Block]:
     if found.nonlinear:
         return [*blocks, Paragraph(text(_NONLINEAR))]
     if found.values:
-        lines = (_solution(page.notation.of(symbol), page.typeset(value)) for symbol, value in found.values)
+        units = {} if page.units is None else page.units.of_symbols(page.derivation)
+        lines = (
+            _solution(page.notation.of(symbol), page.typeset(value), unit=units.get(symbol))
+            for symbol, value in found.values
+        )
         blocks.append(Equations(tuple(lines)))
     if found.left_out:
         names = listed([page.notation.of(symbol) for symbol in found.left_out])
@@ -75,12 +80,12 @@ def accelerations(page: Page) -> list[Block]:
     return blocks
 
 
-def _solution(name: Box, value: Box, *, final: bool = False) -> Equation:
-    """`name = value`; a long fraction is multiplied by its denominator, so that its sums can be broken."""
+def _solution(name: Box, value: Box, *, final: bool = False, unit: str | None = None) -> Equation:
+    """`name = value` in `unit`; a long fraction is multiplied by its denominator, so that its sums can be broken."""
     if isinstance(value, Fraction) and len(line(value)) > _LONGEST_FRACTION:
         below = Bracket(value.below) if isinstance(value.below, Sum) else value.below
         return Equation(Row((*(below.items if isinstance(below, Row) else (below,)), name)), value.above, final=final)
-    return Equation(name, value, final=final)
+    return Equation(name, value, final=final, unit=unit)
 
 
 def small_motions(page: Page) -> list[Block]:
@@ -93,7 +98,11 @@ def small_motions(page: Page) -> list[Block]:
     if found.held:
         held = [Row((page.notation.of(u), EQUALS, page.typeset(value))) for u, value in found.held]
         blocks.append(Paragraph((Text("Inputs are held at their defaults: "), *listed(held), Text("."))))
-    lines = tuple(Equation(page.typeset(value), _ZERO) for value in found.statics if value != 0)
+    lines = tuple(
+        Equation(page.typeset(value), _ZERO, unit=page.unit(Units.force, j))
+        for j, value in enumerate(found.statics)
+        if value != 0
+    )
     if not lines:
         return [*blocks, Paragraph(text(_EVERYWHERE))]
     blocks += [Paragraph(text(_REST)), Equations(lines)]
@@ -177,12 +186,17 @@ def _condition(page: Page, condition: Condition) -> Box:
 def _linear_lines(page: Page, linear: Linear) -> tuple[Equation, ...]:
     symbols = page.derivation.symbols
     boxes = [page.notation.of(q) for q in symbols.q]
-    if len(boxes) == 1 and len(linear.frequencies) == 1:
+    alone = len(boxes) == 1 and len(linear.frequencies) == 1
+    if alone:
         own = linear.frequencies[0]
         rows = [((Integer(1),), (own.damping,), (own.square,))]
     else:
         rows = list(zip(linear.mass, linear.damping, linear.stiffness, strict=True))
-    return tuple(Equation(_row(page, boxes, row), _ZERO, final=True) for row in rows)
+
+    def unit(j: int) -> str | None:
+        return page.unit(Units.acceleration if alone else Units.force, j)
+
+    return tuple(Equation(_row(page, boxes, row), _ZERO, final=True, unit=unit(j)) for j, row in enumerate(rows))
 
 
 def _row(page: Page, boxes: Sequence[Box], row: tuple[Sequence[Expr], ...]) -> Box:
@@ -232,8 +246,8 @@ def _frequency_line(page: Page, name: Box, frequency: Frequency) -> Equation:
     """The frequency itself where its square is positive whatever the parameters are, else the square."""
     shown = page.typeset(frequency.square)
     if frequency.sign > 0 and size(frequency.square) <= _LONGEST_ROOT:
-        return Equation(name, Root(shown), final=True)
-    return _solution(Power(name, Number("2")), shown, final=True)
+        return Equation(name, Root(shown), final=True, unit=page.unit(Units.plain, "rad/s"))
+    return _solution(Power(name, Number("2")), shown, final=True, unit=page.unit(Units.plain, "1/s2"))
 
 
 def _in_numbers(name: Box, frequency: Frequency, exists: bool) -> list[Text | Math]:

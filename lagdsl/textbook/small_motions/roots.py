@@ -14,7 +14,7 @@ from lagdsl.textbook.tidy import Tidy
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """What a root needs to be real: `value` between -1 and 1, or not negative."""
+    """A root is real if `value` is between -1 and 1, or not negative."""
 
     kind: Literal["unit", "nonnegative"]
     value: Expr
