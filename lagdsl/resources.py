@@ -26,6 +26,11 @@ def diagnostics_folder() -> Path:
     return _folder("diagnostics", "docs/diagnostics")
 
 
+def language_reference() -> Path:
+    """The manual of the language, as Markdown."""
+    return _folder("reference", "docs/reference") / "language.md"
+
+
 def models_folder() -> Path:
     """The models to start from: `four_bar.lag` and so on."""
     return _folder("models", "models")

@@ -33,6 +33,7 @@ _COMMANDS = {
     "fmt": "Format model texts in place.",
     "explain": "Show the manual page of a diagnostic or a component.",
     "import": "Write the model of a robot from its URDF or MJCF file.",
+    "lsp": "Speak to an editor: the language server.",
     "new": "Write a first model, or a copy of one that comes with lagdsl.",
 }
 # Commands of other tools, and the one that is meant.

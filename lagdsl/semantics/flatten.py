@@ -28,6 +28,7 @@ from lagdsl.semantics.scope.context import Context, Conventions
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.instance_diagnostics import InstanceSink
 from lagdsl.semantics.scope.limits import MAX_COMPONENTS
+from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.usage import warn_unused, warn_unused_imports
 from lagdsl.semantics.statements import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.variables import quantities
@@ -69,6 +70,13 @@ def flatten(
     for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
         sink.add(diagnostic)
     return flat if not sink.has_errors else None
+
+
+def scope_of(unit: nodes.Unit) -> Scope:
+    """The names of a file and what its imports lead to, for who looks names up without a model; reports nothing."""
+    current = Current()
+    with deep_recursion():
+        return file_scope(Context(Sink(), Definitions(), elaborate, Conventions(unit.span.file, {}), current), unit)
 
 
 def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]:

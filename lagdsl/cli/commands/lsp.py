@@ -1,0 +1,22 @@
+"""`lag lsp`: the language server for editors."""
+
+from __future__ import annotations
+
+import click
+
+from lagdsl.cli.command import Command
+from lagdsl.cli.status import USAGE
+
+
+@click.command("lsp", cls=Command)
+@click.option("--stdio", is_flag=True, help="The only way it speaks; some editors say so.")
+def command(stdio: bool) -> None:
+    """Speak the language server protocol on standard input and output. Editors start this command."""
+    try:
+        import pygls  # noqa: F401 whether it is there
+    except ImportError:
+        click.echo("lag lsp needs pygls: pip install 'lagdsl[lsp]'", err=True)
+        click.get_current_context().exit(USAGE)
+    from lagdsl.lsp.main import serve
+
+    serve()

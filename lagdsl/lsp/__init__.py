@@ -1,0 +1,1 @@
+"""The language server, `lag lsp`: the compiler beside the cursor."""

@@ -1,0 +1,24 @@
+"""The process of `lag lsp`."""
+
+from __future__ import annotations
+
+import gc
+import sys
+
+from lagdsl.lsp.server import LagServer
+from lagdsl.lsp.wiring import wired
+
+_DEEPEST = 200_000  # of recursion, for all threads: the limit is one for the process
+_OBJECTS_PER_COLLECTION = 50_000
+
+
+def serve() -> None:
+    """Talk to an editor by standard input and output until it says goodbye."""
+    sys.setrecursionlimit(_DEEPEST)
+    gc.freeze()
+    gc.set_threshold(_OBJECTS_PER_COLLECTION, 20, 20)
+    server = wired(LagServer())
+    try:
+        server.start_io()
+    finally:
+        server.end()

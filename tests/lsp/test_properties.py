@@ -1,0 +1,110 @@
+"""Properties of edits on all models: formatting and renaming keep the program, actions remove their diagnostic."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from choice import ALL, chosen
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.text import flat_text
+from lagdsl.lsp.features.actions import all_edits
+from lagdsl.lsp.features.formatting import formatting
+from lagdsl.lsp.features.rename import Refused, changed, rename
+from lagdsl.lsp.findings import findings
+from lagdsl.lsp.positions import offset_at
+from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.pipeline import flatten_file
+from lagdsl.source import SourceFile
+
+FOLDER = Path(__file__).parents[2] / "models"
+EVERY = sorted(str(path.relative_to(FOLDER)) for path in FOLDER.rglob("*.lag"))
+SOME = [
+    "bouncing_ball.lag",
+    "double_wishbone.lag",
+    "four_bar.lag",
+    "half_car.lag",
+    "heavy_top.lag",
+    "ladder_leaving_wall.lag",
+    "motor_pendulum.lag",
+    "newtons_cradle.lag",
+    "pendulum.lag",
+    "pendulum_by_energies.lag",
+    "pick_and_place.lag",
+    "van_der_pol.lag",
+]
+NEW = "zz_renamed"
+
+
+def _text(name: str) -> str:
+    return (FOLDER / name).read_text(encoding="utf-8")
+
+
+def _flat(name: str, text: str) -> str:
+    flat = flatten_file(SourceFile(str(FOLDER / name), text), Sink())
+    assert flat is not None
+    return "\n".join(line.partition("//")[0].rstrip() for line in flat_text(flat).split("\n"))
+
+
+@pytest.mark.parametrize("name", chosen(EVERY, SOME))
+def test_formatting_keeps_the_program(name: str) -> None:
+    text = _text(name).replace("\n  ", "\n\t ").replace(" = ", "=")
+    snapshot = Snapshot(str(FOLDER / name), text, 1)
+    for edit in formatting(snapshot):
+        start, end = offset_at(snapshot.file, edit.range.start), offset_at(snapshot.file, edit.range.end)
+        text = snapshot.text[:start] + edit.new_text + snapshot.text[end:]
+    assert formatting(Snapshot(str(FOLDER / name), text, 2)) == []
+    assert _words(_flat(name, text)) == _words(_flat(name, _text(name)))
+
+
+@pytest.mark.parametrize("name", chosen(EVERY, SOME))
+def test_renaming_keeps_the_program(name: str) -> None:
+    """Every name of the text is renamed; the flat model is the same but for that name."""
+    text = _text(name)
+    snapshot = Snapshot(str(FOLDER / name), text, 1)
+    declarations = [each for each in snapshot.declarations() if each.name not in ("x", "y", "z", "e")]
+    before = _flat(name, text)
+    for each in declarations if ALL else declarations[:: max(len(declarations) // 2, 1)]:
+        (spans,) = rename([snapshot], each, NEW).values()
+        after = _flat(name, changed(text, spans, NEW))
+        assert _words(after.replace(NEW, each.name)) == _words(before), (each, spans)
+
+
+def _words(text: str) -> Counter[str]:
+    """The words of a flat model; names that the compiler makes may change their order."""
+    return Counter(re.findall(r"[\w.]+|\S", text))
+
+
+def test_renaming_to_a_name_that_is_there_is_refused() -> None:
+    snapshot = Snapshot("<text>", "model A\n  parameter Mass m = 1 kg;\n  parameter Mass n = 2*m;\nend A;\n", 1)
+    wanted = next(each for each in snapshot.declarations() if each.name == "m")
+    with pytest.raises(Refused, match="another meaning"):
+        rename([snapshot], wanted, "n")
+    with pytest.raises(Refused, match="no name"):
+        rename([snapshot], wanted, "2m")
+
+
+FAULTS = [
+    (r"(?<![\w.])(\d+(?:\.\d+)?) (?:m|kg|N|s)\b(?=[;,)])", r"\1"),  # a unit left out
+    (r"\bcos\(", "coss("),
+    (r"end (\w+);\n\Z", r"end \1_;\n"),
+    (r"\bgravity\b", "gravty"),
+    (r"\bparameter Mass\b", "parameter Masss"),
+    (r"\n", "\n  parameter Real unused_one = 1, unused_two = 2;\n"),
+]
+
+
+@pytest.mark.parametrize("name", chosen(EVERY, SOME))
+def test_every_action_removes_its_diagnostic(name: str) -> None:
+    for pattern, wrong in FAULTS:
+        text = re.sub(pattern, wrong, _text(name), count=1)
+        snapshot = Snapshot(str(FOLDER / name), text, 1)
+        found = findings(snapshot)
+        before = Counter((each.code, each.message) for each in found)
+        for each, edit in all_edits(snapshot, found):
+            after = Snapshot(snapshot.file.name, text[: edit.span.start] + edit.text + text[edit.span.end :], 2)
+            told = Counter((other.code, other.message) for other in findings(after))
+            assert told[each.code, each.message] < before[each.code, each.message], (each, edit)

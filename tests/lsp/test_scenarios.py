@@ -1,0 +1,296 @@
+"""Every feature of `lag lsp`, asked for by an editor of a real process."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from lsp_editor import Editor
+from lsp_texts import FOUR_BAR, PENDULUM
+from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
+
+from lagdsl.lsp.features.tokens import LEGEND
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("workspace")
+
+
+@pytest.fixture(scope="module")
+def editor(folder: Path) -> Iterator[Editor]:
+    made = Editor(folder)
+    yield made
+    made.close()
+
+
+@pytest.fixture(scope="module")
+def pendulum(editor: Editor, folder: Path) -> str:
+    (folder / "pendulum.lag").write_text(PENDULUM)
+    return editor.open((folder / "pendulum.lag").as_uri(), PENDULUM)
+
+
+@pytest.fixture(scope="module")
+def four_bar(editor: Editor, folder: Path) -> str:
+    return editor.open((folder / "four_bar.lag").as_uri(), FOUR_BAR)
+
+
+def _labels(found: lsp.CompletionList) -> set[str]:
+    return {item.label for item in found.items}
+
+
+def _text(found: lsp.Hover | None) -> str:
+    assert found is not None
+    assert isinstance(found.contents, lsp.MarkupContent)
+    return found.contents.value
+
+
+# ---- diagnostics -----------------------------------------------------------------------------------------------------
+
+
+def test_a_sound_text_has_no_diagnostics(editor: Editor, pendulum: str) -> None:
+    assert editor.diagnostics(pendulum) == []
+
+
+def test_a_fault_is_told_at_its_place_and_goes_away(editor: Editor, folder: Path) -> None:
+    wrong = PENDULUM.replace("mass m at", "mass l at")
+    uri = editor.open((folder / "wrong.lag").as_uri(), wrong)
+    (found, *_) = [each for each in editor.diagnostics(uri) if each.severity == lsp.DiagnosticSeverity.Error]
+    assert found.code is not None
+    assert found.range.start.line == wrong[: wrong.index("mass l at")].count("\n")
+    editor.change(uri, PENDULUM)
+    assert editor.diagnostics(uri) == []
+
+
+def test_a_broken_statement_does_not_silence_the_others(editor: Editor, folder: Path) -> None:
+    text = PENDULUM.replace("gravity = {0, -9.81 m/s2};", "gravity = {0, -9.81 m/s2;").replace("sin(theta)", "sin(m)")
+    uri = editor.open((folder / "broken.lag").as_uri(), text)
+    lines = {each.code: each.range.start.line for each in editor.diagnostics(uri)}
+    assert lines["E0402"] == text[: text.index("sin(m)")].count("\n")
+    assert set(lines) == {"E0402", "E0111"}
+
+
+def test_faults_behind_the_equations_follow(editor: Editor, folder: Path) -> None:
+    text = FOUR_BAR.replace("r = {1 m, 0}", "r = {5 m, 0}")
+    uri = editor.open((folder / "impossible.lag").as_uri(), text)
+    found = editor.diagnostics(uri, having="E0602")
+    assert all(each.source == "lag" for each in found)
+
+
+# ---- hover -----------------------------------------------------------------------------------------------------------
+
+
+def test_a_hover_has_declaration_value_and_doc(editor: Editor, pendulum: str) -> None:
+    editor.diagnostics(pendulum)
+    text = _text(editor.about("hover", pendulum, PENDULUM, "{|l*sin"))
+    assert "parameter Length l = 0.5 m" in text
+    assert "`l = 0.5 m`" in text
+    text = _text(editor.about("hover", pendulum, PENDULUM, "sin(th|eta"))
+    assert "from the downward vertical" in text
+    assert "60 deg" in text
+
+
+def test_a_coordinate_shows_its_equation(editor: Editor, four_bar: str, folder: Path) -> None:
+    editor.diagnostics(four_bar, having="N0701")
+    uri = editor.open((folder / "equation.lag").as_uri(), PENDULUM.replace("Pendulum", "Equation"))
+    editor.wait(lambda: any("equation" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta")) for _ in (1,)))
+    assert "θ̈" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta"))
+
+
+@pytest.mark.parametrize(
+    ("mark", "words"),
+    [
+        ("coord|inate", "a generalized coordinate"),
+        ("Ang|le", "deg"),
+        ("si|n(", "sin"),
+        ("star|t =", "value at the start"),
+        ("mass| m at", "a point mass"),
+    ],
+)
+def test_words_of_the_language_show_the_manual(editor: Editor, pendulum: str, mark: str, words: str) -> None:
+    assert words in _text(editor.about("hover", pendulum, PENDULUM, mark))
+
+
+def test_a_member_of_a_component_shows_its_value(editor: Editor, four_bar: str) -> None:
+    editor.diagnostics(four_bar)
+    text = _text(editor.about("hover", four_bar, FOUR_BAR, "torque tau on A.|q"))
+    assert "turn of frame_b against frame_a" in text
+    assert "60 deg" in text
+
+
+# ---- completion ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("typed", "some", "none"),
+    [
+        ("  gravity = -g_n*world.", {"x", "y", "origin", "rotz"}, {"m", "parameter"}),
+        ("  parameter Length r = 5 ", {"m", "mm", "rad"}, {"theta"}),
+        ("  parameter ", {"Mass", "Length", "Link"}, {"theta", "mm"}),
+        ("  Link link(", {"l", "m"}, {"frame_c", "theta"}),
+        ("  Revolute hinge(q(", {"start", "fixed"}, {"l"}),
+        ("  coordinate Angle q(", {"start", "fixed", "der"}, {"l"}),
+        ("  import Lag.", {"Planar", "Spatial", "Electrical"}, {"theta"}),
+        ("  torque ", {"theta", "m", "sin", "pi"}, {"Planar", "mm"}),
+        ("  ", {"coordinate", "mass", "connect", "Mass", "theta"}, {"mm"}),
+        ("  torque 1 N.m on hinge.", {"q", "frame_a", "tau"}, {"theta"}),
+        ('  parameter Real k "', set(), {"theta"}),
+        ("  // ", set(), {"theta"}),
+    ],
+)
+def test_completion_offers_what_fits(editor: Editor, folder: Path, typed: str, some: set[str], none: set[str]) -> None:
+    known = PENDULUM.replace("  parameter Mass", "  import Lag.Planar.*;\n  Revolute hinge;\n  parameter Mass", 1)
+    text = known.replace("end Pendulum;", f"{typed}\nend Pendulum;")
+    name = f"complete{abs(hash(typed))}.lag"
+    uri = editor.open((folder / name).as_uri(), text)
+    found = editor.about("completion", uri, text, f"{typed}|\nend Pendulum;")
+    assert some <= _labels(found)
+    assert not none & _labels(found)
+
+
+def test_a_class_of_the_library_is_resolved_with_its_ports(editor: Editor, folder: Path) -> None:
+    text = "model A\n  import Lag.Planar.\nend A;\n"
+    uri = editor.open((folder / "resolve.lag").as_uri(), text)
+    found = editor.about("completion", uri, text, "Planar.|")
+    item = next(each for each in found.items if each.label == "Revolute")
+    page = editor.ask("completionItem/resolve", item).documentation.value
+    assert "frame_a" in page
+    assert "coordinate" in page
+
+
+def test_a_statement_is_a_snippet(editor: Editor, folder: Path) -> None:
+    text = "model A\n  \nend A;\n"
+    uri = editor.open((folder / "snippet.lag").as_uri(), text)
+    found = editor.about("completion", uri, text, "model A\n  |")
+    item = next(each for each in found.items if each.label == "coordinate")
+    assert item.insert_text_format == lsp.InsertTextFormat.Snippet
+
+
+def test_signature_help_counts_the_arguments(editor: Editor, folder: Path) -> None:
+    text = 'function f(Real x, Real y) -> Real = x*y "a product";\n'
+    text += "model A\n  Real z = f(1, 2);\n  Real w = atan2(1, 2);\nend A;\n"
+    uri = editor.open((folder / "signature.lag").as_uri(), text)
+    found = editor.about("signatureHelp", uri, text, "f(1, |2)")
+    assert found.signatures[0].label == "f(Real x, Real y) -> Real"
+    assert found.active_parameter == 1
+    assert found.signatures[0].documentation.value == "a product"
+    assert editor.about("signatureHelp", uri, text, "atan2(|1").signatures[0].label.startswith("atan2(")
+    assert editor.about("signatureHelp", uri, text, "model |A") is None
+
+
+# ---- names -----------------------------------------------------------------------------------------------------------
+
+
+def test_definition_in_the_text_and_in_the_library(editor: Editor, four_bar: str) -> None:
+    own = editor.about("definition", four_bar, FOUR_BAR, "connect(world, A, |crank")
+    assert own.uri == four_bar
+    assert own.range.start.line == FOUR_BAR[: FOUR_BAR.index("Link crank")].count("\n")
+    library = editor.about("definition", four_bar, FOUR_BAR, "Rev|olute A")
+    assert library.uri.endswith("/Lag/Planar/Revolute.lag")
+    inherited = editor.about("definition", four_bar, FOUR_BAR, "A(|q(start")
+    assert inherited.uri.endswith("/Lag/Planar/Revolute.lag")
+    kind = editor.about("typeDefinition", four_bar, FOUR_BAR, "connect(world, A, |crank")
+    assert kind.uri.endswith("/Lag/Planar/Link.lag")
+
+
+def test_references_and_rename_go_across_files(editor: Editor, folder: Path) -> None:
+    part = "model Arm\n  parameter Length size = 1 m;\n  Length twice = 2*size;\nend Arm;\n"
+    user = "model User\n  import Arm;\n  Arm arm(size = 2 m);\n  output Length s = arm.size;\nend User;\n"
+    (folder / "Arm.lag").write_text(part)
+    (folder / "User.lag").write_text(user)
+    arm = editor.open((folder / "Arm.lag").as_uri(), part)
+    used = editor.open((folder / "User.lag").as_uri(), user)
+    context = lsp.ReferenceContext(include_declaration=True)
+    found = editor.about("references", used, user, "arm.si|ze", context=context)
+    assert sorted((each.uri, each.range.start.line) for each in found) == [(arm, 1), (arm, 2), (used, 2), (used, 3)]
+    assert len(editor.about("documentHighlight", used, user, "arm.si|ze")) == 2
+    edit = editor.about("rename", used, user, "arm.si|ze", new_name="length")
+    assert {uri: len(edits) for uri, edits in edit.changes.items()} == {arm: 2, used: 2}
+    with pytest.raises(JsonRpcException, match="word of the language"):
+        editor.about("rename", arm, part, "2*si|ze", new_name="end")
+    with pytest.raises(JsonRpcException, match="another meaning"):
+        editor.about("rename", arm, part, "2*si|ze", new_name="twice")
+
+
+def test_what_the_library_declares_keeps_its_name(editor: Editor, four_bar: str) -> None:
+    with pytest.raises(JsonRpcException, match="in the library"):
+        editor.about("prepareRename", four_bar, FOUR_BAR, "Rev|olute A")
+
+
+def test_symbols(editor: Editor, four_bar: str) -> None:
+    identifier = lsp.TextDocumentIdentifier(four_bar)
+    (model,) = editor.ask("textDocument/documentSymbol", lsp.DocumentSymbolParams(identifier))
+    assert model.name == "FourBar"
+    assert {"crank", "A", "tau", "pinC"} <= {each.name for each in model.children}
+    found = editor.ask("workspace/symbol", lsp.WorkspaceSymbolParams("frbr"))
+    assert "FourBar" in {each.name for each in found}
+
+
+# ---- the text --------------------------------------------------------------------------------------------------------
+
+
+def test_semantic_tokens_cover_the_words(editor: Editor, pendulum: str) -> None:
+    identifier = lsp.TextDocumentIdentifier(pendulum)
+    data = editor.ask("textDocument/semanticTokens/full", lsp.SemanticTokensParams(identifier)).data
+    lines, line, column, words = PENDULUM.split("\n"), 0, 0, {}
+    for down, on, length, kind, _ in zip(*[iter(data)] * 5, strict=True):
+        line, column = line + down, on if down else column + on
+        words[lines[line][column : column + length]] = LEGEND.token_types[kind]
+    assert words["coordinate"] == "keyword"
+    assert words["Pendulum"] == "class"
+    assert words["theta"] == "property"
+    assert words["60 deg"] == "number"
+    assert words["sin"] == "function"
+    assert words["m"] == "parameter"
+
+
+def test_folding_and_formatting(editor: Editor, folder: Path) -> None:
+    text = "model A\n coordinate Angle q;\n   mass 1 kg at {1 m*sin(q),\n   0};\nend A;\n"
+    uri = editor.open((folder / "format.lag").as_uri(), text)
+    identifier = lsp.TextDocumentIdentifier(uri)
+    ranges = editor.ask("textDocument/foldingRange", lsp.FoldingRangeParams(identifier))
+    assert {(each.start_line, each.end_line) for each in ranges} == {(0, 3), (2, 3)}
+    options = lsp.FormattingOptions(tab_size=2, insert_spaces=True)
+    (edit,) = editor.ask("textDocument/formatting", lsp.DocumentFormattingParams(identifier, options))
+    assert edit.new_text == "  coordinate Angle q;\n  mass 1 kg at {1 m*sin(q), 0};\n"
+    assert (edit.range.start.line, edit.range.end.line) == (1, 4)
+
+
+def test_hints_tell_freedom_redundancy_and_units(editor: Editor, folder: Path) -> None:
+    text = FOUR_BAR.replace("output Force pinC", "output Real power = tau*der(A.q);\n  output Force pinC")
+    uri = editor.open((folder / "hints.lag").as_uri(), text)
+    editor.diagnostics(uri, having="N0701")
+    whole = lsp.Range(lsp.Position(0, 0), lsp.Position(99, 0))
+    found = editor.ask("textDocument/inlayHint", lsp.InlayHintParams(lsp.TextDocumentIdentifier(uri), whole))
+    labels = {each.label: each.position for each in found}
+    assert labels["1 degree of freedom"] == lsp.Position(0, len("model FourBar"))
+    assert "3 redundant rows" in labels
+    assert "[W]" in labels
+
+
+def test_an_action_writes_what_the_help_proposes(editor: Editor, folder: Path) -> None:
+    text = PENDULUM.replace("l*sin(theta)", "l*sin(thet)")
+    uri = editor.open((folder / "action.lag").as_uri(), text)
+    (found, *_) = editor.diagnostics(uri, having="E0201")
+    params = lsp.CodeActionParams(
+        lsp.TextDocumentIdentifier(uri), found.range, lsp.CodeActionContext(diagnostics=[found])
+    )
+    (action,) = editor.ask("textDocument/codeAction", params)
+    assert action.title == "write `theta`"
+    (edit,) = action.edit.changes[uri]
+    assert (edit.new_text, edit.range) == ("theta", found.range)
+
+
+def test_lenses_run_the_model(editor: Editor, pendulum: str) -> None:
+    found = editor.ask("textDocument/codeLens", lsp.CodeLensParams(lsp.TextDocumentIdentifier(pendulum)))
+    assert [each.command.title for each in found] == ["run", "show", "derive", "verify"]
+    command = found[0].command
+    address = editor.ask(
+        "workspace/executeCommand", lsp.ExecuteCommandParams(command.command, arguments=command.arguments)
+    )
+    assert address in editor.shown
+    said = Path(address.removeprefix("file://")).read_text()
+    assert "Pendulum" in said
+    assert "error" not in said

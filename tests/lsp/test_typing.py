@@ -1,0 +1,121 @@
+"""Texts that are typed: every beginning is answered, and nothing is told outside the statement being typed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from choice import ALL, chosen
+from lsp_texts import FOUR_BAR
+
+from lagdsl.diagnostics import Severity
+from lagdsl.lsp.features.completion import completion
+from lagdsl.lsp.features.cursor import cursor_at
+from lagdsl.lsp.features.folding import folding
+from lagdsl.lsp.features.formatting import formatting
+from lagdsl.lsp.features.hints import hints
+from lagdsl.lsp.features.hover import hover
+from lagdsl.lsp.features.lenses import lenses
+from lagdsl.lsp.features.signature import signature
+from lagdsl.lsp.features.symbols import document_symbols
+from lagdsl.lsp.features.tokens import tokens
+from lagdsl.lsp.findings import findings
+from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.syntax import nodes
+from lagdsl.syntax.tokens import end_of, plain_tokens, start_of
+
+MODELS = sorted((Path(__file__).parents[2] / "models").glob("*.lag"))
+OPEN_BLOCK = "E0113"
+"""A class without its `end` is told at its head: it is the statement being typed until the `end` is there."""
+
+
+def _statement_start(text: str) -> int:
+    """Start of the statement that is typed at the end of a text; the last one while nothing follows it."""
+    starts, ended = [0], True
+    for token in plain_tokens(text):
+        if ended:
+            starts.append(start_of(token))
+        ended = token.value == ";"
+    return starts[-1]
+
+
+@pytest.mark.parametrize("length", range(0, len(FOUR_BAR) + 1, 1 if ALL else 20))
+def test_every_beginning_of_the_four_bar_is_answered(length: int) -> None:
+    text = FOUR_BAR[:length]
+    snapshot = Snapshot("<typed>", text, 1)
+    found = findings(snapshot)
+    start = _statement_start(text)
+    for each in found:
+        place = each.labels[0].span if each.labels else None
+        if each.code != OPEN_BLOCK and place is not None:
+            assert place.file is snapshot.file
+            assert place.start >= start, (each.code, each.message, place.text)
+    _ask_everything(snapshot, length)
+
+
+def _ask_everything(snapshot: Snapshot, offset: int) -> None:
+    completion(snapshot, offset)
+    signature(snapshot, offset)
+    hover(snapshot, max(offset - 1, 0), None)
+    tokens(snapshot)
+    folding(snapshot)
+    formatting(snapshot)
+    hints(snapshot, None)
+    document_symbols(snapshot)
+    lenses(snapshot, "file:///typed.lag")
+
+
+SOME = ("bouncing_ball", "double_wishbone", "robot_arm", "van_der_pol")
+
+
+@pytest.mark.parametrize("name", chosen([path.stem for path in MODELS], SOME))
+def test_a_broken_statement_is_the_only_one_that_is_told(name: str) -> None:
+    """A statement that lost its last third: whatever errors there are stand in it, or just behind it."""
+    text = (Path(__file__).parents[2] / "models" / f"{name}.lag").read_text(encoding="utf-8")
+    unit = Snapshot(f"<{name}>", text, 1).unit
+    assert unit is not None
+    items = [each for item in unit.items if isinstance(item, nodes.Class) for each in _items(item)]
+    for item in items if ALL else items[:: max(len(items) // 5, 1)]:
+        start, end = item.span.start, item.span.end
+        cut = start + max(3, (end - start) * 2 // 3)
+        snapshot = Snapshot(f"<{name}>", text[:cut] + text[end:], 1)
+        if snapshot.is_whole:
+            continue
+        following = next(plain_tokens(snapshot.text, cut))
+        for each in findings(snapshot):
+            place = each.labels[0].span
+            is_near = start <= place.start <= end_of(following)
+            assert is_near or each.code in EXCEPTIONS or each.severity is not Severity.ERROR, (text[start:end], each)
+
+
+EXCEPTIONS = ("E0100", "E0101", "E0103", "E0113", "E0118")
+"""Where the broken statement runs into the next one, the parser finds out behind it."""
+
+
+def _items(item: nodes.Class) -> list[nodes.Item]:
+    return [*item.items, *(each for section in item.sections for each in section.items)]
+
+
+@pytest.mark.parametrize(
+    ("typed", "want"),
+    [
+        ("model A\n  ", "statement"),
+        ("model A\n  par", "statement"),
+        ("model A\n  parameter ", "type"),
+        ("model A\n  parameter Mass m = 5 k", "unit"),
+        ("model A\n  mass m at A.", "member"),
+        ("model A\n  Link a(", "modifier"),
+        ("model A\n  Link a(l = ", "expression"),
+        ("model A\n  Link a(l = 1 m, ", "modifier"),
+        ("model A\n  coordinate Angle q(der(", "modifier"),
+        ("model A\n  parameter Mass m = f(", "expression"),
+        ("model A\n  import Lag.", "package"),
+        ('model A "te', "nothing"),
+        ("model A // te", "nothing"),
+        ("model A /* te", "nothing"),
+        ("model A\nequation\n  x = ", "expression"),
+        ("model A\n  force {1 N, 0} at ", "expression"),
+    ],
+)
+def test_the_cursor_knows_what_may_be_written(typed: str, want: str) -> None:
+    assert cursor_at(typed, len(typed)).want == want
