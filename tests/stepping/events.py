@@ -187,17 +187,18 @@ class Instant:
         """Which contacts stay together after blows, which part."""
         system = self._system
         speed = system.call("contact", s, b)["speed"]
-        w = s.w.copy()
-        for i in np.flatnonzero(closed):
-            if speed[i] > scale[i]:
-                w[system.contacts[i]] = 0.0
-                if int(i) not in approach:
-                    self._tell(s.t, int(i), "opened")
+        w, noise = s.w.copy(), self.noise(s, b)
+        parting = [int(i) for i in np.flatnonzero(closed) if speed[i] > scale[i]]
         flying = w.copy()
-        flying[[system.contacts[i] for i in approach]] = 0.0
+        flying[[system.contacts[i] for i in (*parting, *approach)]] = 0.0
         ahead = system.later(replace(s, w=flying), b, AHEAD)
         back = (speed - system.call("contact", ahead, b)["speed"]) / (ahead.t - s.t)
-        noise = self.noise(s, b)
+        for i in parting:
+            # one that rises by round-off stays: two that throw each other up so would do so for ever
+            if i in approach or not (back[i] > 0 and speed[i] ** 2 / (2 * back[i]) < noise[i]):
+                w[system.contacts[i]] = 0.0
+                if i not in approach:
+                    self._tell(s.t, i, "opened")
         for i, was in approach.items():
             w[system.counts[i]] += 1
             left = self._left(found, i, float(speed[i]), was, float(back[i]), float(scale[i]), float(noise[i]))

@@ -49,6 +49,7 @@ class _Run:
         self._memory = Memory(np.abs(system.start.v), np.abs(system.start.q))
         self._instant = Instant(system, self._memory)
         self._motion = Motion()
+        self._deeper: dict[int, float] = {}  # factors of floors that led to nothing
 
     def run(self) -> Motion:
         system = self._system
@@ -120,7 +121,11 @@ class _Run:
             at = self._first(before, dense, solver.t, b, armed, floor)
             self._note(s, dense, before.t, solver.t if at is None else at)
             if at is not None:
-                return self._event(self._exactly(before, at, b), b)
+                s = self._exactly(before, at, b)
+                after, b = self._event(s, b)
+                same = np.array_equal(after.x, s.x) and np.array_equal(after.w, s.w)
+                self._deeper = {self._which: 4 * self._deeper.get(self._which, 1.0)} if same else {}
+                return after, b
         s = self._projected(s.moved(end, solver.y), b)
         if end >= self._system.length and not self._ticking_at(end):
             return s, b
@@ -140,11 +145,14 @@ class _Run:
         )
 
     def _floor(self, s: State, b: list[float], count: int) -> Floats:
-        """So far open contacts are let in that never were seen apart, by round-off; all else, without end."""
+        """So far open contacts are let in that never were seen apart, by round-off, and farther where that led to
+        nothing: a rate that is round-off goes on. All else, without end."""
         system, floor = self._system, np.full(count, -np.inf)
         if system.contacts:
             first, closed = len(system.relations), s.w[system.contacts] > 0
             floor[first : first + len(closed)] = np.where(closed, -np.inf, -self._instant.noise(s, b))
+        for k, factor in self._deeper.items():
+            floor[k] *= factor
         return floor
 
     def _first(
@@ -174,7 +182,8 @@ class _Run:
         valid: Callable[[float], Floats], times: Floats, looks: Floats, k: int, armed: Floats, floor: float
     ) -> float | None:
         """When entry k becomes negative, which it does between looks, too: where it has a minimum, and where it left
-        its border and came back."""
+        its border, by more than round-off, and came back."""
+        noise = -floor if np.isfinite(floor) else 0.0
 
         def value(t: float) -> float:
             return float(valid(t)[k])
@@ -184,7 +193,7 @@ class _Run:
             low, high = float(times[i]), float(times[i + 1])
             if looks[i + 1] < 0 and (armed[k] or looks[i + 1] < floor):
                 inside = (low + (high - low) / 2**m for m in range(1, 30))
-                above = low if looks[i] > 0 else next((t for t in inside if value(t) > 0), None)
+                above = low if looks[i] > noise else next((t for t in inside if value(t) > noise), None)
                 if above is not None:
                     return float(brentq(value, above, high, xtol=1e-15))
                 if looks[i] > floor > looks[i + 1]:

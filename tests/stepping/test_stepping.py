@@ -6,6 +6,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
+from choice import ALL
 from compiled_programs import program_of
 from scipy.special import ellipk
 from stepping.balance import Balance, impact
@@ -48,6 +49,39 @@ def test_ball_bounces_and_rests() -> None:
     np.testing.assert_allclose([each.time for each in found.told], [*times, 3 * fall], atol=1e-11)
     assert [each.kind for each in found.told] == ["impact"] * count + ["closed"]
     np.testing.assert_allclose(found.states[-1].x, 0.0, atol=1e-12)
+
+
+def test_ball_rests_on_a_moving_table() -> None:
+    """Flights become as short as the round-off of the gap is deep; at the end it moves with the table."""
+    body = (
+        "coordinate Real h(start = 1.37, der(start = -1.703)); kinetic 1/2*der(h)^2; potential 9.81*h;"
+        "contact c: h >= 0.03106*sin(6.044*time) with restitution = 0.5;"
+    )
+    w, b = 6.044, 0.03106
+    np.testing.assert_allclose(moved(body, 2.0).states[-1].x, [b * sin(2 * w), b * w * cos(2 * w)], atol=1e-10)
+
+
+@pytest.mark.skipif(not ALL, reason="hundreds of blows, some of the other tests in a long form")
+def test_plank_rocks_to_rest() -> None:
+    """Each end throws the other up, ever less."""
+    body = (
+        "coordinate Real y(start = 2e-5), a(start = 1e-4); kinetic 1/2*der(y)^2 + 1/2*0.02634*der(a)^2;"
+        "potential 9.81*y;"
+        "contact l: y + 0.1036*sin(a) >= 0 with restitution = 0.6;"
+        "contact r: y - 0.1036*sin(a) >= 0 with restitution = 0.6;"
+    )
+    np.testing.assert_allclose(moved(body, 0.1).states[-1].x, 0.0, atol=1e-12)
+
+
+def test_balls_that_go_on_together() -> None:
+    """Three inelastic balls in a row share their momentum; nothing presses them, and round-off parts nothing."""
+    body = (
+        "coordinate Real a(start = -0.5, der(start = 1.862)), b(start = -0.3308), c(start = -0.2308);"
+        "kinetic 1/2*0.6305*der(a)^2 + 1/2*der(b)^2 + 1/2*der(c)^2;"
+        "contact f: b - a >= 0.1 with restitution = 0; contact g: c - b >= 0.1 with restitution = 0;"
+    )
+    speed = 0.6305 * 1.862 / 2.6305
+    np.testing.assert_allclose(moved(body, 2.0).states[-1].v, [speed] * 3, atol=1e-10)
 
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
