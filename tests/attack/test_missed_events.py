@@ -47,6 +47,77 @@ FLANK = acos(1 - log(2) / 100)
 SLOPE = 5 * sin(FLANK)
 BLOW = 2 * 100 * SLOPE / (1 + SLOPE**2)
 
+# The cosine is near to one for so many radians on each side of whole turns.
+NEAR = acos(0.9999)
+PEAKS = "coordinate Real a(start = -1, der(start = 2)), b(start = -1, der(start = 2)), y; "
+PEAKS += "kinetic 1/2*(der(a)^2 + der(b)^2 + der(y)^2); discrete Integer n(start = 0); "
+
+
+def _between_peaks(time: float) -> float:
+    """An angle that is thrown back near 0 and near -2 pi, from -1 upward at 2 rad/s."""
+    span = 2 * pi - 2 * NEAR
+    way = (2 * time - 1 + 2 * pi - NEAR) % (2 * span)
+    return -2 * pi + NEAR + min(way, 2 * span - way)
+
+
+TOGETHER = [
+    # a change at the first look hides one that comes and goes before it
+    Attack(
+        "a_tooth_on_a_peak",
+        model(
+            PEAKS + "force if cos(a) > 0.9999 then 1 else 0 on y;", "when sin(5*a) > 0 then n = pre(n) + 1; end when;"
+        ),
+        60.0,
+        {"der(y)": 19 * NEAR, "n": floor(595 / (2 * pi)) + 1},
+        tolerance=1e-8,
+    ),
+    # two that come and go between the same looks: the first one is a contact, the second a relation
+    Attack(
+        "a_blow_before_a_peak",
+        model(
+            PEAKS + "force if cos(a) > 0.9999 then 1 else 0 on y; contact c: cos(b) <= 0.9999 with restitution = 1;",
+            "when sin(5*a) > 0 then n = pre(n) + 1; end when;",
+        ),
+        60.0,
+        {"der(y)": 19 * NEAR, "n": floor(595 / (2 * pi)) + 1, "b": _between_peaks(60.0)},
+        counts={("c", "impact"): 20},
+        tolerance=1e-8,
+    ),
+    Attack(
+        "a_blow_before_a_corner",
+        model(
+            PEAKS + "force max(0, cos(a) - 0.9999) on y; contact c: cos(b) <= 0.9999 with restitution = 1;",
+            "when sin(5*a) > 0 then n = pre(n) + 1; end when;",
+        ),
+        60.0,
+        {"der(y)": 19 * (sin(NEAR) - 0.9999 * NEAR), "b": _between_peaks(60.0)},
+        near=1e-9,
+        counts={("c", "impact"): 20},
+    ),
+    # the step that meets the tooth has crossed the corner behind it, too
+    *(
+        Attack(
+            f"a_tooth_within_a_corner_at_{tolerance:g}",
+            model(PEAKS + "force max(0, cos(a) - 0.9999) on y;", "when sin(5*a) > 0 then n = pre(n) + 1; end when;"),
+            60.0,
+            {"der(y)": 19 * (sin(NEAR) - 0.9999 * NEAR), "n": floor(595 / (2 * pi)) + 1},
+            tolerance=tolerance,
+            near=1e-9,
+        )
+        for tolerance in (1e-6, 1e-8, 1e-12)
+    ),
+    Attack(
+        "three_peaks_one_after_the_other",
+        model(
+            PEAKS + "force (if cos(a) > 0.9999 then 1 else 0) + (if cos(a + 0.05) > 0.9999 then 2 else 0) on y;",
+            "when cos(a - 0.05) > 0.9999 then n = pre(n) + 1; end when;",
+        ),
+        60.0,
+        {"der(y)": 19 * 3 * NEAR, "n": 19},
+        tolerance=1e-8,
+    ),
+]
+
 OSCILLATORS = [
     Attack(
         "tips_of_an_oscillator",
@@ -142,6 +213,6 @@ THROWN_BACK = [
 ]
 
 
-@rows([*COUNTERS, *OSCILLATORS, *THROWN_BACK])
+@rows([*COUNTERS, *TOGETHER, *OSCILLATORS, *THROWN_BACK])
 def test_missed_events(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -61,7 +61,7 @@ def test_ball_rests_on_a_moving_table() -> None:
     np.testing.assert_allclose(moved(body, 2.0).states[-1].x, [b * sin(2 * w), b * w * cos(2 * w)], atol=1e-10)
 
 
-@pytest.mark.skipif(not ALL, reason="hundreds of blows, some of the other tests in a long form")
+@pytest.mark.skipif(not ALL, reason="hundreds of blows")
 def test_plank_rocks_to_rest() -> None:
     """Each end throws the other up, ever less."""
     body = (

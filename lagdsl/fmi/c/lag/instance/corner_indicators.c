@@ -40,13 +40,12 @@ static lag_status look(lag_instance *instance, double t, const double *x)
     return status;
 }
 
-lag_status lag_instance_look_at_corners(lag_instance *instance)
+lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const double *x, double *room)
 {
     const size_t count = instance->fmu->model->ncorner;
-    const lag_status status = count > 0 ? look(instance, instance->held.t, instance->x) : LAG_OK;
-    double *g = lag_instance_corner_indicators(instance);
+    const lag_status status = count > 0 ? look(instance, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        g[i] = instance->far[i] + (instance->side[i] < 0.0 ? -margin(instance, i) : margin(instance, i));
+        room[lag_instance_first_corner(instance) + i] = (instance->side[i] < 0.0 ? -1.0 : 1.0) * instance->far[i] + margin(instance, i);
     }
     return status;
 }
@@ -74,12 +73,8 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
 void lag_instance_pass_corners(lag_instance *instance)
 {
     const size_t count = instance->fmu->model->ncorner;
-    const double *g = lag_instance_corner_indicators(instance);
     double *largest = instance->largest + lag_instance_first_corner(instance);
-    if (count > 0) {
-        lag_noise_follow(&instance->run->instants.noise, instance->x);
-    }
     for (size_t i = 0; i < count; ++i) {
-        largest[i] = fmax(largest[i], fabs(g[i]));
+        largest[i] = fmax(largest[i], fabs(instance->far[i]));
     }
 }

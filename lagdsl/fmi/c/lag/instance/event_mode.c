@@ -38,8 +38,7 @@ size_t lag_instance_indicator_count(const lag_fmu *fmu)
     return count;
 }
 
-/* 1: the motion does not change it. */
-static int is_held(const lag_instance *instance, size_t i)
+int lag_instance_is_held(const lag_instance *instance, size_t i)
 {
     return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
 }
@@ -55,12 +54,18 @@ static double margin(const lag_instance *instance, size_t i)
     return PART * instance->largest[i] + ROUNDINGS * lag_zero_crossing_noise(&instance->run->crossings, i);
 }
 
-/* 1, or -1 for relations that do not hold. */
-static double side(const lag_instance *instance, size_t i)
+double lag_instance_side(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
+    const size_t corner = lag_instance_first_corner(instance);
     const int relation = i < instance->fmu->model->nindicator;
-    return relation && run->motion.w[run->crossings.places.relation + i] == 0.0 ? -1.0 : 1.0;
+    const int below = i >= corner && instance->side[i - corner] < 0.0;
+    return below || (relation && run->motion.w[run->crossings.places.relation + i] == 0.0) ? -1.0 : 1.0;
+}
+
+double lag_instance_round_off(const lag_instance *instance, size_t i)
+{
+    return lag_zero_crossing_noise(&instance->run->crossings, i);
 }
 
 /* Values at a state. */
@@ -70,17 +75,14 @@ static lag_status look(lag_instance *instance, double t, const double *x)
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-lag_status lag_instance_look(lag_instance *instance)
+lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room)
 {
     const size_t count = watched(instance);
-    const lag_status status = look(instance, instance->held.t, instance->x);
-    double *g = instance->g;
+    const lag_status status = look(instance, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (!is_held(instance, i)) {
-            *g++ = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
-        }
+        room[i] = lag_instance_is_held(instance, i) ? 1.0 : value(instance, i) + margin(instance, i) + instance->latched[i];
     }
-    return status == LAG_OK ? lag_instance_look_at_corners(instance) : status;
+    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -101,6 +103,7 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
     lag_contacts_follow(&instance->run->instants.contacts, x);
     const lag_status status = look(instance, t, x);
     instance->known = 0;
+    instance->held.nodes = 0;
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->latched[i] = fmax(0.0, -value(instance, i));
@@ -119,8 +122,8 @@ lag_status lag_instance_release(lag_instance *instance)
             instance->latched[i] = 0.0;
         }
     }
-    if (status == LAG_OK) {
-        lag_instance_pass_corners(instance);
+    if (status == LAG_OK && instance->fmu->model->ncorner > 0) {
+        lag_noise_follow(&instance->run->instants.noise, instance->x);
     }
     return status;
 }
@@ -268,6 +271,7 @@ lag_status lag_instance_enter_continuous(lag_instance *instance)
     const lag_status status = lag_instance_begin(instance);
     instance->held.last = instance->held.t;
     instance->held.span = 0.0;
+    instance->held.nodes = 0;
     return status;
 }
 

@@ -53,6 +53,8 @@ typedef struct lag_held {
     int jumped;             /* something was set since the motion went on: rates are others */
     int polynomial;         /* inputs have derivatives */
     int entered;            /* event mode: nothing has been looked at yet */
+    double reach;           /* the last piece of this path that was looked at was so long [s]; 0: none yet */
+    int nodes;              /* so many of `base` and `tip` are known */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
 } lag_held;
@@ -82,10 +84,13 @@ struct lag_instance {
     double *largest;        /* (relations, contacts, corners) magnitudes seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
+    double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *room;           /* (relations, contacts, corners) what is left until each changes; negative: it has changed */
+    double *looks;          /* lag_instance_path_looks() */
     double *far;            /* (ncorner) distances of corners, as looked at last */
     double *unasked;        /* (nc) multipliers of accelerations that are pulled */
     double *point, *tangent; /* (2 nq + nz) */
@@ -160,18 +165,23 @@ static inline size_t lag_instance_first_corner(const lag_instance *instance)
     return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
 }
 
-/* The first indicator of a corner. */
-static inline double *lag_instance_corner_indicators(const lag_instance *instance)
-{
-    return instance->g + lag_instance_indicator_count(instance->fmu) - instance->fmu->model->ncorner;
-}
-
-/* Indicators of corners at the present state, into g. */
-lag_status lag_instance_look_at_corners(lag_instance *instance);
+/* Room of corners at x at time t. */
+lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const double *x, double *room);
 /* An event at x at time t: corners that have been passed are on the other side from now on. */
 lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x);
-/* The present state, at which indicators are known, ends a step: magnitudes follow. */
+/* The state looked at last is on the path of the importer: magnitudes follow. */
 void lag_instance_pass_corners(lag_instance *instance);
+
+/* ---- indicator_paths.c ---- */
+
+/*
+ * Indicators at the present state, into g. In model exchange an indicator that changes and changes back between the last states at which the
+ * importer asked has the sign behind the change, so that the importer locates the first one.
+ */
+lag_status lag_instance_follow_path(lag_instance *instance);
+/* Doubles of a node, and of `looks`. */
+size_t lag_instance_node(const lag_fmu *fmu);
+size_t lag_instance_path_looks(const lag_fmu *fmu);
 
 /* ---- turning.c ---- */
 
@@ -225,8 +235,14 @@ lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* ---- event_mode.c ---- */
 
-/* Indicators at the present state, into g. */
-lag_status lag_instance_look(lag_instance *instance);
+/* Room of everything at x at time t. */
+lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room);
+/* 1: a relation that the motion does not change. */
+int lag_instance_is_held(const lag_instance *instance, size_t which);
+/* Sign of an indicator while nothing changes: 1, or -1 for relations that do not hold and corners that are below zero. */
+double lag_instance_side(const lag_instance *instance, size_t which);
+/* Round-off of its room, as far as it is known. */
+double lag_instance_round_off(const lag_instance *instance, size_t which);
 /* A value that is behind zero now is no event until it goes further. */
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
 /* Releases values that are farther from zero than their margin; updates the magnitudes. */

@@ -9,9 +9,7 @@
 
 #include "lag/events/contact.h"
 #include "lag/events/noise.h"
-
-/* Looks at one piece of a step, its beginning included. */
-enum { LAG_ZERO_CROSSING_LOOKS = 5 };
+#include "lag/linalg/minimum.h"
 
 typedef struct lag_zero_crossing {
     lag_motion *motion;
@@ -24,7 +22,7 @@ typedef struct lag_zero_crossing {
     int solved;                    /* they read accelerations or multipliers */
     double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */
     double *band;                  /* the same: how far below zero values may be */
-    double *seen[LAG_ZERO_CROSSING_LOOKS]; /* the same: values, for those who look for the time */
+    double *seen[LAG_LOOKS];       /* the same: values, for those who look for the time */
     double *root, *found;          /* the same */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
 } lag_zero_crossing;

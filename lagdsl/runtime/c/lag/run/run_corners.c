@@ -6,7 +6,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LOOKS = LAG_ZERO_CROSSING_LOOKS - 1, TURNS = 8, PATTERNS = 3 };
+enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3 };
 /* Looks at a step, as parts of it, behind its beginning; no two distances are alike. */
 static const double PLACES[LOOKS] = {0.2071, 0.4583, 0.7361, 1.0};
 /* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
@@ -147,6 +147,8 @@ static lag_status face(lag_run *run)
 lag_status lag_run_face_corners(lag_run *run)
 {
     const size_t count = run->motion.model->ncorner;
+    const double h = run->stepper.t - run->stepper.t_before;
+    const int is_long = h > LAG_SCAN_LONGEST * run->instants.contacts.length; /* five looks may miss what the pieces of a scan do not */
     int near = 0;
     run->crossings.corners = 0;
     if (!is_careful(run)) {
@@ -154,7 +156,7 @@ lag_status lag_run_face_corners(lag_run *run)
     }
     lag_status status = sample(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        run->crossings.side[i] = is_near(run, i);
+        run->crossings.side[i] = is_long || is_near(run, i);
         near = near || run->crossings.side[i] != 0.0;
     }
     if (near) {

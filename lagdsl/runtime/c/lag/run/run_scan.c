@@ -3,30 +3,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/minimum.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LAST = LAG_ZERO_CROSSING_LOOKS - 1, AGAIN = 16 };
-/* Looks in a piece, as parts of it: no two distances are alike, so that what is periodic does not look constant. */
-static const double PLACES[LAG_ZERO_CROSSING_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
-/* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
-static const double DIFFERENCE = 0.03;
-/* The error of a parabola through three looks, as a part of the third. */
-static const double THIRD = 0.01;
-/* Values are known where that is at most this part of the largest of them. */
-static const double KNOWN = 0.1;
-/* Lengths of pieces change by at most these factors; the first is this part of a step. */
-static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0, FIRST = 0.25;
-/* A piece is no longer than this part of the experiment, and no shorter than this part of its step. */
-static const double LONGEST = 0.02, SHORTEST = 0x1p-24;
-/* A minimum that is so much nearer to zero than what was seen is looked at, but none so near to the beginning of the step: that has just happened. */
-static const double NEARER = 0.3, BEGINNING = 0.01;
-/* So many times its error a minimum may be lower than it seems. */
-static const double LOWER = 2.0;
-/* So far from an end, as a part of the distance to the next look; below this part of the next value something has just happened. */
-static const double BESIDE = 0.25, JUST = 1e-6;
-/* With each look at a minimum it is known better, by this factor at most. */
-static const double CLEARER = 0.25;
+enum { LAST = LAG_LAST_LOOK, AGAIN = 16 };
+/* The first piece is this part of a step. */
+static const double FIRST = 0.25;
+/* A piece is no shorter than this part of its step. */
+static const double SHORTEST = 0x1p-24;
+/* A minimum that is so near to the beginning of the step has just happened. */
+static const double BEGINNING = 0.01;
 /* The last piece of a step may be longer by this factor. */
 static const double LAST_STRETCH = 1.2;
 /* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
@@ -41,7 +28,7 @@ typedef struct piece {
 
 static double place_of(const piece *in, int k)
 {
-    return k == LAST ? in->b : in->a + (in->b - in->a) * PLACES[k];
+    return k == LAST ? in->b : in->a + (in->b - in->a) * LAG_LOOK_PLACES[k];
 }
 
 static size_t count_of(const lag_run *run)
@@ -65,59 +52,16 @@ static lag_status look(lag_run *run, double t)
 
 /* ---- what comes and goes between looks ---- */
 
-typedef struct triple {
-    double u[3], v[3];
-} triple;
-
-/*
- * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the
- * minimum of a parabola. If that place lies beyond an end whose value is below the error, *u is a place beside that end, but
- * not beside a beginning at which an event has just occurred.
- */
-static int minimum_of(const triple *at, double error, double *u, double *height)
-{
-    const double *v = at->v;
-    const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
-    const double bend = ((v[2] - v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
-    const double vertex = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
-    const int inside = bend > 0.0 && vertex > at->u[0] && vertex < at->u[2];
-    const int first = v[0] < v[1] && v[0] < LOWER * error && v[0] > JUST * v[1];
-    const int last = v[2] < v[1] && v[2] < LOWER * error;
-    *u = inside ? vertex
-        : first ? at->u[0] + BESIDE * (at->u[1] - at->u[0])
-                : at->u[2] - BESIDE * (at->u[2] - at->u[1]);
-    *height = v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
-    return inside ? *height < fmax(NEARER * fmax(fmin(v[0], fmin(v[1], v[2])), 0.0), LOWER * error) : first || last;
-}
-
-static void put(triple *at, int k, double u, double v)
-{
-    at->u[k] = u;
-    at->v[k] = v;
-}
-
-/* Three looks around the minimum, of which that at u is one. */
-static void narrow(triple *at, double u, double v)
-{
-    const int before = u < at->u[1];
-    if (v <= at->v[1]) {
-        put(at, before ? 2 : 0, at->u[1], at->v[1]);
-        put(at, 1, u, v);
-    } else {
-        put(at, before ? 0 : 2, u, v);
-    }
-}
-
 /* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between looks k - 2 and k. */
 static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
-    triple at;
+    lag_triple at;
     double u = 0.0;
     double height = 0.0;
     for (int j = 0; j < 3; ++j) {
-        put(&at, j, PLACES[k - 2 + j], run->crossings.seen[k - 2 + j][i]);
+        lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], run->crossings.seen[k - 2 + j][i]);
     }
-    for (int again = 0; again < AGAIN && minimum_of(&at, error, &u, &height); ++again) {
+    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
         if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
             return LAG_OK;
@@ -127,8 +71,8 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
         if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
             return status;
         }
-        error = fmax(fabs(value - height), CLEARER * error);
-        narrow(&at, u, value);
+        error = fmax(fabs(value - height), LAG_CLEARER * error);
+        lag_minimum_narrow(&at, u, value);
     }
     return LAG_OK;
 }
@@ -165,28 +109,20 @@ static double largest_value(const lag_run *run, const piece *in, size_t i)
 /* Error of value i: the difference of the polynomials. Writes the error of parabolas through three looks into `found`. */
 static double difference_of(lag_run *run, size_t i)
 {
-    double d[LAG_ZERO_CROSSING_LOOKS];
-    double third = 0.0;
-    for (int k = 0; k < LAG_ZERO_CROSSING_LOOKS; ++k) {
-        d[k] = run->crossings.seen[k][i];
+    double values[LAG_LOOKS];
+    for (int k = 0; k < LAG_LOOKS; ++k) {
+        values[k] = run->crossings.seen[k][i];
     }
-    for (int order = 1; order < LAG_ZERO_CROSSING_LOOKS; ++order) {
-        for (int k = LAST; k >= order; --k) {
-            d[k] = (d[k] - d[k - 1]) / (PLACES[k] - PLACES[k - order]);
-        }
-        third = order == LAST - 1 ? fmax(fabs(d[LAST]), fabs(d[LAST - 1])) : third;
-    }
-    run->crossings.found[i] = DIFFERENCE * fabs(d[LAST]) + THIRD * third;
-    return DIFFERENCE * fabs(d[LAST]);
+    return lag_look_error(values, &run->crossings.found[i]);
 }
 
 /* The same as a part of its largest value; zero where that is round-off. */
 static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
     const double most = largest_value(run, in, i);
-    run->crossings.found[i] = KNOWN * most;
+    run->crossings.found[i] = LAG_KNOWN_PART * most;
     const double difference = in->looks == LAST ? difference_of(run, i) : 0.0;
-    if (!(difference > KNOWN * most)) {
+    if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
     }
     if (lag_zero_crossing_has_noise(&run->crossings, i) && !(lag_zero_crossing_noise(&run->crossings, i) > 0.0)) {
@@ -218,13 +154,6 @@ static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
     return status;
 }
 
-/* The length of the next trial after one of length w: the doubt goes with its fourth power. */
-static double next_length(double w, double doubt)
-{
-    const double factor = doubt > 0.0 ? SAFETY * pow(KNOWN / doubt, 0.25) : MOST_FACTOR;
-    return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
-}
-
 /* Pieces from a on; `reach` is the length of the next one. */
 typedef struct scan {
     double a, reach, shortest, longest;
@@ -240,18 +169,37 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
         return 0;
     }
     const double doubt = largest_doubt(run, in);
-    if (doubt > KNOWN && w > 1.5 * on->shortest) {
-        on->reach = fmax(on->shortest, fmin(0.7 * w, next_length(w, doubt)));
+    if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
+        on->reach = fmax(on->shortest, fmin(0.7 * w, lag_look_length(w, doubt)));
         run->crossings.span = fmin(run->crossings.span, on->reach);
         return 0;
     }
     if (whole && status == LAG_OK) {
-        const double next = next_length(w, doubt);
+        const double next = lag_look_length(w, doubt);
         const int cut = w < (1.0 - CUT) * on->reach;
         on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
         run->crossings.span = fmax(run->crossings.span, w);
     }
     return 1;
+}
+
+/*
+ * The first change in a piece that was looked at with `status`. A change that is undone before another one that was found shows only in looks
+ * at the part before that: values may have their minima between the same looks, and before the first look there is none.
+ */
+static lag_status find_first(lag_run *run, piece *in, lag_status status, double *a, double *b)
+{
+    for (int again = 0; again < AGAIN; ++again) {
+        const lag_status between = look_between(run, in, a, b);
+        status = between == LAG_OK ? status : between;
+        if (status != LAG_EVENT_PENDING || (between == LAG_OK && (in->looks > 1 || again > 0))) {
+            break;
+        }
+        in->b = *b;
+        status = look_at_piece(run, in, a, b);
+        (void)largest_doubt(run, in);
+    }
+    return status;
 }
 
 /* A value that changes within round-off of time behind the end changes at the end. */
@@ -281,8 +229,7 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
         lag_status status = look_at_piece(run, &in, &a, &b);
         const int accepted = (status == LAG_OK || status == LAG_EVENT_PENDING) && accept(run, on, &in, status);
-        const lag_status between = accepted ? look_between(run, &in, &a, &b) : LAG_OK;
-        status = between == LAG_OK ? status : between;
+        status = accepted ? find_first(run, &in, status, &a, &b) : status;
         if (status != LAG_OK && status != LAG_EVENT_PENDING) {
             return status;
         }
@@ -315,7 +262,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
         return LAG_OK;
     }
     on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
-    on.longest = length > 0.0 ? LONGEST * length : (double)INFINITY;
+    on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
     on.reach = fmin(on.reach, on.longest);
     lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
     if (status == LAG_OK) {

@@ -177,13 +177,17 @@ static lag_status find(lag_run *run, double *own, double *other, double *corner)
     return status;
 }
 
-/* One step that ends at a corner, if there is one in it, and what happens then. */
+/*
+ * One step that ends at a corner, if there is one in it, and what happens then. Where corners are near and something else happens first, the step is
+ * done again up to there: its polynomial may not be that of the equations, as it may have led across a corner behind what happens.
+ */
 static lag_status advance_to_corner(lag_run *run, double limit, double *own, double *other)
 {
     lag_stepper *s = &run->stepper;
     lag_half *half = &run->half;
     double corner = (double)INFINITY;
     double end = corner;
+    int at_event = 0;
     *own = *other = (double)INFINITY;
     lag_status status = advance(run, limit);
     half->next = s->h;
@@ -191,15 +195,19 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own, dou
     for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
         status = lag_run_face_corners(run);
         run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
+        const int watched = run->crossings.corners > 0;
         status = status == LAG_OK ? find(run, own, other, &corner) : status;
         const int found = corner < (double)INFINITY;
         const int inside = found && !lag_run_is_at_end(run, corner);
-        half->corner = found || (s->t == end && !(fmin(*own, *other) < (double)INFINITY));
-        if (status != LAG_OK || !inside) {
+        const double event = fmin(*own, *other);
+        const int before = watched && !at_event && !lag_run_is_at_end(run, event) && lag_run_before_corner(run, event) > s->t_before;
+        half->corner = found || (s->t == end && !(event < (double)INFINITY));
+        if (status != LAG_OK || !(inside || before)) {
             return status;
         }
         half->corner = 0;
-        end = lag_run_before_corner(run, corner);
+        at_event = !inside;
+        end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
     }

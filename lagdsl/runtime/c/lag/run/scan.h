@@ -16,6 +16,8 @@
 static const double LAG_SCAN_ULPS = 4.0;
 /* and are one where they differ by so many times that. */
 static const double LAG_SCAN_TOGETHER = 8.0;
+/* A piece is no longer than this part of the experiment. */
+static const double LAG_SCAN_LONGEST = 0.02;
 
 static inline double lag_scan_tolerance(const lag_run *run)
 {

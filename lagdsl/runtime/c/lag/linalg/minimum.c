@@ -1,0 +1,68 @@
+#include "lag/linalg/minimum.h"
+
+#include <math.h>
+
+/* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
+static const double DIFFERENCE = 0.03;
+/* The error of a parabola through three looks, as a part of the third. */
+static const double THIRD = 0.01;
+/* Lengths of pieces change by at most these factors. */
+static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0;
+/* A minimum that is so much nearer to zero than what was seen is looked at. */
+static const double NEARER = 0.3;
+/* So many times its error a minimum may be lower than it seems. */
+static const double LOWER = 2.0;
+/* So far from an end, as a part of the distance to the next look; below this part of the next value something has just happened. */
+static const double BESIDE = 0.25, JUST = 1e-6;
+/* A minimum nearer to the beginning than this part of the distance to the next look is not told from one before it. */
+static const double BEGINNING = 0.01;
+
+double lag_look_error(const double *values, double *parabola)
+{
+    double d[LAG_LOOKS];
+    double third = 0.0;
+    for (int k = 0; k < LAG_LOOKS; ++k) {
+        d[k] = values[k];
+    }
+    for (int order = 1; order < LAG_LOOKS; ++order) {
+        for (int k = LAG_LAST_LOOK; k >= order; --k) {
+            d[k] = (d[k] - d[k - 1]) / (LAG_LOOK_PLACES[k] - LAG_LOOK_PLACES[k - order]);
+        }
+        third = order == LAG_LAST_LOOK - 1 ? fmax(fabs(d[LAG_LAST_LOOK]), fabs(d[LAG_LAST_LOOK - 1])) : third;
+    }
+    *parabola = DIFFERENCE * fabs(d[LAG_LAST_LOOK]) + THIRD * third;
+    return DIFFERENCE * fabs(d[LAG_LAST_LOOK]);
+}
+
+double lag_look_length(double w, double doubt)
+{
+    const double factor = doubt > 0.0 ? SAFETY * pow(LAG_KNOWN_PART / doubt, 0.25) : MOST_FACTOR;
+    return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
+}
+
+int lag_minimum_of(const lag_triple *at, double error, double *u, double *height)
+{
+    const double *v = at->v;
+    const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
+    const double bend = ((v[2] - v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
+    const double vertex = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
+    const int inside = bend > 0.0 && vertex > at->u[0] + BEGINNING * (at->u[1] - at->u[0]) && vertex < at->u[2];
+    const int first = v[0] < v[1] && v[0] < LOWER * error && v[0] > JUST * v[1];
+    const int last = v[2] < v[1] && v[2] < LOWER * error;
+    *u = inside ? vertex
+        : first ? at->u[0] + BESIDE * (at->u[1] - at->u[0])
+                : at->u[2] - BESIDE * (at->u[2] - at->u[1]);
+    *height = v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
+    return inside ? *height < fmax(NEARER * fmax(fmin(v[0], fmin(v[1], v[2])), 0.0), LOWER * error) : first || last;
+}
+
+void lag_minimum_narrow(lag_triple *at, double u, double v)
+{
+    const int before = u < at->u[1];
+    if (v <= at->v[1]) {
+        lag_triple_put(at, before ? 2 : 0, at->u[1], at->v[1]);
+        lag_triple_put(at, 1, u, v);
+    } else {
+        lag_triple_put(at, before ? 0 : 2, u, v);
+    }
+}
