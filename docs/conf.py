@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE / "_extensions")]
+sys.path[:0] = [str(HERE.parent), str(HERE / "_extensions"), str(HERE / "notebooks")]
 
 from sphinx.application import Sphinx  # noqa: E402
 
@@ -24,6 +24,7 @@ extensions = [
     "sphinx_click",
     "mathml_renderer",
     "generated_pages",
+    "notebook_pages",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
 smartquotes = False  # commands can be copied

@@ -32,6 +32,8 @@ _HOMES = {
     "check": "lagdsl.api.check",
     "compile": "lagdsl.api.compile",
     "import_robot": "lagdsl.api.import_robot",
+    "load_ipython_extension": "lagdsl.notebook.extension",
+    "unload_ipython_extension": "lagdsl.notebook.extension",
 }
 
 __all__ = [

@@ -15,6 +15,7 @@ from lagdsl.pipeline import Route, compile_flat, flatten_file, read
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.target import targets
+from lagdsl.source import SourceFile
 
 
 def compile(
@@ -37,6 +38,20 @@ def compile(
     that cannot be fixed so."""
     sink = Sink()
     file = read(source, sink)
+    return compile_file(file, sink, model=model, engine=engine, derivation=derivation, structural=structural, fix=fix)
+
+
+def compile_file(
+    file: SourceFile | None,
+    sink: Sink,
+    *,
+    model: str | None = None,
+    engine: EngineName = "auto",
+    derivation: Route = "graph",
+    structural: Mapping[str, float] | None = None,
+    fix: bool | Iterable[str] | Mapping[str, Value] = False,
+) -> Model:
+    """The model in a text that was read; None stands for one that could not be, which is in `sink`. See `compile`."""
     flat = flatten_file(file, sink, model=model, structural=structural) if file is not None else None
     if flat is not None and fix:
         flat = _with_fixed(flat, fix, sink)

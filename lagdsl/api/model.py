@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.api.small_motions import SmallMotions
+from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 
@@ -159,7 +160,7 @@ class Model(SmallMotions):
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
-                progress=progress,
+                progress=watched(progress, "simulation"),
                 sink=sink,
             )
         except SimulationFailed as failure:
@@ -204,7 +205,7 @@ class Model(SmallMotions):
             solver=solver,
             columns=columns,
             threads=threads,
-            progress=progress,
+            progress=watched(progress, "simulations"),
         )
 
     def sweep(
@@ -253,7 +254,7 @@ class Model(SmallMotions):
             resume=resume,
             jobs=jobs,
             scheduler=scheduler,
-            progress=progress,
+            progress=watched(progress, "sweep"),
         )
 
     # ---- other tools -------------------------------------------------------------------------------------------------
@@ -307,5 +308,5 @@ class Model(SmallMotions):
             attribution=Attribution(author=author, license=license, version=model_version),
             engine=self._engine.name,
             sink=sink,
-            progress=progress,
+            progress=watched(progress, "FMU"),
         )

@@ -113,6 +113,7 @@ def contexts() -> dict[str, tuple[Rule, ...]]:
         ),
         "equation": (Include("operands"),),
         ROOT: (
+            Match(r"^%%lag[^\n]*", (Kind.COMMENT,)),  # the first line of a cell of a notebook
             Include("texts"),
             Region(_word(header[0]), (Kind.KEYWORD,), _word(header[1]), Kind.KEYWORD, "equation"),
             Region(_word(["end"]), (Kind.KEYWORD,), ";", Kind.MARK, "equation"),

@@ -159,12 +159,14 @@ class Trajectory:
         )
 
     def to_dataframe(self) -> pd.DataFrame:
-        """All columns as a pandas DataFrame; needs the extra `table`."""
+        """All columns as a pandas DataFrame; `attrs["units"]` has the SI unit of each. Needs the extra `table`."""
         try:
             import pandas as pd
         except ModuleNotFoundError as missing:
             raise ModuleNotFoundError(f"data frames need pandas: pip install pandas ({missing})") from missing
-        return pd.DataFrame({column.name: column.values for column in self.columns})
+        frame = pd.DataFrame({column.name: column.values for column in self.columns})
+        frame.attrs = {"model": self.model, "units": {column.name: column.unit for column in self.columns}}
+        return frame
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:
         """Times at which a column passes `level`; `direction` 1 rising, -1 falling, 0 both.

@@ -9,9 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, ImmutableDenseMatrix, Symbol
+from sympy import Add, Expr, ImmutableDenseMatrix, Symbol, latex, simplify
 
 from lagdsl.textbook.symbols import Symbols
+
+_LONGEST = 4000  # characters of all rows
+_MOST_OPERATIONS = 100  # of the terms of a row that are simplified
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,7 +36,7 @@ class MonitoredValue:
     terms: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class EquationsOfMotion:
     """nq coordinates, nc constraint rows, nz states, ny outputs. Matrices are SymPy's, columns are (n, 1).
 
@@ -74,6 +77,13 @@ class EquationsOfMotion:
         """Their rates."""
         return self.symbols.qd
 
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name}: {', '.join(q.name for q in self.q)}>"
+
+    def _repr_latex_(self) -> str | None:
+        """A row for each coordinate, then one for each constraint; None where they are too long to be read."""
+        return _in_latex(self.symbols, self.mass_matrix, self.forcing, self.constraint_jacobian, self.gamma)
+
     @property
     def kinetic_energy(self) -> Expr:
         return self.energies.kinetic
@@ -81,3 +91,47 @@ class EquationsOfMotion:
     @property
     def potential_energy(self) -> Expr:
         return self.energies.potential
+
+
+def _in_latex(
+    symbols: Symbols,
+    mass_matrix: ImmutableDenseMatrix,
+    forcing: ImmutableDenseMatrix,
+    jacobian: ImmutableDenseMatrix,
+    gamma: ImmutableDenseMatrix,
+) -> str | None:
+    """M qdd - J' lam = f and J qdd = gamma, row by row; None where that is too long."""
+    matrices = (mass_matrix, forcing, jacobian, gamma)
+    if sum(int(entry.count_ops()) for matrix in matrices for entry in matrix) > _LONGEST:
+        return None
+    names = _names(symbols)
+    rows = [(_row(mass_matrix, i, symbols.qdd), force) for i, force in enumerate(forcing)]
+    if symbols.lam:
+        transposed = jacobian.T
+        rows = [(left - _row(transposed, i, symbols.lam), right) for i, (left, right) in enumerate(rows)]
+        rows += [(_row(jacobian, i, symbols.qdd), right) for i, right in enumerate(gamma)]
+    mark = " &= " if len(rows) > 1 else " = "
+    lines = [mark.join(latex(_short(side), symbol_names=names) for side in row) for row in rows]
+    text = " \\\\\n".join(lines)
+    if len(rows) > 1:
+        text = f"\\begin{{aligned}}\n{text}\n\\end{{aligned}}"
+    return f"$\\displaystyle {text}$" if rows and len(text) <= _LONGEST else None
+
+
+def _row(matrix: ImmutableDenseMatrix, number: int, column: tuple[Symbol, ...]) -> Expr:
+    return Add(*(matrix[number, j] * entry for j, entry in enumerate(column)))
+
+
+def _short(expression: Expr) -> Expr:
+    return simplify(expression) if expression.count_ops() <= _MOST_OPERATIONS else expression
+
+
+def _names(symbols: Symbols) -> dict[Symbol, str]:
+    """Dots for rates and accelerations, lambda for multipliers."""
+    found: dict[Symbol, str] = {}
+    for q, qd, qdd in zip(symbols.q, symbols.qd, symbols.qdd, strict=True):
+        name = latex(Symbol(q.name.replace(".", "_")))
+        found |= {q: name, qd: rf"\dot{{{name}}}", qdd: rf"\ddot{{{name}}}"}
+    for number, multiplier in enumerate(symbols.lam, 1):
+        found[multiplier] = rf"\lambda_{{{number}}}" if len(symbols.lam) > 1 else r"\lambda"
+    return found

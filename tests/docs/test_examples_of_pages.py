@@ -29,7 +29,7 @@ def pages() -> list[str]:
     """Pages that a person wrote: those of diagnostics have their own test, decisions speak of their time."""
     folder = ROOT / "docs"
     names = [path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*.md"))]
-    generated = ("diagnostics/", "adr/", "reference/components/")
+    generated = ("notebooks/", "diagnostics/", "adr/", "reference/components/")
     return [name for name in names if not name.startswith(generated) and name not in ELSEWHERE]
 
 

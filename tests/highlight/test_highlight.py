@@ -81,6 +81,16 @@ def test_texts_are_read_by_the_parser() -> None:
     assert len(TEXTS) > 700
 
 
+def test_the_first_line_of_a_cell_changes_no_colour() -> None:
+    """`%%lag pendulum` is no part of the model: what follows is coloured as without it."""
+    line = "%%lag pendulum\n"
+    for colour in (by_pygments, ENGINE.kinds):
+        kinds = colour(line + TRAPS[0])
+        expected = as_the_parser_reads(TRAPS[0])
+        assert expected is not None
+        assert difference(TRAPS[0], expected, kinds[len(line) :]) is None
+
+
 def test_a_wrong_colour_is_found() -> None:
     """The comparison fails where one character has another kind."""
     text = TRAPS[0]
