@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.api.names import Given, Value, entries, known
+from lagdsl.api.names import Given, Value, entries, known, numbers
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from lagdsl.program.program import Slot
 
 Floats = NDArray[np.float64]
+_WORDS = {"p": "parameter", "u": "input", "q": "coordinate", "z": "state", "qd": "coordinate"}
 
 
 class Described(Interface):
@@ -91,6 +92,27 @@ class Described(Interface):
             if parameter.name in chosen:
                 require_value(parameter, chosen[parameter.name])
         return np.array(list({**values, **chosen}.values()), dtype=np.float64)
+
+    def _numbers(self, name: str, given: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Values by name in SI units, where texts such as `2 N` are among them. Raises UnknownName."""
+        targets = self._targets_of(name)
+        return given if targets is None else numbers(_WORDS[name], given, targets)
+
+    def _targets_of(self, name: str) -> dict[str, Target] | None:
+        """By the names of entries of an argument; None for those that take numbers only."""
+        match name:
+            case "p":
+                return self._named("parameter")
+            case "u":
+                return self._named("input")
+            case "q" | "z":
+                starts = self._named("start")
+                return {each: starts[each] for each in self._names[name]}
+            case "qd":
+                starts = self._named("start")
+                return {each: starts[f"der({each})"] for each in self._names[name]}
+            case _:
+                return None
 
     def _start_values(self, given: Mapping[str, Value] | None) -> dict[str, float]:
         return known("start value", given, self._named("start"))

@@ -14,7 +14,7 @@ from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.watch import watched
-from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
 
 if TYPE_CHECKING:
@@ -52,6 +52,7 @@ class Model(SmallMotions):
             engine.jacobian_many,
             motion_sizes(program),
             program.layout.defaults,
+            argument_names(program),
         )
         self._compilation = compilation
         self._engine = engine

@@ -50,6 +50,20 @@ def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> I
     return zip(keys, single, strict=True)
 
 
+def numbers(what: str, given: Mapping[str, Any], targets: Mapping[str, Target]) -> dict[str, Any]:
+    """`given` with texts as numbers in SI units, arrays of any shape. Raises UnknownName, and ValueError for a text
+    without the right unit."""
+    return {name: _array_of(value, targets[keys_of(what, name, targets)[0]]) for name, value in given.items()}
+
+
+def _array_of(value: Any, target: Target) -> Any:
+    array = np.asarray(value)
+    if array.dtype.kind in "biuf":
+        return array
+    single = [number(target, each) for each in np.asarray(value, dtype=object).ravel().tolist()]
+    return np.reshape(single, array.shape)
+
+
 def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
     """The names of the model that `name` stands for. Raises UnknownName."""
     base = name.removesuffix(".start") if isinstance(name, str) else name

@@ -80,7 +80,7 @@ class Functions:
         """Results of a function of the table. Raises ValueError for an argument of a wrong length."""
         body, signature, results = self._rows[name]
         given = [_array(name, label, length, x) for (label, length), x in zip(signature, arguments, strict=True)]
-        values = body(Elementary, *given)
+        values = body(Elementary, *(x if x.ndim == 0 else jnp.unstack(x) for x in given))
         blocks, first = [], 0
         for _, shape in results:
             size = 1

@@ -22,6 +22,7 @@ _SUPPORT = (
     "motion",
     "derivatives",
     "kinematics",
+    "names",
     "interface",
 )
 _PUBLIC = (
@@ -31,6 +32,7 @@ _PUBLIC = (
     "constraint_jacobian",
     "multipliers",
     "output",
+    "named_outputs",
     "energy",
     "state_jacobian",
     "input_jacobian",
@@ -45,6 +47,20 @@ _BY_NAME = {
 }
 _FOLDER = Path(__file__).parent / "support"
 _DROPPED = ("Floats = ", "Flags = ", "Evaluate = ", "Kinematics = ")
+_NAMES = """# Names of the entries of arguments and of y
+NAMES = {
+    label: [name for name, _ in table]
+    for labels, table in (
+        (("q", "qd", "qdd"), COORDINATES),
+        (("z",), STATES),
+        (("u",), INPUTS),
+        (("w",), DISCRETES),
+        (("p",), PARAMETERS),
+        (("y",), OUTPUTS),
+    )
+    for label in labels
+}
+"""
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
 
@@ -68,16 +84,17 @@ def module(program: Program) -> str:
     """The text of the module."""
     parts = [
         _INTRODUCTION,
-        "from collections.abc import Callable, Mapping, Sequence\n",
+        "import re\nfrom collections.abc import Callable, Mapping, Sequence\nfrom typing import Any\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
+        _NAMES,
         "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n"
         "Kinematics = Evaluate\n",
         *(support(_FOLDER / f"{name}.py", _DROPPED) for name in _SUPPORT),
         *bodies(program),
         _functions(program),
         f"evaluate = Functions(FUNCTIONS)\n_interface = interface_over(evaluate, {sizes_text(program)}, "
-        "DEFAULTS, FRAMES, POINTS)",
+        "DEFAULTS, NAMES, FRAMES, POINTS)",
         *(f"{name} = _interface.{name}" for name in (*_PUBLIC, *_told(program))),
         "",
     ]

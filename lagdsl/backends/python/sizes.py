@@ -1,9 +1,23 @@
-"""Lengths of the arrays of a program, as the functions in NumPy take them."""
+"""Lengths and names of the arrays of a program, as the functions in NumPy take them."""
 
 from __future__ import annotations
 
 from lagdsl.backends.python.support.motion import Sizes
 from lagdsl.program.program import Program
+
+
+def argument_names(program: Program) -> dict[str, list[str]]:
+    """Names of the entries of arguments and of y."""
+    layout = program.layout
+    slots = {
+        **dict.fromkeys(("q", "qd", "qdd"), layout.coordinates),
+        "z": layout.states,
+        "u": layout.inputs,
+        "w": layout.discretes,
+        "p": layout.parameters,
+        "y": layout.outputs,
+    }
+    return {label: [slot.name for slot in found] for label, found in slots.items()}
 
 
 def motion_sizes(program: Program) -> Sizes:

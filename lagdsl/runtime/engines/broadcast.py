@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.program.program import Program
 from lagdsl.record import record
@@ -39,7 +39,12 @@ class BatchEngine(Engine, Protocol):
 def interface(program: Program, engine: BatchEngine) -> Interface:
     """The functions users call, computed by `engine`."""
     return Interface(
-        engine.evaluate_many, engine.solve_many, engine.jacobian_many, motion_sizes(program), program.layout.defaults
+        engine.evaluate_many,
+        engine.solve_many,
+        engine.jacobian_many,
+        motion_sizes(program),
+        program.layout.defaults,
+        argument_names(program),
     )
 
 

@@ -1,6 +1,7 @@
 """The functions that users call."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -8,9 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, frame_of, point_of
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
+from lagdsl.backends.python.support.names import arrays_of, with_entries
 
 Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
+# A vector in the order of its names, or some of its entries by name.
+Entries = ArrayLike | Mapping[str, Any]
 
 
 class Interface:
@@ -18,8 +22,10 @@ class Interface:
 
     These are the states z (..., nz), inputs u (..., nu), discretes w (..., nw) and parameters p (..., np); left out,
     they have the initial values and defaults of the model, or zeros. All arguments broadcast over their leading axes.
-    Entries stand in the order of the tables of names, in the SI units told there. Raises ValueError for an array of a
-    wrong length and SingularSystem (an ArithmeticError) where the accelerations are not determined.
+    Entries stand in the order of the tables of names, in the SI units told there. Or they are given by name, an array
+    by its own: `u={"tau": [1.0, 2.0]}`; q and qd then need all coordinates. Raises ValueError for an array of a wrong
+    length and for unknown or missing names, SingularSystem (an ArithmeticError) where the accelerations are not
+    determined.
     """
 
     def __init__(
@@ -29,9 +35,11 @@ class Interface:
         differentiate: Evaluate,
         sizes: Sizes,
         defaults: Sequence[float],
+        names: Mapping[str, Sequence[str]],
         frames: tuple[str, ...] = (),
         points: tuple[str, ...] = (),
     ) -> None:
+        self._names = names
         self._frames, self._points = frames, points
         self._evaluate = evaluate
         self._solve = solve
@@ -42,12 +50,12 @@ class Interface:
     def forward_dynamics(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """Accelerations qdd, shape (..., nq), without any stabilization of constraints."""
         return self._solve(*self._state(t, q, qd, z, u, w, p))[0]
@@ -55,12 +63,12 @@ class Interface:
     def multipliers(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """Multipliers lam of all declared rows in M qdd - J'lam = f, shape (..., nc), of least norm."""
         return self._solve(*self._state(t, q, qd, z, u, w, p))[1]
@@ -68,44 +76,42 @@ class Interface:
     def inverse_dynamics(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
+        q: Entries,
+        qd: Entries,
         qdd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """M qdd - f, shape (..., nq): the generalized forces that are missing to produce qdd."""
         state = self._state(t, q, qd, z, u, w, p)
-        return self._evaluate("inverse_dynamics", *state, _vector("qdd", qdd, self._sizes.q))[0]
+        return self._evaluate("inverse_dynamics", *state, self._vector("qdd", qdd, None))[0]
 
-    def mass_matrix(
-        self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, p: ArrayLike | None = None
-    ) -> Floats:
+    def mass_matrix(self, t: ArrayLike, q: Entries, qd: Entries | None = None, p: Entries | None = None) -> Floats:
         """M, shape (..., nq, nq); it depends on qd (default 0) only for Lagrangians not quadratic in the rates."""
         return self._evaluate("mass_matrix", *self._state(t, q, qd, None, None, None, p))[0]
 
-    def coriolis_matrix(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, p: ArrayLike | None = None) -> Floats:
+    def coriolis_matrix(self, t: ArrayLike, q: Entries, qd: Entries, p: Entries | None = None) -> Floats:
         """C by Christoffel's symbols, shape (..., nq, nq): C qd are the Coriolis and centrifugal forces.
 
         dM/dt - 2 C is skew where M depends on q and p alone.
         """
         return self._evaluate("equation_terms", *self._state(t, q, qd, None, None, None, p))[0]
 
-    def gravity_forces(self, t: ArrayLike, q: ArrayLike, p: ArrayLike | None = None) -> Floats:
+    def gravity_forces(self, t: ArrayLike, q: Entries, p: Entries | None = None) -> Floats:
         """g = dV/dq, shape (..., nq), of weights and of all other potentials, such as springs."""
         return self._evaluate("equation_terms", *self._state(t, q, None, None, None, None, p))[1]
 
     def bias_forces(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """d/dt(dL/dqd) - dL/dq at qdd = 0, shape (..., nq): C qd + g, and what prescribed motion adds. Loads, damping
         and reactions are no part of it; `inverse_dynamics` at qdd = 0 is this less the loads."""
@@ -114,55 +120,68 @@ class Interface:
     def regressor(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
+        q: Entries,
+        qd: Entries,
         qdd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """Y, shape (..., nq, n): with the n `inertial_parameters` pi, Y pi = M qdd + bias of masses and bodies."""
         state = self._state(t, q, qd, z, u, w, p)
-        return self._evaluate("regressor", *state, _vector("qdd", qdd, self._sizes.q))[0]
+        return self._evaluate("regressor", *state, self._vector("qdd", qdd, None))[0]
 
-    def inertial_parameters(self, p: ArrayLike | None = None) -> Floats:
+    def inertial_parameters(self, p: Entries | None = None) -> Floats:
         """pi, shape (..., n): of each body mass, first moments and inertia about the origin of its frame, of each
         mass its mass."""
         zeros = np.zeros(self._sizes.q)
         return self._evaluate("regressor", *self._state(0.0, zeros, None, None, None, None, p), zeros)[1]
 
-    def constraint_jacobian(self, t: ArrayLike, q: ArrayLike, p: ArrayLike | None = None) -> Floats:
+    def constraint_jacobian(self, t: ArrayLike, q: Entries, p: Entries | None = None) -> Floats:
         """J, shape (..., nc, nq), all declared rows in source order."""
         return self._evaluate("velocity_constraint", *self._state(t, q, None, None, None, None, p))[1]
 
     def output(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """Outputs y, shape (..., ny)."""
         state = self._state(t, q, qd, z, u, w, p)
         return self._evaluate("output", *state, *self._solve(*state))[0]
 
-    def energy(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, p: ArrayLike | None = None) -> Floats:
+    def named_outputs(
+        self,
+        t: ArrayLike,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
+    ) -> dict[str, Floats]:
+        """Outputs by name: shape (...) of a scalar, (..., n) of an array of n elements."""
+        return arrays_of(self._names["y"], self.output(t, q, qd, z, u, w, p))
+
+    def energy(self, t: ArrayLike, q: Entries, qd: Entries, p: Entries | None = None) -> Floats:
         """T + V and, for each `lagrangian` term Lx, qd . dLx/dqd - Lx, in J, shape (...)."""
         return self._evaluate("energies", *self._state(t, q, qd, None, None, None, p))[0]
 
     def state_jacobian(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), exact."""
         return self._differentiate("state", *self._state(t, q, qd, z, u, w, p))[0]
@@ -170,12 +189,12 @@ class Interface:
     def input_jacobian(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/du, shape (..., 2 nq + nz, nu), exact."""
         return self._differentiate("input", *self._state(t, q, qd, z, u, w, p))[0]
@@ -183,12 +202,12 @@ class Interface:
     def parameter_jacobian(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/dp, shape (..., 2 nq + nz, np), exact; q, qd and z are held where they are."""
         return self._differentiate("parameter", *self._state(t, q, qd, z, u, w, p))[0]
@@ -196,12 +215,12 @@ class Interface:
     def output_jacobian(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
         *,
         by: str = "state",
     ) -> Floats:
@@ -226,50 +245,69 @@ class Interface:
     def _kinematics(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike | None,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries | None,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
     ) -> tuple[Floats, ...]:
         return self._evaluate("kinematics", *self._state(t, q, qd, z, u, w, p))
 
     def _state(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike | None,
-        z: ArrayLike | None,
-        u: ArrayLike | None,
-        w: ArrayLike | None,
-        p: ArrayLike | None,
+        q: Entries,
+        qd: Entries | None,
+        z: Entries | None,
+        u: Entries | None,
+        w: Entries | None,
+        p: Entries | None,
     ) -> tuple[Floats, ...]:
         sizes = self._sizes
-        time = _time(t, np.shape(q), sizes.q)
-        parameters = self._defaults if p is None else _vector("p", p, sizes.p)
-        if (z is None and sizes.z) or (u is None and sizes.u):
+        coordinates = self._vector("q", q, None)
+        time = _time(t, coordinates.shape, sizes.q)
+        parameters = self._defaults if p is None else self._vector("p", p, self._defaults)
+        if (_is_partial(z) and sizes.z) or (_is_partial(u) and sizes.u):
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
         else:
             initial_states, default_inputs = np.zeros(sizes.z), np.zeros(sizes.u)
         state = (
             time,
-            _vector("q", q, sizes.q),
-            np.zeros(sizes.q) if qd is None else _vector("qd", qd, sizes.q),
-            initial_states if z is None else _vector("z", z, sizes.z),
-            default_inputs if u is None else _vector("u", u, sizes.u),
+            coordinates,
+            np.zeros(sizes.q) if qd is None else self._vector("qd", qd, None),
+            initial_states if z is None else self._vector("z", z, initial_states),
+            default_inputs if u is None else self._vector("u", u, default_inputs),
         )
-        if w is not None or not sizes.w:
-            return (*state, np.zeros(0) if w is None else _vector("w", w, sizes.w), parameters)
-        started = self._evaluate("discrete_start", time, parameters)[0]
-        solved = self._solve(*state, started, parameters)
-        return (*state, self._evaluate("standing", *state, started, parameters, *solved)[0], parameters)
+        if not sizes.w or not _is_partial(w):
+            return (*state, np.zeros(0) if w is None else self._vector("w", w, None), parameters)
+        standing = self._standing(*state, parameters)
+        return (*state, standing if w is None else self._vector("w", w, standing), parameters)
+
+    def _standing(self, *state: Floats) -> Floats:
+        """w as relations stand at t, q, qd, z, u, p."""
+        *before, parameters = state
+        started = self._evaluate("discrete_start", before[0], parameters)[0]
+        solved = self._solve(*before, started, parameters)
+        return self._evaluate("standing", *before, started, parameters, *solved)[0]
+
+    def _vector(self, name: str, given: Entries, others: Floats | None) -> Floats:
+        """Entries by name, or all of them; those that are left out by name are those of `others`."""
+        names = self._names[name]
+        if isinstance(given, Mapping):
+            return with_entries(name, names, self._numbers(name, given), others)
+        return _vector(name, given, len(names))
+
+    def _numbers(self, name: str, given: Mapping[str, Any]) -> Mapping[str, ArrayLike]:
+        """Values by name in SI units."""
+        return given
 
 
 def interface_over(
     evaluate: Evaluate,
     sizes: Sizes,
     defaults: Sequence[float],
+    names: Mapping[str, Sequence[str]],
     frames: tuple[str, ...] = (),
     points: tuple[str, ...] = (),
 ) -> Interface:
@@ -281,6 +319,7 @@ def interface_over(
         lambda by, *state: differentiate_motion(evaluate, sizes, by, *state),
         sizes,
         defaults,
+        names,
         frames,
         points,
     )
@@ -295,6 +334,11 @@ def _time(t: ArrayLike, shape: tuple[int, ...], count: int) -> Floats:
             f"{count} times give q the shape (1, {count})"
         )
     return time
+
+
+def _is_partial(given: Entries | None) -> bool:
+    """True if entries may be left out."""
+    return given is None or isinstance(given, Mapping)
 
 
 def _vector(name: str, value: ArrayLike, length: int) -> Floats:
