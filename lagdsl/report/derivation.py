@@ -28,6 +28,7 @@ from lagdsl.report.sections.left_side import (
 )
 from lagdsl.report.sections.results import abbreviations, conserved, constraints, equations, outputs, states
 from lagdsl.report.sections.small_motions import accelerations, small_motions
+from lagdsl.report.sections.system import system
 from lagdsl.report.typeset import Typesetter
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.reading import STANDARD_GRAVITY
@@ -63,16 +64,18 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
 
 def render(recipe: Recipe, to: Format, *, units: bool = False) -> str:
     """The report as text of the format, ending with a newline; with the units of symbols and equations if asked for."""
-    return FORMATS[to](document(recipe, units=units))
+    return FORMATS[to](document(recipe, units=units, drawn=to != "text"))
 
 
-def document(recipe: Recipe, *, units: bool = False) -> Document:
+def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Document:
+    """`drawn`: with the drawing of the system."""
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
         blocks = outline(recipe.familiar, recipe.extent)
     else:
         page = _page(recipe.familiar, derivation, units)
         blocks = filled([block for section in _SECTIONS for block in section(page)])
+        blocks = (*system(page), *blocks) if drawn else blocks
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
 
 

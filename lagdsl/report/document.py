@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from lagdsl.report.boxes import Box
+from lagdsl.report.marks import Figure
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +76,15 @@ class Bullets:
     items: tuple[Inline, ...]
 
 
-Block: TypeAlias = Heading | Paragraph | Equations | Table | Bullets
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """A figure with its legend; formats of text alone leave it out."""
+
+    figure: Figure
+    legend: Inline
+
+
+Block: TypeAlias = Heading | Paragraph | Equations | Table | Bullets | Drawing
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from lagdsl.report.document import (
     Block,
     Bullets,
     Document,
+    Drawing,
     Equation,
     Equations,
     Heading,
@@ -21,6 +22,7 @@ from lagdsl.report.document import (
     Table,
     inline,
 )
+from lagdsl.report.figure.svg import svg
 from lagdsl.report.html_style import STYLE
 from lagdsl.report.mathml import element, mathml
 from lagdsl.report.unicode_math import line as unicode_line
@@ -89,6 +91,8 @@ def _block(block: Block, width: int) -> str:
             return _table(header, rows)
         case Bullets(items):
             return "<ul>" + "".join(f"<li>{_inline(item)}</li>" for item in items) + "</ul>"
+        case Drawing(figure, legend):
+            return f"<figure>{svg(figure)}<figcaption>{_inline(legend)}</figcaption></figure>"
         case _:
             assert_never(block)
 

@@ -34,6 +34,8 @@ math { font-size: 1.05em;
 .aligned > mtr > mtd { padding: 0.34em 0.1em; }
 .aligned > mtr > mtd.left { text-align: right; }
 .aligned > mtr > mtd.right { text-align: left; }
+figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; }
+figcaption { color: var(--soft); font-size: 0.92em; }
 .dot { font-size: 140%; }
 mi.word { font-style: italic; }
 .cases > mtr > mtd { text-align: left; }
@@ -44,5 +46,5 @@ mi.word { font-style: italic; }
 @media print { body { font-size: 11pt; background: #fff; color: #000; } main { max-width: none; padding: 0; }
   .equations, .scroll { overflow: visible; }
   .equations math { font-size: min(0.82em, calc(84em / var(--letters, 92))); }
-  .aligned > mtr, tr { break-inside: avoid; } h2 { break-after: avoid; } }
+  .aligned > mtr, tr { break-inside: avoid; } h2 { break-after: avoid; } figure { break-inside: avoid; } }
 """

@@ -9,6 +9,7 @@ from lagdsl.report.document import (
     Block,
     Bullets,
     Document,
+    Drawing,
     Equations,
     Heading,
     Inline,
@@ -16,6 +17,7 @@ from lagdsl.report.document import (
     Table,
     inline,
 )
+from lagdsl.report.figure.tikz import DEFINITIONS, tikz
 from lagdsl.report.latex_math import escape, tex
 from lagdsl.report.markdown import aligned
 from lagdsl.report.unicode_math import line
@@ -38,6 +40,7 @@ _HEAD = r"""\documentclass[11pt,a4paper]{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.6em}
 """
+_FIGURES = f"\\usepackage{{tikz}}\n{DEFINITIONS}\n"
 
 
 def latex(document: Document) -> str:
@@ -45,7 +48,16 @@ def latex(document: Document) -> str:
     title = rf"\title{{{escape(document.title)}{subtitle}}}"
     body = "\n\n".join(_block(block) for block in document.blocks)
     return "\n".join(
-        [_HEAD + title, r"\author{}", r"\date{}", r"\begin{document}", r"\maketitle", body, r"\end{document}", ""]
+        [
+            _HEAD + (_FIGURES if any(isinstance(b, Drawing) for b in document.blocks) else "") + title,
+            r"\author{}",
+            r"\date{}",
+            r"\begin{document}",
+            r"\maketitle",
+            body,
+            r"\end{document}",
+            "",
+        ]
     )
 
 
@@ -62,6 +74,8 @@ def _block(block: Block) -> str:
             return _table(header, rows)
         case Bullets(items):
             return "\n".join([r"\begin{itemize}", *(rf"\item {_inline(item)}" for item in items), r"\end{itemize}"])
+        case Drawing(figure, legend):
+            return f"{tikz(figure)}\n\n{_inline(legend)}"
         case _:
             assert_never(block)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from collections.abc import Callable
 from html import escape
 from typing import assert_never
@@ -13,6 +14,7 @@ from lagdsl.report.document import (
     Block,
     Bullets,
     Document,
+    Drawing,
     Equation,
     Equations,
     Heading,
@@ -21,6 +23,7 @@ from lagdsl.report.document import (
     Table,
     inline,
 )
+from lagdsl.report.figure.svg import svg
 from lagdsl.report.latex_math import tex
 from lagdsl.report.unicode_math import line
 
@@ -50,6 +53,9 @@ def _block(block: Block) -> str:
             return "\n".join(f"| {row} |" for row in [*head, *body])
         case Bullets(items):
             return "\n".join(f"- {_inline(item)}" for item in items)
+        case Drawing(figure, legend):
+            image = b64encode(svg(figure, alone=True).encode()).decode()
+            return f"![{_escape(figure.words)}](data:image/svg+xml;base64,{image})\n\n{_inline(legend)}"
         case _:
             assert_never(block)
 

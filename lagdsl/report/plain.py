@@ -11,6 +11,7 @@ from lagdsl.report.document import (
     Block,
     Bullets,
     Document,
+    Drawing,
     Equation,
     Equations,
     Heading,
@@ -51,6 +52,8 @@ def _block(block: Block) -> str:
                 )
                 for item in items
             )
+        case Drawing():
+            return ""
         case _:
             assert_never(block)
 

@@ -1,0 +1,1 @@
+"""The drawing of the system in a derivation: its parts, coordinates, loads and admissible motions where it starts."""
