@@ -36,7 +36,8 @@ _SPECIAL = {
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
     "|": r"\textbar{}", '"': r"\textquotedbl{}", "`": r"\textasciigrave{}", "'": "'",
     "·": r"\ensuremath{\cdot}", "−": r"\ensuremath{-}", "–": "--", "—": "---", "°": r"\ensuremath{^\circ}",
-    "×": r"\ensuremath{\times}", "∂": r"\ensuremath{\partial}", "≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "∞": r"\ensuremath{\infty}",
+    "×": r"\ensuremath{\times}",
+    "∂": r"\ensuremath{\partial}", "≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "∞": r"\ensuremath{\infty}",
     "½": r"\ensuremath{\tfrac12}", "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "…": r"\dots{}",
     "“": "``", "”": "''", "‘": "`", "’": "'", "ω": r"\ensuremath{\omega}",
 }  # fmt: skip
