@@ -272,6 +272,7 @@ class Model(SmallMotions):
         outputs: Sequence[str] = (),
         hide: Sequence[str] = (),
         scalar: bool = False,
+        clocks: bool = False,
         author: str | None = None,
         license: str | None = None,
         model_version: str | None = None,
@@ -284,10 +285,10 @@ class Model(SmallMotions):
         `platforms` are those that binaries are made for, `linux-x86_64`, `windows-x86_64`...; default: this machine's.
         `parameters` and `start`, by name in SI units, become the defaults of the FMU. `outputs` are variables that
         become outputs, `hide` those that it does not show; `*` and `?` stand for any text and any character. With
-        `scalar` entries of arrays are variables of their own in FMI 3, too. `author`, `license` and `model_version`
-        stand in its description. `with_source` puts the text of the model into it. Notes go to `sink`. Raises
-        CompilationFailed where there is no FMU of this model or it cannot be made here, OSError where `path` cannot be
-        written, KeyError and ValueError for arguments that do not fit.
+        `scalar` entries of arrays are variables of their own in FMI 3, too; with `clocks` FMI 3 tells of its clocks.
+        `author`, `license` and `model_version` stand in its description. `with_source` puts the text of the model into
+        it. Notes go to `sink`. Raises CompilationFailed where there is no FMU of this model or it cannot be made here,
+        OSError where `path` cannot be written, KeyError and ValueError for arguments that do not fit.
         """
         from lagdsl.api.fmu import export_fmu
         from lagdsl.fmi.description.description import Attribution
@@ -305,7 +306,7 @@ class Model(SmallMotions):
             parameters=chosen,
             start=starts,
             source=source,
-            ports=Ports(outputs=tuple(outputs), hidden=tuple(hide), scalar=scalar),
+            ports=Ports(outputs=tuple(outputs), hidden=tuple(hide), scalar=scalar, clocks=clocks),
             attribution=Attribution(author=author, license=license, version=model_version),
             engine=self._engine.name,
             sink=sink,

@@ -20,6 +20,7 @@ from fmpy.model_description import ModelDescription, ScalarVariable, read_model_
 from models.corpus import MODELS, compiled
 
 from lagdsl.fmi.export import export
+from lagdsl.fmi.variables.ports import Ports
 
 VERSIONS = (2, 3)
 # One of each kind, where all of models/ would take too long.
@@ -98,9 +99,11 @@ def place() -> Path:
 
 
 @cache
-def exported(name: str, version: int, platforms: tuple[str, ...] = ()) -> Exported:
-    folder = place() / "-".join((name.replace("/", "-"), str(version), *platforms))
+def exported(name: str, version: int, platforms: tuple[str, ...] = (), *, scalar: bool = False) -> Exported:
+    """`scalar`: entries of arrays are variables of their own in FMI 3, too."""
+    folder = place() / "-".join((name.replace("/", "-"), str(version), *platforms, *["scalar"] * scalar))
     path = folder.with_suffix(".fmu")
-    export(compiled(name).compilation, path, version=version, platforms=platforms, documented=False)
+    ports = Ports(scalar=scalar)
+    export(compiled(name).compilation, path, version=version, platforms=platforms, documented=False, ports=ports)
     fmpy.extract(str(path), str(folder))
     return Exported(path, folder)

@@ -40,6 +40,7 @@ NAMES = (
     "clutch",
     "van_der_pol",
     "library/parts_with_play",
+    "servo_drive",
 )
 MODELS = pytest.mark.parametrize("name", NAMES)
 SMOOTH = (
@@ -50,6 +51,7 @@ SMOOTH = (
     "cart_double_pendulum",
     "chain",
     "van_der_pol",
+    "servo_drive",
 )
 ROWS = 50
 
@@ -85,7 +87,7 @@ def ask(client: str, package: str, scratch: Path, **request: Any) -> dict[str, A
 
 
 def scalars(fmu: Exported, name: str) -> list[str]:
-    """Real signals that are variables of their own: these importers know no arrays."""
+    """Real signals that are variables of their own: some of these importers know no arrays."""
     found = [signal for signal in signals(motion(name)) if signal in fmu.variables]
     return [signal for signal in found if fmu.variables[signal].type in ("Real", "Float64")]
 
@@ -119,10 +121,8 @@ def test_libcosim(name: str, tmp_path: Path) -> None:
 @MODELS
 @BOTH
 def test_ecos(name: str, version: int, tmp_path: Path) -> None:
-    fmu = exported(name, version)
+    fmu = exported(name, version, scalar=version == 3)
     names = scalars(fmu, name)
-    if not names:
-        pytest.skip("nothing but arrays, which Ecos does not read")
     told = ask("ecos", "ecospy", tmp_path, fmu=str(fmu.path), variables=names, step=step_of(name), count=ROWS)
     error = assert_close(name, told["time"], dict(zip(names, np.array(told["rows"]).T, strict=True)))
     record(importer="ecospy", version=told["version"], fmi=version, kind="cs", model=name, error=error)
@@ -132,20 +132,17 @@ def test_ecos(name: str, version: int, tmp_path: Path) -> None:
 @BOTH
 def test_casadi(name: str, version: int, tmp_path: Path) -> None:
     """Right-hand sides, the Jacobian that CasADi assembles from few directions by the pattern, and a motion."""
-    fmu = exported(name, version)
-    if version == 3 and any(v.shape for v in fmu.variables.values()):
-        pytest.skip("CasADi does not read arrays of FMI 3")
+    fmu = exported(name, version, scalar=version == 3)
     states = [item.variable.derivative.name for item in fmu.description.derivatives]
     rates = [item.variable.name for item in fmu.description.derivatives]
-    inputs = [v.name for v in fmu.variables.values() if v.causality == "input"]
+    given = [v for v in fmu.variables.values() if v.causality == "input" and v.variability == "continuous"]
+    inputs, values = [v.name for v in given], [float(v.start) for v in given]
     random = np.random.default_rng(1)
     with exchanged(fmu) as one:
         one.initialize()
         one.update()
         start = one.states
-        points = [
-            [0.0, (start + k * 0.1 * random.normal(size=len(start))).tolist(), [0.0] * len(inputs)] for k in range(4)
-        ]
+        points = [[0.0, (start + k * 0.1 * random.normal(size=len(start))).tolist(), values] for k in range(4)]
         step = step_of(name)
         told = ask(
             "casadi",

@@ -45,6 +45,7 @@ from lagdsl.settings.settings import split
 )
 @click.option("--hide", multiple=True, metavar="NAME", help="Parameter or variable to leave out: 'arm.*'.")
 @click.option("--scalar", is_flag=True, help="Entries of arrays as variables of their own; FMI 2 has no others.")
+@click.option("--clocks", is_flag=True, help="Clocks of `sample` as clocks of FMI 3.")
 @click.option("--author", metavar="TEXT", help="Author of the model.")
 @click.option("--license", metavar="TEXT", help="License of the model.")
 @click.option("--model-version", metavar="TEXT", help="Version of the model.")
@@ -62,6 +63,7 @@ def command(
     outputs: tuple[str, ...],
     hide: tuple[str, ...],
     scalar: bool,
+    clocks: bool,
     author: str | None,
     license: str | None,
     model_version: str | None,
@@ -100,7 +102,7 @@ def command(
                 parameters=chosen.parameters,
                 start=chosen.start,
                 source=text,
-                ports=Ports(outputs=outputs, hidden=hide, scalar=scalar),
+                ports=Ports(outputs=outputs, hidden=hide, scalar=scalar, clocks=clocks),
                 attribution=Attribution(author=author, license=license, version=model_version),
                 engine=engine,
                 sink=sink,

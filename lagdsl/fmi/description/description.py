@@ -142,7 +142,7 @@ def _bound(value: float | None, kind: Type) -> float | int | None:
             return value
         case "INTEGER":
             return None if value is None else int(value)
-        case "BOOLEAN" | "STRING" | "ENUMERATION":
+        case "BOOLEAN" | "STRING" | "ENUMERATION" | "CLOCK":
             return None
 
 

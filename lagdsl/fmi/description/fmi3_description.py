@@ -23,7 +23,14 @@ from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
 from lagdsl.version import __version__
 
-_TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
+_TAGS = {
+    "REAL": "Float64",
+    "INTEGER": "Int32",
+    "BOOLEAN": "Boolean",
+    "STRING": "String",
+    "ENUMERATION": "Enumeration",
+    "CLOCK": "Clock",
+}
 # Roles of variables that can be read inside a communication step.
 _INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
 
@@ -91,6 +98,9 @@ def _interfaces(root: Element, table: Table, identifier: str) -> None:
 
 def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
     attributes = variable.attributes
+    if attributes.type == "CLOCK":
+        _clock(parent, reference, variable)
+        return
     text = attributes.type == "STRING"
     defined = element(
         _TAGS[attributes.type],
@@ -106,6 +116,19 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
         element("Dimension", defined, start=extent)
     for start in variable.starts if text else ():
         element("Start", defined, value=str(start))
+
+
+def _clock(parent: Element, reference: int, variable: Variable) -> None:
+    """Intervals that follow parameters are asked for in initialization mode."""
+    known = variable.attributes.interval
+    element(
+        "Clock",
+        parent,
+        **identity_of(variable, reference),
+        intervalVariability="fixed" if known is None else "constant",
+        intervalDecimal=None if known is None else known[0],
+        shiftDecimal=None if known is None else known[1],
+    )
 
 
 def _structure(root: Element, table: Table) -> None:

@@ -59,6 +59,8 @@ def start_text(kind: Type, values: Sequence[float | str]) -> str | None:
             return " ".join(text(bool(value)) for value in values)
         case "STRING":
             return str(values[0])
+        case "CLOCK":
+            return None
 
 
 def one_line(value: str) -> str:

@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.names import Name, aside, belonging
+from lagdsl.fmi.variables.parameter_use import parameters_of
 from lagdsl.fmi.variables.scalar import Attributes, Role, Scalar
+from lagdsl.fmi.variables.settings import Settings
 from lagdsl.program.program import Program
 from lagdsl.units.dimension import ENERGY, POWER
 from lagdsl.units.naming import unit_text
@@ -59,6 +61,26 @@ def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:
         doc = f"largest residual of constraints of {which} level over the sizes of their rows"
         attributes = Attributes(role=Role.RESIDUAL, unit="1", doc=doc)
         yield Scalar(name=Name(f"{residual}.{which}"), first=index, attributes=attributes, initial="calculated")
+
+
+def clocks(flat: FlatModel, program: Program, known: Settings, taken: Iterable[str]) -> Iterator[Scalar]:
+    """Of `sample`: periodic clocks, whose intervals are constant, or fixed where they follow parameters."""
+    if not flat.events.clocks:
+        return
+    path = aside("clock", taken)
+    firsts, periods = program.function("clock").results
+    for index, (item, values) in enumerate(zip(flat.events.clocks, known.clocks, strict=True)):
+        settled = not parameters_of(program, [firsts.elements[index], periods.elements[index]])
+        attributes = Attributes(
+            role=Role.CLOCK,
+            type="CLOCK",
+            causality="input",
+            variability="discrete",
+            setting="NEVER" if settled else "START",
+            doc=item.name,
+            interval=values if settled else None,
+        )
+        yield Scalar(name=Name(f"{path}.sample{index + 1}"), first=index, attributes=attributes, initial=None)
 
 
 def options(taken: Iterable[str]) -> Iterator[Scalar]:

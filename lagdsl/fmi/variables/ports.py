@@ -22,11 +22,12 @@ _MOST_NAMED = 4
 @record(kw_only=True)
 class Ports:
     """`outputs` and `hidden` are names, in which `*` stands for any text and `?` for one character. `scalar`: entries
-    of arrays are variables of their own, also in FMI 3."""
+    of arrays are variables of their own, also in FMI 3. `clocks`: FMI 3 tells of clocks."""
 
     outputs: tuple[str, ...] = ()
     hidden: tuple[str, ...] = ()
     scalar: bool = False
+    clocks: bool = False
 
 
 def shown(scalars: Sequence[Scalar], ports: Ports, sink: Sink, *, arrays: bool) -> list[Scalar]:

@@ -27,9 +27,10 @@ class Role(StrEnum):
     ENERGY = "ENERGY"
     RESIDUAL = "RESIDUAL"
     OPTION = "OPTION"
+    CLOCK = "CLOCK"
 
 
-Type: TypeAlias = Literal["REAL", "INTEGER", "BOOLEAN", "STRING", "ENUMERATION"]
+Type: TypeAlias = Literal["REAL", "INTEGER", "BOOLEAN", "STRING", "ENUMERATION", "CLOCK"]
 Setting: TypeAlias = Literal["NEVER", "START", "TUNABLE", "ALWAYS"]
 Causality: TypeAlias = Literal["independent", "parameter", "calculatedParameter", "input", "output", "local"]
 Variability: TypeAlias = Literal["constant", "fixed", "tunable", "discrete", "continuous"]
@@ -39,7 +40,8 @@ Initial: TypeAlias = Literal["exact", "approx", "calculated"]
 @record(kw_only=True)
 class Attributes:
     """Fields that the entries of one array share. `unit` is a coherent SI unit, `literals` are those of an
-    enumeration, `literal_docs` their texts, `type_doc` is that of the type."""
+    enumeration, `literal_docs` their texts, `type_doc` is that of the type. `interval`: period and shift
+    of a clock [s], where no parameter changes them."""
 
     role: Role
     type: Type = "REAL"
@@ -55,6 +57,7 @@ class Attributes:
     type_name: str | None = None
     literals: tuple[str, ...] = ()
     literal_docs: tuple[str | None, ...] = ()
+    interval: tuple[float, float] | None = None
     type_doc: str | None = None
 
 

@@ -6,10 +6,12 @@ The same numbers that `simulate/` gives to the C runtime, for the default parame
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 
 import numpy as np
 
 from lagdsl.backends.start import Start
+from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
@@ -19,12 +21,16 @@ from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.points import geometry
 
+# A tick nearer to the start than this part of the period is there (lag/events/instant.c).
+_SAME_TICK = 1e-9
+
 
 @record(kw_only=True)
 class Settings:
     """Of `lag_fmu` in lag/fmu.h. `fixed`, `nominal`, `groups`, `natural`, `caps`: (2 nq + nz,) in the order of
     (q, qd, z); `row_sizes`, `lasting`: (nc,); `inputs` (nu,) are the default inputs at the start, `parameters`
-    (np) the defaults with free ones as they were found; SI units."""
+    (np) the defaults with free ones as they were found, `clocks` (nclock) periods and times from the start to the first
+    tick; SI units."""
 
     start: Start
     parameters: tuple[float, ...]
@@ -37,6 +43,7 @@ class Settings:
     row_sizes: tuple[float, ...]
     lasting: tuple[bool, ...]
     general: int
+    clocks: tuple[tuple[float, float], ...]
 
 
 def settings(
@@ -70,8 +77,27 @@ def settings(
         caps=_floats(scales.caps),
         row_sizes=_floats(space.row_sizes),
         lasting=tuple(row not in loose for row in range(len(layout.constraints))),
+        clocks=_clocks(flat, functions, tuple(layout.defaults if parameters is None else parameters)),
         general=sum(not (flag or row in loose) for row, flag in enumerate(redundant or layout.redundant)),
     )
+
+
+def _clocks(
+    flat: FlatModel, functions: Engine | ProgramFunctions, parameters: Sequence[float]
+) -> tuple[tuple[float, float], ...]:
+    if not flat.events.clocks:
+        return ()
+    begin = flat.experiment.start_time
+    firsts, periods = functions.evaluate("clock", begin, np.array(parameters, dtype=np.float64))
+    waited = np.maximum(0.0, np.ceil((begin - firsts) / periods - _SAME_TICK))
+
+    def shift(first: float, period: float, ticks: float) -> float:
+        """In decimal places, as the numbers were written."""
+        exact = [Decimal(repr(float(value))) for value in (first, period, begin)]
+        return float(exact[0] + int(ticks) * exact[1] - exact[2])
+
+    found = zip(firsts.tolist(), periods.tolist(), waited.tolist(), strict=True)
+    return tuple((period, shift(first, period, ticks)) for first, period, ticks in found)
 
 
 def _floats(values: Floats) -> tuple[float, ...]:

@@ -62,14 +62,14 @@ class _Search:
         self._place: dict[Entry, tuple[int, int]] = {
             (v.attributes.role, entry): (index, element)
             for index, v in enumerate(variables)
-            if v.attributes.type != "STRING"
+            if v.attributes.type not in ("STRING", "CLOCK")
             for element, entry in enumerate(v.entries, 1)
         }
         # Values that initialization starts from.
         self._given = {
             index
             for index, v in enumerate(variables)
-            if v.attributes.causality in ("input", "independent")
+            if (v.attributes.causality in ("input", "independent") and v.attributes.type != "CLOCK")
             or (v.initial == "exact" and v.attributes.variability != "constant" and v.attributes.role != Role.OPTION)
         }
 

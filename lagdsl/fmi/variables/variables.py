@@ -66,7 +66,7 @@ def table(
     known = settings(compilation, start, engine, redundant, parameters)
     wishes = Ports() if ports is None else ports
     arrays = version == 3 and not wishes.scalar
-    scalars = _scalars(flat, program, known, version, kinds)
+    scalars = _scalars(flat, program, known, version, kinds, clocks=wishes.clocks)
     variables = grouped(shown(scalars, wishes, Sink() if sink is None else sink, arrays=arrays), arrays=arrays)
     return Table(
         version=version,
@@ -85,7 +85,7 @@ def table(
 
 
 def _scalars(
-    flat: FlatModel, program: Program, known: Settings, version: Version, kinds: Collection[Kind]
+    flat: FlatModel, program: Program, known: Settings, version: Version, kinds: Collection[Kind], *, clocks: bool
 ) -> Sequence[Scalar]:
     own = list(
         chain(
@@ -107,6 +107,7 @@ def _scalars(
             builtin_variables.multipliers(flat),
             builtin_variables.indicators(flat, program, taken) if version == 3 else (),
             builtin_variables.balance(flat, taken),
+            builtin_variables.clocks(flat, program, known, taken) if version == 3 and clocks else (),
             builtin_variables.options(taken) if "cs" in kinds else (),
         )
     )

@@ -359,4 +359,18 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
     return LAG_OK;
 }
 
+/* There are no clocks: the shells refuse all others before they ask. */
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
+{
+    (void)which;
+    *period = *shift = 0.0;
+    return stand_in_fail(instance, LAG_MISSING);
+}
+
+lag_status lag_instance_tick(lag_instance *instance, size_t which)
+{
+    (void)which;
+    return stand_in_fail(instance, LAG_MISSING);
+}
+
 #endif

@@ -22,7 +22,8 @@ typedef enum lag_role {
     LAG_ROLE_INDICATOR,  /* event indicators (lag_instance_indicator_count()): see lag_instance_indicators() */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
-    LAG_ROLE_OPTION      /* see lag_option */
+    LAG_ROLE_OPTION,     /* see lag_option */
+    LAG_ROLE_CLOCK       /* clocks of `sample` (nclock); they have no value */
 } lag_role;
 
 /* Settings of the integrator, parameters that every FMU has. */
@@ -34,7 +35,14 @@ typedef enum lag_option {
  * FMI 3 has Integers as Int32, Enumerations as Int64; FMI 2 has both as Integers, and no table with Enumerations. Strings are constants
  * only, `first` of them an index into `texts`.
  */
-typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN, LAG_TYPE_STRING, LAG_TYPE_ENUMERATION } lag_type;
+typedef enum lag_type {
+    LAG_TYPE_REAL,
+    LAG_TYPE_INTEGER,
+    LAG_TYPE_BOOLEAN,
+    LAG_TYPE_STRING,
+    LAG_TYPE_ENUMERATION,
+    LAG_TYPE_CLOCK
+} lag_type;
 
 /* When a variable may be set. */
 typedef enum lag_setting {

@@ -1,4 +1,4 @@
-/* FMI 3.0: what these FMUs have none of: structural parameters that can be set, and clocks. */
+/* FMI 3.0: what these FMUs have none of: structural parameters that can be set, intervals of clocks that importers choose. */
 #include "lag/fmi3/fmi3.h"
 
 fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance)
@@ -14,35 +14,38 @@ fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance)
 }
 
 /* All of them take references first; without any there is nothing to do. */
-#define LAG_NO_CLOCKS(NAME, ...)                                                                                     \
-    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference references[], size_t count, __VA_ARGS__) \
-    {                                                                                                                \
-        LAG_ENTER(#NAME, LAG_MODES_ALL)                                                                              \
-        (void)references;                                                                                            \
-        (void)a;                                                                                                     \
-        return (fmi3Status)lag_shell_none(shell, count, "Clock");                                                    \
+static fmi3Status lag_settled(lag_shell *shell, size_t count)
+{
+    return count == 0 ? fmi3OK :
+                        (fmi3Status)lag_shell_say(shell, LAG_ANSWER_ERROR,
+                            "clocks tick at decimal intervals that the model determines: they cannot be set, and are no fractions");
+}
+
+#define LAG_SETTLED(NAME)                                                                                                     \
+    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference references[], size_t count, const fmi3Float64 a[]) \
+    {                                                                                                                         \
+        LAG_ENTER(#NAME, LAG_MODES_ALL)                                                                                       \
+        (void)references;                                                                                                     \
+        (void)a;                                                                                                              \
+        return lag_settled(shell, count);                                                                                     \
     }
 
-LAG_NO_CLOCKS(GetClock, fmi3Clock a[])
-LAG_NO_CLOCKS(SetClock, const fmi3Clock a[])
-LAG_NO_CLOCKS(GetShiftDecimal, fmi3Float64 a[])
-LAG_NO_CLOCKS(SetShiftDecimal, const fmi3Float64 a[])
-LAG_NO_CLOCKS(SetIntervalDecimal, const fmi3Float64 a[])
+LAG_SETTLED(SetShiftDecimal)
+LAG_SETTLED(SetIntervalDecimal)
 
-#define LAG_NO_CLOCKS_OF_TWO(NAME, FIRST, SECOND)                                                                       \
-    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference references[], size_t count, FIRST a[], SECOND b[]) \
-    {                                                                                                                   \
-        LAG_ENTER(#NAME, LAG_MODES_ALL)                                                                                 \
-        (void)references;                                                                                               \
-        (void)a;                                                                                                        \
-        (void)b;                                                                                                        \
-        return (fmi3Status)lag_shell_none(shell, count, "Clock");                                                       \
+#define LAG_NO_FRACTIONS(NAME, TYPE)                                                                                                \
+    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference references[], size_t count, TYPE counters[], TYPE parts[]) \
+    {                                                                                                                               \
+        LAG_ENTER(#NAME, LAG_MODES_ALL)                                                                                             \
+        (void)references;                                                                                                           \
+        (void)counters;                                                                                                             \
+        (void)parts;                                                                                                                \
+        return lag_settled(shell, count);                                                                                           \
     }
 
-LAG_NO_CLOCKS_OF_TWO(GetIntervalDecimal, fmi3Float64, fmi3IntervalQualifier)
-LAG_NO_CLOCKS_OF_TWO(GetShiftFraction, fmi3UInt64, fmi3UInt64)
-LAG_NO_CLOCKS_OF_TWO(SetIntervalFraction, const fmi3UInt64, const fmi3UInt64)
-LAG_NO_CLOCKS_OF_TWO(SetShiftFraction, const fmi3UInt64, const fmi3UInt64)
+LAG_NO_FRACTIONS(GetShiftFraction, fmi3UInt64)
+LAG_NO_FRACTIONS(SetIntervalFraction, const fmi3UInt64)
+LAG_NO_FRACTIONS(SetShiftFraction, const fmi3UInt64)
 
 fmi3Status fmi3GetIntervalFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
     fmi3UInt64 counters[], fmi3UInt64 resolutions[], fmi3IntervalQualifier qualifiers[])
@@ -52,5 +55,5 @@ fmi3Status fmi3GetIntervalFraction(fmi3Instance instance, const fmi3ValueReferen
     (void)counters;
     (void)resolutions;
     (void)qualifiers;
-    return (fmi3Status)lag_shell_none(shell, nValueReferences, "Clock");
+    return lag_settled(shell, nValueReferences);
 }

@@ -97,6 +97,13 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
 /* LAG_TOO_LONG, and says so. */
 lag_status lag_instance_give_up(lag_instance *instance);
 
+/* ---- clocks ---- */
+
+/* Period [s] of a clock, and the time from the start to its first tick. */
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift);
+/* LAG_MISSING: the clock does not tick at the present. It ticks by itself in the next update. */
+lag_status lag_instance_tick(lag_instance *instance, size_t which);
+
 /* ---- derivatives ---- */
 
 /*

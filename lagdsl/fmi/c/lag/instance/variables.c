@@ -39,6 +39,8 @@ static const double *array_of(const lag_instance *instance, lag_role role)
         return instance->residual;
     case LAG_ROLE_OPTION:
         return &instance->held.step;
+    case LAG_ROLE_CLOCK:
+        break;
     }
     return NULL;
 }
@@ -68,6 +70,7 @@ static unsigned needed(lag_role role)
     case LAG_ROLE_INPUT:
     case LAG_ROLE_DISCRETE:
     case LAG_ROLE_OPTION:
+    case LAG_ROLE_CLOCK:
         break;
     }
     return 0;
@@ -219,6 +222,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     case LAG_ROLE_INDICATOR:
     case LAG_ROLE_ENERGY:
     case LAG_ROLE_RESIDUAL:
+    case LAG_ROLE_CLOCK:
         return lag_instance_fail(instance, LAG_MISSING, "%s cannot be set", which->name);
     }
     if (changed) {

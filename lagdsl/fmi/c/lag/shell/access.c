@@ -5,7 +5,7 @@
 
 static const char *type_name(lag_type type)
 {
-    static const char *const names[] = {"a real number", "an integer", "a Boolean", "a text", "an enumeration"};
+    static const char *const names[] = {"a real number", "an integer", "a Boolean", "a text", "an enumeration", "a clock"};
     return names[type];
 }
 
@@ -36,6 +36,11 @@ static int consistent(lag_shell *shell, lag_type type, const uint32_t *reference
         return 0;
     }
     return 1;
+}
+
+int lag_shell_clocks(lag_shell *shell, const uint32_t *references, size_t n, const void *values)
+{
+    return consistent(shell, LAG_TYPE_CLOCK, references, n, values, n);
 }
 
 int32_t lag_shell_integer(double value)

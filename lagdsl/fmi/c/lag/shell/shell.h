@@ -139,6 +139,8 @@ lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *refere
 /* All or nothing. */
 lag_answer lag_shell_set(
     lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count, lag_fetch *fetch);
+/* True if all references name clocks, and `values` is no null pointer. */
+int lag_shell_clocks(lag_shell *shell, const uint32_t *references, size_t n, const void *values);
 lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count);
 /* The nearest that Integers of importers can be. */
 int32_t lag_shell_integer(double value);
