@@ -37,8 +37,12 @@ def span(name: str) -> tuple[float, float, float]:
 
 @cache
 def motion(name: str, tolerance: float = TOLERANCE) -> lagdsl.Trajectory:
+    """Without columns of protected variables, which an FMU does not show."""
     _, stop, interval = span(name)
-    return model(name).simulate(stop=stop, interval=interval, tolerance=tolerance)
+    found = model(name).simulate(stop=stop, interval=interval, tolerance=tolerance)
+    flat = compiled(name).flat
+    hidden = {item.name for item in (*flat.outputs, *flat.events.discretes) if item.protected}
+    return found.only([name for name in found.names if name not in hidden])
 
 
 def signals(reference: lagdsl.Trajectory) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ import pytest
 
 from fmi.described import of_text, table_of, table_of_model, table_of_text
 from fmi.test_descriptions import EVERYTHING, SAMPLE
+from lagdsl.flat.model import Definition
 from lagdsl.fmi.description.table import table_source
 from lagdsl.fmi.variables.builtin_variables import indicator_count
 from lagdsl.fmi.variables.scalar import Role
@@ -98,24 +99,32 @@ def test_the_table_is_that_of_the_description(version: Version, tmp_path: Path) 
 @VERSIONS
 @pytest.mark.parametrize("name", [*SAMPLE, None])
 def test_every_entry_of_the_model_is_there_once(name: str | None, version: Version) -> None:
-    """But for the coordinates of cut joints, which are outputs and definitions, and clocks and relations of w."""
+    """But for what is protected, the coordinates of cut joints, which are outputs and definitions, and clocks and
+    relations of w."""
     given = table_of_text(EVERYTHING, version) if name is None else table_of_model(name, version)
     layout, flat = given.program.layout, given.flat
     entries = {
         role: Counter(i for _, v in given.of(role) if v.attributes.type != "STRING" for i in v.entries) for role in Role
     }
     n, nz = len(layout.coordinates), len(layout.states)
-    outputs = {output.name for output in flat.outputs}
-    texts = sum(parameter.kind == "String" for parameter in flat.parameters)
+    quantities = (*flat.parameters, *flat.outputs, *flat.events.discretes, *flat.observed)
+    definitions = [item for item in flat.named if isinstance(item, Definition)]
+    hidden = {item.name for item in (*quantities, *definitions) if item.protected}
+    absent = {output.name for output in flat.outputs} | hidden
+    independent, settled = layout.parameters, [p for p in flat.parameters if p.structural and p.kind != "String"]
     whole = {
-        Role.PARAMETER: range(len(layout.parameters)),
-        Role.CONSTANT: range(sum(p.structural for p in flat.parameters) - texts),
+        Role.PARAMETER: [i for i, slot in enumerate(independent) if slot.name not in hidden],
+        Role.CONSTANT: [i for i, parameter in enumerate(settled) if parameter.name not in hidden],
         Role.STATE: range(2 * n + nz),
         Role.DERIVATIVE: range(n, 2 * n + nz),
         Role.INPUT: range(len(layout.inputs)),
-        Role.OUTPUT: range(len(layout.outputs)),
-        Role.LOCAL: [i for i, slot in enumerate(layout.definitions) if slot.name not in outputs],
-        Role.DISCRETE: [i for i, kind in enumerate(layout.kinds) if kind in ("variable", "contact", "impacts")],
+        Role.OUTPUT: [i for i, slot in enumerate(layout.outputs) if slot.name not in hidden],
+        Role.LOCAL: [i for i, slot in enumerate(layout.definitions) if slot.name not in absent],
+        Role.DISCRETE: [
+            i
+            for i, (kind, slot) in enumerate(zip(layout.kinds, layout.discretes, strict=True))
+            if kind in ("variable", "contact", "impacts") and slot.name not in hidden
+        ],
         Role.MULTIPLIER: range(len(layout.constraints)),
         Role.INDICATOR: range(indicator_count(flat, given.program) if version == 3 else 0),
         Role.ENERGY: range(3),
