@@ -46,5 +46,6 @@ mi.word { font-style: italic; }
 @media print { body { font-size: 11pt; background: #fff; color: #000; } main { max-width: none; padding: 0; }
   .equations, .scroll { overflow: visible; }
   .equations math { font-size: min(0.82em, calc(84em / var(--letters, 92))); }
-  .aligned > mtr, tr { break-inside: avoid; } h2 { break-after: avoid; } figure { break-inside: avoid; } }
+  .aligned > mtr, tr { break-inside: avoid; } h2, p:has(+ .equations) { break-after: avoid; }
+  figure { break-inside: avoid; } }
 """

@@ -25,7 +25,7 @@ from lagdsl.report.unicode_math import line
 _WIDTH = 68
 _SHORT_CELL = 14
 _LETTERS_OF_A_LINE = 80
-_BREAKABLE = re.compile(r"(?<=[.,()\[\]{}*/+=:-])")
+_BREAKABLE = re.compile(r"(?<=[_.,()\[\]{}*/+=:-])")
 _HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}

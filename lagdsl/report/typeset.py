@@ -31,7 +31,7 @@ from lagdsl.textbook import functions
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.tidy import size
 
-LONGEST = 300
+LONGEST = 700
 """Nodes of an expression that is still printed."""
 
 _FUNCTION_NAMES = {

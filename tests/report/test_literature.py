@@ -1,4 +1,4 @@
-"""Printed equations against those of textbooks, typed from the books and evaluated at random values.
+"""Printed equations against those of textbooks or of a formulation by hand, typed and evaluated at random values.
 
 The left column is read from the text that people see; the right column is the equation of the book in Python.
 """
@@ -24,17 +24,17 @@ _ROOT = Path(__file__).parents[2]
 
 
 def pendulum(v: Any) -> list[float]:
-    """Goldstein, Poole, Safko, Classical Mechanics (3rd ed. 2002), section 1.6."""
+    """The simple pendulum, in every textbook: m l² θ̈ + m g l sin θ = 0."""
     return [v.m * v.l**2 * v.dd + v.m * v.g * v.l * sin(v.a)]
 
 
 def bead_on_hoop(v: Any) -> list[float]:
-    """Taylor, Classical Mechanics (2005), example 7.6: the bead's angle = (w^2 cos - g/R) sin, times m R^2."""
+    """Taylor, Classical Mechanics (2005), the bead on a spinning hoop: θ̈ = (w^2 cos θ - g/R) sin θ, times m R^2."""
     return [v.m * v.R**2 * (v.dd - (v.w**2 * cos(v.a) - v.g / v.R) * sin(v.a))]
 
 
 def double_pendulum(v: Any) -> list[float]:
-    """Landau, Lifshitz, Mechanics (3rd ed. 1976), section 5, problem 1; differentiated by hand."""
+    """The Lagrangian of the coplanar double pendulum in Landau, Lifshitz, Mechanics, differentiated by hand."""
     m, a, b = v.m1 + v.m2, v.a, v.b
     first = (
         m * v.l1**2 * v.add + v.m2 * v.l1 * v.l2 * (v.bdd * cos(a - b) + v.bd**2 * sin(a - b)) + m * v.g * v.l1 * sin(a)
@@ -44,7 +44,7 @@ def double_pendulum(v: Any) -> list[float]:
 
 
 def wedge(v: Any) -> list[float]:
-    """Taylor, Classical Mechanics (2005), example 7.5, block on a sliding wedge; with a dashpot under the wedge."""
+    """Taylor, Classical Mechanics (2005), the block on a sliding wedge; with a dashpot under the wedge."""
     return [
         (v.M + v.m) * v.xdd + v.m * v.sdd * cos(v.al) + v.D * v.xd,
         v.m * v.xdd * cos(v.al) + v.m * v.sdd - v.m * v.g * sin(v.al),
@@ -52,8 +52,8 @@ def wedge(v: Any) -> list[float]:
 
 
 def gyroscope(v: Any) -> list[float]:
-    """Arnold, Maunder, Gyrodynamics and its Engineering Applications (1961), chapter 5: outer ring A, inner ring and
-    rotor; C the polar moment of the rotor, n = its spin in space; the weight adds m c^2 across and m g c sin."""
+    """Angular momentum about the outer and the inner axis, by hand: n is the spin of the rotor in space, I3 its polar
+    moment; the weight adds m c^2 across and m g c sin."""
     across = v.I1 + v.mw * v.c**2  # transverse moment of rotor and weight about the pivot
     n, nd = v.ad * cos(v.b) + v.sd, v.add * cos(v.b) - v.ad * v.bd * sin(v.b) + v.sdd
     outer = v.Io * v.add + (across + v.Iy) * (v.add * sin(v.b) ** 2 + 2 * v.ad * v.bd * sin(v.b) * cos(v.b))
@@ -65,8 +65,8 @@ def gyroscope(v: Any) -> list[float]:
 
 
 def rolling_coin(v: Any) -> list[float]:
-    """Neimark, Fufaev, Dynamics of Nonholonomic Systems (1972), chapter III: forces of contact are m times the
-    acceleration of the center; the moments follow from the angular velocity in axes that do not spin with the coin."""
+    """Newton's and Euler's equations by hand: forces of contact are m times the acceleration of the center; the
+    moments follow from the angular velocity in axes that do not spin with the coin."""
     s, c, sl, cl = sin(v.psi), cos(v.psi), sin(v.th), cos(v.th)
     # r = (x + R s sl, y - R c sl), differentiated twice
     ax = v.xdd + v.R * (
@@ -86,8 +86,8 @@ def rolling_coin(v: Any) -> list[float]:
 
 
 def four_bar(v: Any) -> list[float]:
-    """Three links in a row by Jourdain's principle, as in Wittenburg, Dynamics of Multibody Systems (2008), 6.6: the
-    sum over links of m a . dv/dqd + J alpha, with the closing force at the end of the third."""
+    """Three links in a row by Jourdain's principle: the sum over links of m a . dv/dqd + J alpha, with the closing
+    force at the end of the third."""
     angles = np.cumsum([v.a, v.b, v.c])
     rates = np.cumsum([v.ad, v.bd, v.cd])
     seconds = np.cumsum([v.add, v.bdd, v.cdd])

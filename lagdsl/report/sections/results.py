@@ -31,6 +31,8 @@ from lagdsl.textbook.recipe import ConstraintRow, CoordinateStep
 from lagdsl.textbook.tidy import size
 
 _LONGEST_MATRIX = 80
+_LONGEST_ENTRY = 75
+_LONGEST_MOMENTUM = 50
 _ZERO = Number("0")
 _IDLE = "holds whatever the motion is, and its multiplier enters no equation."
 _IDLES = "hold whatever the motion is, and their multipliers enter no equation."
@@ -76,7 +78,7 @@ def _matrix_form(page: Page) -> list[Block]:
     if not 2 <= n <= 4:
         return []
     mass = tuple(tuple(step.left.diff(x) for x in d.symbols.qdd) for step in d.coordinates)
-    if any(size(element) > LONGEST // 4 for entries in mass for element in entries):
+    if any(size(element) > _LONGEST_ENTRY for entries in mass for element in entries):
         return []
     letter = page.notation.letter("M")
     whole = page.typeset.matrix(mass)
@@ -187,13 +189,9 @@ def conserved(page: Page) -> list[Block]:
     for q in d.cyclic:
         words = " does not occur in the Lagrangian, and nothing acts on it: its momentum is constant, "
         momentum = d.coordinates[d.symbols.q.index(q)].momentum
-        items.append(
-            (
-                Math(page.notation.of(q)),
-                Text(words),
-                Math(row(partial(page.lagrangian, page.rate(q)), EQUALS, page.typeset(momentum))),
-            )
-        )
+        name, value = partial(page.lagrangian, page.rate(q)), page.typeset(momentum)
+        shown = row(name, EQUALS, value) if len(line(value)) <= _LONGEST_MOMENTUM else name
+        items.append((Math(page.notation.of(q)), Text(words), Math(shown)))
     if d.energy_conserved:
         items.append(text("Time occurs nowhere and no load or dashpot works: the energy is constant."))
     elif d.jacobi_conserved:
