@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check check-all lint test test-all coverage test-fast update c-check runtime-objects shell-objects c-runtime c-shells \
+.PHONY: extension help check check-all lint test test-all coverage test-fast update c-check runtime-objects shell-objects c-runtime c-shells \
   c-test fmu-check wheels page page-check bench peers docs figures
 
 # Many processes import the same modules: the first one that does compiles them for all, whatever the environment says.
@@ -82,6 +82,7 @@ update: $(READY)  ## regenerate what is generated: automaton of the grammar, gra
 	$(BIN)/python -m lagdsl.units.generate
 	$(BIN)/python -m lagdsl.runtime.generate
 	$(BIN)/python -m lagdsl.highlight.generate
+	$(BIN)/python -m lagdsl.lsp.snippets editors/vscode/snippets/lag.json
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/docs tests/units tests/semantics
 
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
@@ -93,6 +94,9 @@ PAGE := lagdsl/page/web
 page: $(READY)  ## what living pages carry, from the TypeScript and C sources: needs node
 	cd $(PAGE) && npm ci --silent && npx tsc --noEmit && node build.mjs
 	$(BIN)/python -m lagdsl.runtime.build_wasm $(PAGE)/dist
+
+extension:  ## the extension for VS Code, editors/vscode/lagdsl.vsix: needs node
+	cd editors/vscode && npm ci --silent && npm run package
 
 page-check: $(READY)  ## pages of all models in a real browser: needs node and Chromium
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Diagnostic, Severity, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.lsp.snapshot import Snapshot
-from lagdsl.pipeline import flatten_unit
 from lagdsl.semantics.classes.selection import complete_models
 from lagdsl.semantics.flatten import flatten
+from lagdsl.semantics.wellformed.check import check as check_physics
 from lagdsl.syntax import nodes
 from lagdsl.syntax.recursion import deep_recursion
 
@@ -30,13 +31,22 @@ def findings(snapshot: Snapshot) -> tuple[Diagnostic, ...]:
     for name in complete_models(unit) or (None,):
         sink = Sink()
         if snapshot.is_whole:
-            flat = flatten_unit(unit, sink, model=name) if unit.items else None
+            flat = _flat(unit, sink, name) if unit.items else None
             if flat is not None:
                 snapshot.flats[flat.name] = flat
             found += [each for each in sink.diagnostics if each.code not in _NO_MODEL]
         elif unit.items:
             found += [each for each in _of_statements(unit, name) if each.code not in _NO_MODEL]
     return tuple(dict.fromkeys(found))
+
+
+def _flat(unit: nodes.Unit, sink: Sink, name: str | None) -> FlatModel | None:
+    """The flat model, checked as `lag check` does it, without what takes long."""
+    with deep_recursion():
+        flat = flatten(unit, sink, name)
+        if flat is not None and not sink.has_errors:
+            check_physics(flat, sink, sampled=False)
+    return None if sink.has_errors else flat
 
 
 def _of_statements(unit: nodes.Unit, name: str | None) -> list[Diagnostic]:

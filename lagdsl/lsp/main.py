@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import sys
 
 from lagdsl.lsp.server import LagServer
@@ -18,7 +19,10 @@ def serve() -> None:
     gc.freeze()
     gc.set_threshold(_OBJECTS_PER_COLLECTION, 20, 20)
     server = wired(LagServer())
+    # What else is written to standard output goes to standard error, where it breaks no message.
+    source, target = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
     try:
-        server.start_io()
+        server.start_io(source, target)
     finally:
         server.end()

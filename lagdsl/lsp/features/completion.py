@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from lsprotocol import types as lsp
@@ -14,6 +13,7 @@ from lagdsl.lsp.language import ATTRIBUTES, FUNCTIONS, VARIABLES, constant_text,
 from lagdsl.lsp.names.classes import ClassNames, of_entry
 from lagdsl.lsp.names.declarations import Declaration
 from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.lsp.snippets import SNIPPETS
 from lagdsl.manual.component_page import component_page
 from lagdsl.manual.library import UnknownClass, matching
 from lagdsl.semantics.operators.geometry import FRAME_MEMBERS, METHODS
@@ -23,36 +23,6 @@ from lagdsl.semantics.scope.scope import ClassSymbol, Entry, Scope, lookup, reac
 from lagdsl.syntax import nodes
 from lagdsl.syntax.stack import statement_words
 from lagdsl.units.vocabulary import UNITS
-
-SNIPPETS = {
-    "model": 'model ${1:Name} "${2:what it is}"\n  $0\nend ${1:Name};',
-    "coordinate": "coordinate ${1:Angle} ${2:q}(start = ${3:30 deg});",
-    "parameter": "parameter ${1:Mass} ${2:m} = ${3:1 kg};",
-    "mass": "mass ${1:m} at ${2:P};",
-    "body": "body ${1:b}(m = ${2:m}, Izz = ${3:I}) on ${4:frame};",
-    "point": "point ${1:P} = {${2:x}, ${3:y}};",
-    "frame": "frame ${1:B} = ${2:world}.rotz(${3:q});",
-    "gravity": "gravity = -g_n*world.${1:y};",
-    "force": "force ${1:F} at ${2:P};",
-    "torque": "torque ${1:tau} on ${2:q};",
-    "kinetic": "kinetic ${1:T} = ${2:1/2*m*der(x)^2};",
-    "potential": "potential ${1:V} = ${2:1/2*k*x^2};",
-    "dissipation": "dissipation ${1:D} = ${2:1/2*d*der(x)^2};",
-    "constraint": "constraint ${1:c}: ${2:a} = ${3:b};",
-    "contact": "contact ${1:c}: ${2:gap} >= 0 with restitution = ${3:0.5};",
-    "invariant": "invariant ${1:E}: ${2:energy()};",
-    "output": "output ${1:Force} ${2:N} = ${3:value};",
-    "input": "input ${1:Torque} ${2:tau};",
-    "state": "state ${1:Real} ${2:z}(start = ${3:0});",
-    "connect": "connect(${1:world}, ${2:a});",
-    "import": "import Lag.${1:Planar}.*;",
-    "draw": "draw ${1:rod} from ${2:A} to ${3:B};",
-    "for": "for ${1:i} in 1:${2:n} loop\n  $0\nend for;",
-    "when": "when ${1:condition} then\n  $0\nend when;",
-    "annotation": "annotation(experiment(StopTime = ${1:5}));",
-    "function": "function ${1:f}(Real ${2:x}) -> Real = ${3:x};",
-}
-_INDEX = re.compile(r"\[[^\]]*\]")
 
 
 def completion(snapshot: Snapshot, offset: int) -> lsp.CompletionList:

@@ -19,8 +19,8 @@ _MOST_TERMS = 40  # additive terms of a potential that are told apart
 _TOLERANCE = 1e-9
 
 
-def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
-    """One `gravity` statement, depending on time and parameters, and no weight written twice."""
+def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink, *, sampled: bool = True) -> None:
+    """One `gravity` statement, depending on time and parameters, and, where `sampled`, no weight written twice."""
     if flat.gravity is None:
         _check_forgotten(flat, sink)
         return
@@ -28,7 +28,7 @@ def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
     positions = [name for name in dependence.of(flat.gravity) if name in moving]
     if positions:
         sink.report("E0507", flat.gravity_span, name=positions[0])
-    elif any(term.kind == "potential" for term in flat.energies):
+    elif sampled and any(term.kind == "potential" for term in flat.energies):
         _check_twice(flat, sink)
     if not _heavy(flat) and flat.gravity not in (fx.ZERO, fx.ZERO_VECTOR):
         reason = "it acts on `mass` and `body`; energies written by hand are taken as they stand"

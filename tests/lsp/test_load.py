@@ -1,0 +1,72 @@
+"""Latency and memory of the server while a text of 200 lines is typed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from time import monotonic
+
+import pytest
+from choice import ALL
+from lsp_editor import Editor
+
+REST = 0.15
+"""Seconds of rest before the server looks at a text; they are no part of the latency."""
+EDITS = 10_000
+
+
+def machine(legs: int) -> str:
+    """A walking machine of `legs` legs, each of eleven lines, of parts of the library."""
+    lines = ["model Machine", "  import Lag.Planar.*;", "  gravity = -g_n*world.y;"]
+    for k in range(1, legs + 1):
+        lines += [
+            f"  // leg {k}",
+            f"  parameter Length a{k} = 0.{k:02d} m, b{k} = 0.3 m;",
+            f"  parameter Mass m{k} = {k} kg;",
+            f"  Revolute hip{k}(q(start = {k} deg)), knee{k}(q(start = -{k} deg));",
+            f"  Link thigh{k}(l = a{k}, m = m{k}), shank{k}(l = b{k}, m = m{k}/2);",
+            f"  Fixed base{k}(r = {{{k} m, 0}});",
+            f"  TorsionSpring spring{k}(q = knee{k}.q, k = {k} N.m/rad);",
+            f"  connect(base{k}, hip{k}, thigh{k}, knee{k}, shank{k});",
+            f"  input Torque tau{k};",
+            f"  torque tau{k} - 0.1 N.m.s*der(hip{k}.q) on hip{k}.q;",
+            f"  output Angle angle{k} = hip{k}.q + knee{k}.q;",
+        ]
+    return "\n".join([*lines, "end Machine;", ""])
+
+
+@pytest.mark.skipif(not ALL, reason="takes minutes; what is typed is the same as in the other tests")
+def test_latency_and_memory_over_many_edits(tmp_path: Path) -> None:
+    text = machine(18)
+    assert text.count("\n") >= 200
+    editor = Editor()
+    try:
+        uri = editor.open((tmp_path / "machine.lag").as_uri(), text)
+        assert editor.diagnostics(uri) == [], editor.found
+        latencies = sorted(_latency(editor, uri, text, k) for k in range(100))
+        print(f"median {latencies[50]:.3f} s, 99 % {latencies[98]:.3f} s")
+        first = _memory(editor.process)
+        for k in range(EDITS):
+            editor.change(uri, text.replace("0.3 m", f"0.{k:04d}1 m", 1))
+            if k % 50 == 49:
+                editor.diagnostics(uri)
+        last = _memory(editor.process)
+        print(f"memory {first >> 20} MiB, after {EDITS} edits {last >> 20} MiB")
+        assert last < 1.2 * first
+        assert latencies[50] < 0.5
+    finally:
+        editor.close()
+
+
+def _latency(editor: Editor, uri: str, text: str, k: int) -> float:
+    """Seconds from the end of the rest after a key to the diagnostics."""
+    at = text.index("torque tau9")
+    version = editor.change(uri, text[:at] + "torque tau9 on hip9.q;"[: k % 22] + "\n  " + text[at:])
+    begun = monotonic()
+    editor.diagnostics(uri)
+    return editor.times[uri, version] - begun - REST
+
+
+def _memory(process: int) -> int:
+    """Resident bytes of a process."""
+    pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
+    return pages * 4096
