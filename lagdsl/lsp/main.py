@@ -19,7 +19,7 @@ def serve() -> None:
     gc.freeze()
     gc.set_threshold(_OBJECTS_PER_COLLECTION, 20, 20)
     server = wired(LagServer())
-    # What else is written to standard output goes to standard error, where it breaks no message.
+    # Other output than messages goes to standard error, where it breaks none of them.
     source, target = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     try:
