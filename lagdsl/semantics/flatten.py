@@ -10,6 +10,7 @@ from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
+from lagdsl.flat.quantity import Spans
 from lagdsl.semantics.assembly.assemble import assemble
 from lagdsl.semantics.assembly.assembly import Assembly
 from lagdsl.semantics.classes import annotations as notes
@@ -36,7 +37,12 @@ from lagdsl.semantics.variables.attributes import attributes
 from lagdsl.semantics.variables.rates import check_inputs, check_linear
 from lagdsl.semantics.variables.resolver import Definitions, every
 from lagdsl.semantics.variables.scale_points import check_difference
-from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners, corners_of_motion
+from lagdsl.semantics.wellformed.corners import (
+    check_changing_inertia,
+    check_corners,
+    corners_of_motion,
+    over_which_velocities_jump,
+)
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.recursion import deep_recursion
@@ -57,9 +63,24 @@ def flatten(
     `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
     `incomplete`: `unit` lacks statements of the text, so that nothing is said of names that nothing declares.
     """
+    conventions = Conventions(unit.span.file, structural or {})
+    flat, found, branches = _attempt(unit, model, conventions, incomplete)
+    while not branches <= conventions.branches:
+        # a corner in the way of a mass is an event, which is known only once the way is
+        conventions = Conventions(unit.span.file, structural or {}, branches=branches | conventions.branches)
+        flat, found, branches = _attempt(unit, model, conventions, incomplete)
+    for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
+        sink.add(diagnostic)
+    return flat if not sink.has_errors else None
+
+
+def _attempt(
+    unit: nodes.Unit, model: str | None, conventions: Conventions, incomplete: bool
+) -> tuple[FlatModel | None, Sink, frozenset[Spans]]:
+    """The flat model, what there is to say, and the functions whose branches should have been events."""
     current = Current()
     found = InstanceSink(current)
-    ctx = Context(found, Definitions(), elaborate, Conventions(unit.span.file, structural or {}), current)
+    ctx = Context(found, Definitions(), elaborate, conventions, current)
     ctx.reports.incomplete = incomplete
     flat = None
     with deep_recursion(_DEEPEST):
@@ -67,9 +88,7 @@ def flatten(
             flat = _flatten(ctx, unit, model, incomplete)
         except RecursionError:
             found.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
-    for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
-        sink.add(diagnostic)
-    return flat if not sink.has_errors else None
+    return flat, found, frozenset() if flat is None else over_which_velocities_jump(ctx.product.corners, flat)
 
 
 def scope_of(unit: nodes.Unit) -> Scope:

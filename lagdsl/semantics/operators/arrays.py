@@ -298,11 +298,11 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
 
 def extreme(ctx: Context, scope: Scope, node: nodes.Node, name: str, one: Scalar, two: Scalar) -> FlatExpression:
     """`min` or `max` of two; of time alone the one that an entry of the discretes tells."""
-    if not corners.has_corner(ctx, one, two):
-        distance = flat.Binary("-", one.expression, two.expression)
+    difference = flat.Binary("-", one.expression, two.expression)
+    larger = corners.of_call(ctx, scope, node, difference, one, two)
+    if larger is None:
         value = flat.Function(name, (one.expression, two.expression))
-        return corners.met(ctx, scope, node, value, distance, one, two)
-    larger = corners.of_call(ctx, scope, node, flat.Binary("-", one.expression, two.expression))
+        return corners.met(ctx, scope, node, value, difference, one, two)
     pair = (one.expression, two.expression) if name == "max" else (two.expression, one.expression)
     return flat.Conditional(larger, *pair)
 

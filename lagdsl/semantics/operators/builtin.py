@@ -111,9 +111,9 @@ def _root(call: Application, x: Scalar) -> Value:
 def _preserving(call: Application, x: Scalar) -> Value:
     """`abs`: the dimension of the argument."""
     kind = _joint_kind(x)
-    if not corners.has_corner(call.ctx, x):
+    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression, x)
+    if positive is None:
         return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind), x.expression)
-    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
     value = flat.Conditional(positive, x.expression, negative(x.expression))
     return Scalar(value, x.dimension, x.variability, x.order, kind)
 

@@ -5,7 +5,8 @@ interval. All of that is constant between events, so the equations are smooth th
 the present piece. Nothing is stepped over: the instants are computed ahead.
 
 An argument that depends on the motion or on inputs is evaluated as it is (`sqrt(max(x, 0))` must not see a negative
-number); for each such corner there is a distance that passes zero there, at which steps end.
+number); for each such corner there is a distance that passes zero there, at which steps end. A corner over which
+velocities of masses jump is an event instead: its branch is a relation, as if it were written by an `if`.
 """
 
 from __future__ import annotations
@@ -21,8 +22,9 @@ from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import Numeric, Order, highest, latest
+from lagdsl.semantics.scope.values import Numeric, Order, Scalar, highest, latest
 from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
 
 
 def is_timed(ctx: Context, *values: Numeric) -> bool:
@@ -52,6 +54,13 @@ def met(
         spans = (node.span, *scope.spans)
         ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp))
     return expression
+
+
+def is_branch(ctx: Context, scope: Scope, node: nodes.Node, *values: Numeric) -> bool:
+    """True if the branches of this function of the motion are those of a relation."""
+    moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
+    always = not ctx.current.quiet and ctx.current.mode is Mode.ALWAYS
+    return moving and always and (node.span, *scope.spans) in ctx.conventions.branches
 
 
 def at_whole_numbers(x: FlatExpression) -> FlatExpression:
@@ -96,10 +105,18 @@ def truth(
     return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
 
 
-def of_call(ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression) -> flat.Variable:
-    """The truth on which the value of a continuous function depends."""
+def of_call(
+    ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression, *values: Numeric
+) -> flat.Variable | None:
+    """The truth on which the value of a continuous function of these depends; None where it is taken as it stands."""
     text, spans = _place(scope, node, "branch of ")
-    return truth(ctx, text, spans, difference, strict=False, told=False)
+    if has_corner(ctx, *values):
+        return truth(ctx, text, spans, difference, strict=False, told=False)
+    if not is_branch(ctx, scope, node, *values):
+        return None
+    dimension = next((value.dimension for value in values if value.dimension is not None), DIMENSIONLESS)
+    name = ctx.product.occurrences.relation(text, spans, difference, dimension, strict=False)
+    return flat.Variable(name)
 
 
 def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> flat.Variable:
@@ -141,6 +158,16 @@ def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borde
         )
 
     return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
+
+
+def branch_number(ctx: Context, scope: Scope, node: nodes.Node, x: Scalar, borders: Sequence[float]) -> FlatExpression:
+    """The same of a place: the number of relations that hold."""
+    number: FlatExpression = flat.ZERO
+    for border in borders:
+        beyond = of_call(ctx, scope, node, flat.Binary("-", x.expression, flat.Number(border)), x)
+        assert beyond is not None
+        number = flat.Binary("+", number, flat.Conditional(beyond, flat.ONE, flat.ZERO))
+    return number
 
 
 def chosen(x: FlatExpression, borders: Sequence[float], pieces: Sequence[FlatExpression]) -> FlatExpression:

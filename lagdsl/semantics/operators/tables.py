@@ -20,7 +20,16 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators.application import Application
 from lagdsl.semantics.operators.arithmetic import negative
-from lagdsl.semantics.operators.corners import at_borders, chosen, chosen_by_number, has_corner, met, piece
+from lagdsl.semantics.operators.corners import (
+    at_borders,
+    branch_number,
+    chosen,
+    chosen_by_number,
+    has_corner,
+    is_branch,
+    met,
+    piece,
+)
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.naming import kind_of
 from lagdsl.semantics.scope.values import (
@@ -61,10 +70,13 @@ def table(call: Application) -> Value:
     known = _numbers(call, 2, ys) if is_structural(ys) else None
     values: Sequence[FlatExpression] = ys.elements if known is None else [flat.Number(value) for value in known]
     borders = places if method != "linear" else places[1:-1]
-    timed = bool(borders) and has_corner(call.ctx, x)
-    number = piece(call.ctx, call.scope, call.node, x.expression, borders) if timed else None
+    number: FlatExpression | None = None
+    if borders and has_corner(call.ctx, x):
+        number = piece(call.ctx, call.scope, call.node, x.expression, borders)
+    elif borders and is_branch(call.ctx, call.scope, call.node, x):
+        number = branch_number(call.ctx, call.scope, call.node, x, borders)
     expression = interpolation(x.expression, places, values, method, number)
-    if borders:
+    if borders and number is None:
         distance = at_borders(x.expression, borders)
         met(call.ctx, call.scope, call.node, expression, distance, x, sharp=method == "linear")
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))

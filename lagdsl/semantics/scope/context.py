@@ -8,6 +8,7 @@ from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
+from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.product import Product
@@ -54,12 +55,14 @@ class Conventions:
     """Options that the caller and the class set for the whole model.
 
     `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
-    `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units.
+    `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units. `branches` are places of
+    functions of the motion whose branches change at events.
     """
 
     home: SourceFile
     overrides: Mapping[str, float]
     units: bool = True
+    branches: frozenset[Spans] = frozenset()
 
     def dimension(self, dimension: Dimension) -> Dimension:
         """The dimension as the class counts: 1 for all without units."""

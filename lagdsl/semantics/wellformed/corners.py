@@ -1,9 +1,9 @@
 """W0520: corners and jumps along the motion in positions of masses and in energies.
 
 A bead on a track `y = abs(x)` meets a corner at which its velocity jumps. The balance of momenta does not determine the
-jump: it depends on the materials of bead and track. The simulation keeps the rates of coordinates at corners and
-jumps of functions such as `abs` and `floor` (`docs/adr/0070`). At a relation it takes the limit of a steep smooth
-Lagrangian (`docs/adr/0071`).
+jump: it depends on the materials of bead and track. The simulation takes the limit of a steep smooth Lagrangian
+(`docs/adr/0071`), at functions such as `abs` as at relations: their branches become relations. Where a constraint has
+the corner, only its impulse acts. Jumps of functions such as `floor` leave the rates of coordinates (`docs/adr/0070`).
 """
 
 from __future__ import annotations
@@ -16,14 +16,16 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Corner, Relation
+from lagdsl.flat.quantity import Spans
 from lagdsl.flat.traversal import operands, step_expressions
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
 from lagdsl.source import Span
 
 _JUMPING = ("floor", "ceil", "mod")
-_AT_A_FUNCTION = "the simulation keeps the rates of the coordinates there"
+_AT_A_JUMP = "the simulation keeps the rates of the coordinates there"
 _AT_A_RELATION = "the simulation takes the limit of a steep smooth change there"
+_AT_A_CONSTRAINT = "only the impulse of the constraint acts there, as in an inelastic blow"
 
 
 def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
@@ -65,31 +67,65 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
     yield from (state.derivative for state in flat.states)
 
 
+def over_which_velocities_jump(corners: Sequence[Met], flat: fm.FlatModel) -> frozenset[Spans]:
+    """Places of functions with a corner in the way of a mass: their branches are to change at events."""
+    found = {id(x) for x in _reached(flat, _ways(flat))} if corners else set()
+    return frozenset(
+        each.spans for each in corners if id(each.expression) in found and _bends(each) and not _jumps(each.expression)
+    )
+
+
 def check_corners(corners: Sequence[Met], flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """W0520 for each text with a corner over which velocities or energies jump; `corners` are those that move."""
     branching = _relations_of_the_motion(flat, dependence)
     if not corners and not branching:
         return
-    places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
     energies = [term.value for term in flat.energies if term.kind != "dissipation"]
-    kinetic = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
-    differentiated = [x.operand for x in _reached(flat, kinetic) if isinstance(x, fx.Derivative)]
-    for what, roots, jumps_only in (
-        ("velocities of masses jump", [*places, *differentiated], False),
-        ("an energy jumps", energies, True),
+    held = [x for each in flat.constraints if each.level == "position" and not each.contact for x in each.residuals]
+    _tell(_ways(flat), "velocities of masses jump", branching, _AT_A_RELATION, flat, sink)
+    _tell(held, "velocities jump", _without_switches(held, branching), _AT_A_CONSTRAINT, flat, sink)
+    for what, roots, law, tells in (
+        ("velocities of masses jump", _ways(flat), _AT_A_JUMP, _bends),
+        ("velocities jump", held, _AT_A_CONSTRAINT, _bends),
+        ("an energy jumps", energies, _AT_A_JUMP, lambda each: _jumps(each.expression)),
     ):
-        found = {id(x): x for x in _reached(flat, roots)}
+        found = {id(x) for x in _reached(flat, roots)}
         told: set[Span] = set()
-        for name in [] if jumps_only else dict.fromkeys(x.name for x in found.values() if isinstance(x, fx.Variable)):
-            if name in branching:
-                span = branching[name].spans[0]
-                sink.report("W0520", span, name=span.text, what=what, law=_AT_A_RELATION)
         for each in corners:
-            expression, span = each.expression, each.spans[0]
-            tells = _jumps(expression) if jumps_only else each.sharp and each.order >= Order.CONFIGURATION
-            if id(expression) in found and span not in told and tells:
+            span = each.spans[0]
+            if id(each.expression) in found and span not in told and tells(each):
                 told.add(span)
-                sink.report("W0520", span, name=span.text, what=what, law=_AT_A_FUNCTION)
+                sink.report("W0520", span, name=span.text, what=what, law=law)
+
+
+def _ways(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Positions of masses, and what the kinetic energy differentiates."""
+    places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
+    kinetic = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
+    return [*places, *(x.operand for x in _reached(flat, kinetic) if isinstance(x, fx.Derivative))]
+
+
+def _tell(
+    roots: Sequence[fx.FlatExpression],
+    what: str,
+    branching: dict[str, Relation],
+    law: str,
+    flat: fm.FlatModel,
+    sink: Sink,
+) -> None:
+    """W0520 for the relations of the motion on which these depend."""
+    for name in dict.fromkeys(x.name for x in _reached(flat, roots) if isinstance(x, fx.Variable)):
+        if name in branching:
+            span = branching[name].spans[0]
+            sink.report("W0520", span, name=span.text, what=what, law=law)
+
+
+def _without_switches(roots: Sequence[fx.FlatExpression], branching: dict[str, Relation]) -> dict[str, Relation]:
+    """Without relations that switch a constraint on and off: `(if l > l0 then l - l0 else 0) = 0`."""
+    sides = [x.left if isinstance(x, fx.Binary) and x.operator == "-" and x.right == fx.ZERO else x for x in roots]
+    switched = [x for x in sides if isinstance(x, fx.Conditional) and fx.ZERO in (x.value, x.otherwise)]
+    off = {x.condition.name for x in switched if isinstance(x.condition, fx.Variable)}
+    return {name: each for name, each in branching.items() if name not in off}
 
 
 def check_changing_inertia(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
@@ -111,6 +147,10 @@ def _relations_of_the_motion(flat: fm.FlatModel, dependence: Dependence) -> dict
         for each in flat.events.relations
         if each.spans and not moving.isdisjoint(dependence.of(each.difference))
     }
+
+
+def _bends(each: Met) -> bool:
+    return each.sharp and each.order >= Order.CONFIGURATION
 
 
 def _jumps(expression: fx.FlatExpression) -> bool:
