@@ -84,6 +84,25 @@ def test_repaired_statement_is_accepted(path: Path) -> None:
             assert not errors, f"{entry.repaired}\n{render_all(tuple(errors))}"
 
 
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "Real k = x" + "'" * 5000,
+        "Real k = " + "θ" * 5000,
+        "Real k = 1" + "_000" * 5000,
+        "Real k = " + "x**" * 5000,
+        "mass m at (" + "; x" * 5000,
+        "Real k = 1 " + "y" * 5000,
+        "Real k = |" + "x" * 5000 + "|",
+        "Real k = 0" + ",5" * 5000,
+    ],
+)
+def test_help_for_long_texts_stays_short(statement: str) -> None:
+    diagnostics = told(f"{statement};")
+    assert diagnostics
+    assert max(len(each.help or "") for each in diagnostics) < 200
+
+
 def test_every_help_writes_what_it_offers_or_says_what_to_do() -> None:
     """Errors have a way out; `way:` is a part of it. There are more than a hundred entries."""
     count = 0

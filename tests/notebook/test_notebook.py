@@ -104,7 +104,6 @@ def test_compile_tells_without_a_traceback(shell: Any) -> None:
 
 def test_results_show_themselves(shell: Any) -> None:
     assert shown(shell, "pendulum")[0]["text/html"].startswith("<iframe ")
-    assert shown(shell, "pendulum.simulate(stop=0.1)")[0]["text/html"].startswith("<iframe ")
     assert shown(shell, "pendulum.modes(q=[0.0])")[0]["text/html"].startswith("<iframe ")
     linear = shown(shell, "pendulum.linearize(q=[0.0])")[0]["text/html"]
     assert "<th>der(theta) [rad/s]</th>" in linear

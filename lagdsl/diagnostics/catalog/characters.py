@@ -62,6 +62,7 @@ _HELP = {
     "\ufeff": "remove the byte order mark inside the text",
 }
 _OTHERWISE = "delete it; operators are `+ - * / ^`, relations `< <= > >= == <>`"
+_LONGEST = 40  # characters of a text that is shown rewritten
 _PRIMES = re.compile(r"['′’´`]+|″")
 _QUOTED = re.compile(r"'([^'\n]*)'|[“„«]([^\n]*)[”“»]")
 _BARS = re.compile(r"\|([^|\n;]+)\|")
@@ -73,6 +74,8 @@ def character_help(text: str, before: str) -> str:
 
     `before` is what stands before it on its line.
     """
+    if len(text) > _LONGEST:
+        return _HELP.get(text[0]) or _OTHERWISE
     if not text.isprintable():
         return _HELP.get(text) or _letters(text) or _OTHERWISE
     operand = re.search(r"[A-Za-z_][A-Za-z0-9_.]*(?:\[[^\]]*\])?$|der\([^()]*\)$", before)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from lagdsl.resources import library_folder
 
 # Last part of the name there: package and class here.
@@ -68,6 +70,7 @@ _WRITTEN = {
 _QUANTITIES = ("Modelica.SIunits", "Modelica.Units", "SI", "SIunits", "Modelica.Units.SI")
 
 
+@cache
 def library_classes() -> dict[str, list[str]]:
     """Full names of the classes of this library by their last part."""
     found: dict[str, list[str]] = {}

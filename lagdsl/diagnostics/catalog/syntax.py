@@ -114,10 +114,15 @@ ROWS: dict[str, Row] = {
 }
 
 
+_LONGEST = 40  # characters of a number that is shown rewritten
+
+
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
     """Help of E0105."""
-    if word[:1] == "_" and word[1:].replace("_", "").isdigit():
+    if word[:1] == "_" and word[1:].replace("_", "").isdigit() and len(number + word) <= _LONGEST:
         return f"digits are not grouped: write `{number}{word.replace('_', '')}`"
+    if suggestion is None and len(number + word) > _LONGEST:
+        return "for a product write `*`"
     product = f"for a product write `{number}*{word}`"
     if suggestion is not None and len(word) == 1:
         return f"{product}; if the unit is meant, `{number} {suggestion}`"
