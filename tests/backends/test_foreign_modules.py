@@ -20,6 +20,7 @@ import lagdsl
 from lagdsl.backends.registry import BACKENDS
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
+from lagdsl.mechanics.by_name import with_equation_terms, with_kinematics, with_regressor
 from lagdsl.pipeline import Compilation
 from lagdsl.program.functions import ALONG_MANY, STATE
 from lagdsl.runtime.engines.selection import engine_of
@@ -114,6 +115,20 @@ def program_of_page(name: str) -> str:
     page = (ROOT / "docs/howto/optimize_and_differentiate.md").read_text(encoding="utf-8")
     (found,) = re.findall(rf"^```python fragment program={name}\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
     return found
+
+
+def test_program_of_the_comparison_with_pinocchio_and_mujoco(tmp_path: Path) -> None:
+    if not (has("pinocchio") and has("mujoco")):
+        pytest.skip(f"pinocchio and mujoco are not installed in {PEERS.parents[1]}")
+    page = (ROOT / "docs/explanation/pinocchio_and_mujoco.md").read_text(encoding="utf-8")
+    (urdf,) = re.findall(r"^```xml file=arm.urdf\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    (program,) = re.findall(r"^```python fragment program=compare\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    (tmp_path / "arm.urdf").write_text(urdf)
+    compilation = lagdsl.compile(lagdsl.import_robot(tmp_path / "arm.urdf"))._compilation
+    extended = with_regressor(compilation.equations, with_equation_terms(compilation.equations, compilation.program))
+    extended = with_kinematics(compilation.equations, extended, ("lower.frame_a",), ())
+    (tmp_path / "Arm.py").write_text(BACKENDS["numpy"].emit(extended).files["Arm.py"])
+    in_peers("-c", program, folder=tmp_path)
 
 
 def test_programs_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
