@@ -102,7 +102,8 @@ page-check: $(READY)  ## pages of all models in a real browser: needs node and C
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
 	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/page
 
-bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
+bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed; living pages need Chromium
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py
 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import auto
+import living_page
 import motion
 import sizes_page
 from dynamics import OURS, family, ratio_name
@@ -60,6 +61,7 @@ def page(found: dict[str, Results]) -> str:
         ("ensembles", _ensembles),
         ("drive", _drive),
         ("fmus", _fmus),
+        ("living_page", living_page.section),
     ):
         if key in found:
             lines += ["", *section(found[key])]

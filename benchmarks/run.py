@@ -21,6 +21,7 @@ import figures
 import fmus
 import growth
 import iftomm
+import living_page
 import machine
 import motion
 import ours
@@ -48,6 +49,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "drive": bulk.drive,
     "runtime": motion.measure,
     "fmus": fmus.measure,
+    "living_page": living_page.measure,
 }
 
 
