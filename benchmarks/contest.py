@@ -20,7 +20,7 @@ RUNTIME = Path(__file__).parents[1] / "lagdsl" / "runtime" / "c"
 FOLDER = cache_folder() / "benchmarks"
 ROUNDS, RUNS = 400, 5
 _SHARED = ("-fPIC", "-shared")
-# What Pinocchio's own package files ask for.
+# Flags that Pinocchio's own package files ask for.
 _PINOCCHIO = (
     "-std=c++17",
     "-DNDEBUG",
@@ -49,7 +49,7 @@ class Run:
 
 
 def folder() -> Path:
-    """Where everything that is made goes."""
+    """Folder of everything that is made."""
     FOLDER.mkdir(mode=0o700, parents=True, exist_ok=True)
     return FOLDER
 
@@ -63,7 +63,7 @@ def hold(states: Path, contestants: Sequence[Contestant], *, rounds: int = ROUND
 
 
 def results(states: Path, contestant: Contestant) -> dict[str, np.ndarray]:
-    """What one of them computes, by kind, without times."""
+    """Results of one of them, by kind, without times."""
     (run,) = hold(states, [contestant], rounds=0, runs=1)
     return {kind: values for (_, kind), values in run.results.items()}
 

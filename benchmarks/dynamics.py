@@ -66,12 +66,12 @@ def family(label: str) -> str:
 
 
 def ratio_name(mine: str, peer: str) -> str:
-    """What the ratio of our contestant `mine` to `peer` is told under."""
+    """Name of the ratio of our contestant `mine` to `peer`."""
     return " ".join([*mine.split("_")[1:], peer])
 
 
 def _libraries(arm: serial.Arm, derivatives: bool) -> list[Contestant]:
-    """Those that are linked against, not generated."""
+    """Peers that are linked against, not generated."""
     found: list[Contestant] = []
     if "pinocchio" in peers.where():
         numbers = contest.folder() / f"arm_{len(arm.links)}.txt"

@@ -94,7 +94,7 @@ def in_plane(arm: Arm, q, v):
     return kinetic, potential
 
 
-# How the energies are typed.
+# Form in which the energies are typed.
 WAYS = {"space": in_space, "plane": in_plane}
 
 

@@ -1,4 +1,4 @@
-"""Where and when something was measured, and how busy the machine was."""
+"""Place and time of a measurement, and the load of the machine."""
 
 import os
 import platform

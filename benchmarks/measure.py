@@ -45,7 +45,7 @@ def process_cpu_seconds(command: Sequence[str], runs: int = 9) -> float:
 
 
 def in_fresh_process(code: str, limit: float | None = None) -> object:
-    """What Python `code`, run beside this file, prints last, as JSON. Raises TimeoutExpired after `limit` seconds."""
+    """Last line, as JSON, that Python `code` prints beside this file. Raises TimeoutExpired after `limit` seconds."""
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=HERE, capture_output=True, text=True, check=False, timeout=limit
     )

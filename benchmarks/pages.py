@@ -74,7 +74,7 @@ def summary(found: dict[str, Results]) -> str:
 
 
 def _limits(found: dict[str, Results]) -> list[str]:
-    """What keeps a figure from its target."""
+    """The reason why a figure misses its target."""
     missed = {line.text for line in targets(found) if line.reached == "**missed**"}
     if not any(text.startswith("10-link chain, evaluation") for text in missed):
         return []

@@ -65,7 +65,7 @@ def run(*arguments: str | Path) -> str:
 def casadi(arm: str, n: int, way: str, flags: tuple[tuple[str, ...], ...], runs: int = 0) -> list[Generated]:
     """Lagrange's equations of an arm by CasADi; `way` is one of in_peers.WAYS.
 
-    What was compiled is kept, with the time it took; with `runs` the times are medians of so many runs made now.
+    A compiled library is kept, with the time it took; with `runs` the times are medians of so many runs made now.
     """
     text = contest.folder() / f"casadi_{way}_{arm}_{n}.c"
     seconds = [json.loads(run("casadi", arm, str(n), way, text))["seconds"] for _ in range(max(1, runs))]

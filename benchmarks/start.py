@@ -1,4 +1,4 @@
-"""What a user waits for first: `lag check`, text to callable functions; and that the program does not swell."""
+"""Waiting times of a user: `lag check`, text to callable functions; and that the program does not swell."""
 
 import os
 import sys

@@ -16,7 +16,7 @@ CASES: tuple[tuple[str, int | None], ...] = (
     ("spatial_chain", 100),
 )
 RUNS = 5
-# What CasADi's C takes without optimization; with -O2 it takes minutes.
+# Compile time of CasADi's C without optimization; with -O2 it takes minutes.
 LONG = 50
 
 

@@ -1,7 +1,7 @@
 """Choice of the cases that run where tests repeat a rule.
 
 Where a test shows one rule of many things, `make check` takes some of them, one of each kind, and `make check-all`
-(LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. What is chosen stands at the test.
+(LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. The choice stands at the test.
 """
 
 from __future__ import annotations

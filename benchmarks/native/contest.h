@@ -1,4 +1,4 @@
-/* What takes part in a contest: a library that enters functions of a state, all timed in turns by contest.c. */
+/* Contestants: a library that enters functions of a state, all timed in turns by contest.c. */
 #ifndef CONTEST_H
 #define CONTEST_H
 

@@ -1,4 +1,4 @@
-/* What one call takes, in nanoseconds of CPU time: the mean of so many calls. */
+/* Duration of one call in nanoseconds of CPU time: the mean of so many calls. */
 #define _POSIX_C_SOURCE 199309L
 #include <time.h>
 

@@ -41,7 +41,7 @@ def _is_mutable_dataclass(node: ast.ClassDef) -> bool:
 
 
 def _attributes(node: ast.ClassDef) -> set[str]:
-    """What the methods of a class put into `self`."""
+    """Attributes that the methods of a class put into `self`."""
     return {
         at.attr
         for at in ast.walk(node)

@@ -100,7 +100,7 @@ BOUNDS = [
 ]
 
 
-# Whether a crossing at the stop is reached is a matter of rounding; what came before is not, and nothing happens twice.
+# Rounding decides if a crossing at the stop is reached, but not what came before; and nothing happens twice.
 AT_THE_STOP = [
     crossing(
         f"stop_at_{relation.format(stop).replace(' ', '')}",

@@ -23,7 +23,7 @@ COMPILERS = {
     "zig": f"{sys.executable} -m ziglang cc -target thumb-freestanding-eabihf -mcpu=cortex_m7",
 }
 FLAGS = "-O1 -ffreestanding -Ifreestanding -Wvla -Wframe-larger-than=2048"
-# What compilers for Arm call by themselves, and bring along: arithmetic that the processor lacks, the moving of memory.
+# Functions that compilers for Arm call by themselves, and bring along: missing arithmetic, the moving of memory.
 OF_THE_COMPILER = re.compile(r"__aeabi_\w+|memcpy|memset|memmove|fma")
 
 BOUNCING = """

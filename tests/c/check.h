@@ -1,4 +1,4 @@
-/* What the C tests say and how: the first failure ends the program with its place. */
+/* Checks of the C tests: the first failure ends the program with its place. */
 #ifndef CHECK_H
 #define CHECK_H
 

@@ -69,7 +69,7 @@ static inline void put_word(random_tape *tape, uint32_t word)
     tape->word[tape->words++] = word;
 }
 
-/* Where a function may write, and how long its row is. */
+/* Places a function may write to, and the length of its row. */
 typedef struct row_of {
     uint32_t first, row;
 } row_of;

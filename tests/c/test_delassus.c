@@ -73,7 +73,7 @@ static void solve_dense(problem *x, size_t rank)
     free(memory);
 }
 
-/* What a and lam leave in both rows, as a part of the terms that stand there. */
+/* Residual that a and lam leave in both rows, as a part of the terms that stand there. */
 static double rest(const problem *x)
 {
     double worst = 0.0;

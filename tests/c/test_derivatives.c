@@ -34,7 +34,7 @@ static lag_model model(void)
     return made;
 }
 
-/* What q0'' + q1'' must be. */
+/* The value that q0'' + q1'' must have. */
 static double pull(double rate, const double *x)
 {
     return -2.0 * rate * (x[2] + x[3]) - rate * rate * (x[0] + x[1]);

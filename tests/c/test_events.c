@@ -1,4 +1,4 @@
-/* What events are made of: zeros and clocks. */
+/* Zeros and clocks, the parts of events. */
 #include "check.h"
 #include "lag/events/clock.h"
 #include "lag/linalg/root.h"

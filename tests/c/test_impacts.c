@@ -99,7 +99,7 @@ static void a_ball_bounces_and_rests(void)
 }
 
 /*
- * A contact that is told to rest late does not end as a crowd of events. What is left after bounce k is 5 0.8^k s, the speed
+ * A contact that is told to rest late does not end as a crowd of events. The time left after bounce k is 5 0.8^k s, the speed
  * 5 0.8^k m/s; both are below 2.2e-6 from k = 66 on.
  */
 static void a_contact_rests_late(void)

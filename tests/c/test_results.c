@@ -8,7 +8,7 @@
 
 enum { ROWS = 41, ROOM = 7, WIDTH = 9, COUNT = 5, SIZE = 3 };
 
-/* Where the buffers are emptied to. */
+/* The file that the buffers are emptied to. */
 typedef struct shelf {
     size_t rows, calls;
     double row[ROWS][WIDTH];

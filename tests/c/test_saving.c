@@ -116,7 +116,7 @@ static void rollback(void)
     free(straight);
 }
 
-/* What was changed, or is another model's, is not taken, and does no harm. */
+/* A state that was changed, or is another model's, is not taken, and does no harm. */
 static void foreign_bytes(void)
 {
     const lag_run_options options = {.tolerance = 1e-8, .length = 1.0};

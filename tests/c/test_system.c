@@ -26,7 +26,7 @@ static lag_status solve(problem *x, size_t most)
     return status;
 }
 
-/* What a and lam leave in both rows, as a part of the terms that stand there. */
+/* Residual that a and lam leave in both rows, as a part of the terms that stand there. */
 static double rest(const problem *x)
 {
     double worst = 0.0;

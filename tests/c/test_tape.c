@@ -1,6 +1,6 @@
 /*
  * Tapes of random models are taken and run within their bounds, which the address sanitizer sees: all arrays are exactly as long as
- * the model says. What is changed is refused; with its checksum mended it is refused or runs within its bounds.
+ * the model says. A changed tape is refused; with its checksum mended it is refused or runs within its bounds.
  */
 #include "random_tape.h"
 
@@ -162,7 +162,7 @@ static void read_tables(const lag_model *model, const lag_start *start)
     }
 }
 
-/* Whether the bytes are taken; then everything in them is used, and `whole` ones also compared. They stand in memory of exactly their length. */
+/* True if the bytes are taken; then everything in them is used, and `whole` ones also compared. They stand in memory of exactly their length. */
 static int taken(const unsigned char *bytes, size_t count, int whole)
 {
     unsigned char *own = malloc(count + (count == 0));

@@ -107,8 +107,8 @@ def deviation(
 
 def scales(reference: lagdsl.Trajectory) -> Floats:
     """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, of rates at least
-    of that of their coordinate over the time of the experiment: what rests but for rounding has no range. What keeps
-    its value, as an energy may, has its value for a range."""
+    of that of their coordinate over the time of the experiment: what rests but for rounding has no range. A signal that
+    keeps its value, as an energy may, has its value for a range."""
     largest: dict[tuple[str, str], float] = {}
     sizes = {column.name: _size(column.values) for column in reference.columns}
     for column in reference.columns[1:]:
@@ -145,8 +145,8 @@ def horizon(name: str, tolerance: float = TOLERANCE) -> float:
 def difference(
     name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any], until: float = np.inf
 ) -> str:
-    """What is off by more than 1e-6 of the range of its signal up to the horizon, or `until` an earlier time, 1e-4
-    beside events; nothing is: same.
+    """Signals off by more than 1e-6 of their range up to the horizon, or `until` an earlier time, 1e-4 beside events;
+    none: same.
 
     There must be rows over the whole of it, and it must be worth the name.
     """

@@ -1,4 +1,4 @@
-"""What is said to depend on what, against the derivatives that importers get, entry by entry; kinds by closed forms."""
+"""Declared dependencies against the derivatives that importers get, entry by entry; kinds by closed forms."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
 
-# Where nothing but the parameters of a factor cancels: all that is said to depend does.
+# If only the parameters of a factor cancel, all declared dependencies are true ones.
 EXACT = (
     "double_pendulum",
     "cart_double_pendulum",
@@ -83,8 +83,8 @@ def jacobian(path: Path, at: dict[Group, np.ndarray]) -> np.ndarray:
 
 
 def nonzeros(path: Path) -> np.ndarray:
-    """What is not zero at one random state at least, where there are accelerations. Where rows depend on each other on
-    the constraints only, the state is that of the start."""
+    """Entries that are not zero at one random state at least, if there are accelerations. If rows depend on each other
+    on the constraints only, the state is that of the start."""
     program, start = program_of(path)
     random = np.random.default_rng(1)
     found = np.zeros((len(unknowns_of(program)), len(knowns_of(program))), bool)

@@ -17,7 +17,7 @@ from lagdsl.fmi.description.xml import document, element, number, text
 from lagdsl.fmi.variables.variables import Version
 
 STILL = "model Still coordinate Length x; gravity = 0; mass 1 kg at {x, 0}; end Still;"
-# What XML 1.0 can hold, section 2.2, and what stands for the rest.
+# Characters that XML 1.0 can hold, section 2.2, and those that stand for the rest.
 POSSIBLE = re.compile("[\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -60,7 +60,7 @@ def test_truth_is_written_as_schemas_want_it() -> None:
 
 @pytest.mark.parametrize("version", [2, 3])
 def test_other_defaults_are_told(version: Version) -> None:
-    """Where a model is exported with other parameters than its text has."""
+    """A model that is exported with other parameters than its text has."""
     compilation = of_text(STILL.replace("mass 1 kg", "parameter Mass m = 1 kg; mass m"))
     layout = replace(compilation.program.layout, defaults=(2.5,))
     changed = replace(compilation, program=replace(compilation.program, layout=layout))

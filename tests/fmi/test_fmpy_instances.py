@@ -163,7 +163,7 @@ def test_lengths_of_communication_steps_do_not_matter(name: str, version: int) -
 
 @BOTH
 def test_parameters_and_starts_that_are_set_are_those_of_a_run(version: int) -> None:
-    """What depends on them follows: the constraint of the four-bar linkage holds for other lengths, too."""
+    """Dependent values follow: the constraint of the four-bar linkage holds for other lengths, too."""
     name = "four_bar"
     fmu = exported(name, version)
     parameter = next(p for p in model(name).parameters if fmu.variables[p].causality == "parameter")

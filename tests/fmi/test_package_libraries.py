@@ -37,7 +37,7 @@ SYSTEMS = {
     },
     "macos": {"/usr/lib/libSystem.B.dylib"},
 }
-# What the linker of macOS adds to every library.
+# Symbols that the linker of macOS adds to every library.
 OF_THE_LINKER = {"__dso_handle", "_mh_dylib_header"}
 
 

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 Kind = Literal["impact", "closed", "opened", "tick"]
 
 TOLERANCE = 1e-10
-# What both tell by one name. Relations that are located may be others in an oracle that knows of corners only.
+# Kinds of events that both tell by one name. An oracle that knows of corners only may locate other relations.
 TOLD = ("impact", "closed", "opened", "tick")
 # Nearer to each other than this events crowd.
 CROWDED = 1e-5
@@ -107,7 +107,7 @@ def _instants(events: list[tuple[float, str, str]]) -> list[tuple[float, list[tu
 
 
 def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Where several contacts strike at once, the order of their blows tells what each of them is called; the rates
+    """If several contacts strike at once, the order of their blows tells what each of them is called; the rates
     after it tell whether that was right."""
     contacts = sorted({name for name, kind in names if kind != "tick"})
     if len(names) < 2:
@@ -143,7 +143,7 @@ def _columns(run: Run, names: Sequence[str], times: Floats) -> Floats:
 
 
 def _order(run: Run, names: Sequence[str]) -> list[int]:
-    """Where each column stands in (q, qd, z)."""
+    """Place of each column in (q, qd, z)."""
     kinds = {c.name: c.kind for c in run.motion.columns}
     q = [name for name in names if kinds[name] == "coordinate"]
     z = [name for name in names if kinds[name] == "state"]

@@ -13,7 +13,7 @@ from fuzz.event_models import event_model
 import lagdsl
 
 COUNT = 1000 if EXPLORE else 24 if ALL else 5
-# Where an engine does not agree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
+# An engine may disagree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
 MOST_GRAZING = 0.1
 
 

@@ -81,7 +81,7 @@ def eliminated(flat: FlatModel) -> tuple[Equations, Solution]:
 
 
 def largest_residual(flat: FlatModel, states: int = 20) -> float:
-    """What the accelerations and responses leave in M a = f and M Y' = J', relative to the terms; worst of `states`."""
+    """Residual that the accelerations and responses leave in M a = f and M Y' = J', relative to the terms; worst."""
     equations, solution = eliminated(flat)
     graph, directions = equations.graph, equations.symbols.directions
     mass = mass_matrix(graph, equations.dynamics.terms, directions)

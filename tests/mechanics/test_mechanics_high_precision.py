@@ -25,7 +25,7 @@ TIME = 0.3
 def residuals(
     lagrangian: Callable[[Numbers, Numbers, mpmath.mpf], mpmath.mpf], q: Numbers, qd: Numbers, qdd: Numbers
 ) -> Iterator[tuple[mpmath.mpf, mpmath.mpf]]:
-    """What the accelerations leave in each of Lagrange's equations, and the size of its terms."""
+    """Residual that the accelerations leave in each of Lagrange's equations, and the size of its terms."""
     t, h, n = mpmath.mpf(TIME), STEP, len(q)
 
     def moved(values: Numbers, index: int, step: mpmath.mpf) -> list[mpmath.mpf]:

@@ -49,9 +49,9 @@ def over(names: list[str]) -> pytest.MarkDecorator:
 
 
 EVERY = over(MODELS)
-# What a rule of all models is shown by.
+# Models that show a rule of all models.
 SOME = over(chosen(MODELS, OF_EACH_KIND))
-# What a rule is shown by that other tests show of each kind, too.
+# Models that show a rule which other tests show of each kind, too.
 FEW = over(chosen(MODELS, OF_EACH_KIND[1::3]))
 
 

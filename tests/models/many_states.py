@@ -78,8 +78,8 @@ def _least(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
 
 
 def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.ndarray) -> float:
-    """What qdd and lam leave in M qdd - J'lam = f and J qdd = gamma, relative to the size of the terms; the worst row
-    of all states.
+    """Residual that qdd and lam leave in M qdd - J'lam = f and J qdd = gamma, relative to the size of the terms; the
+    worst row of all states.
 
     Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
     where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it, or the

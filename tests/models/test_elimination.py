@@ -44,7 +44,7 @@ def without_elimination(program: Program) -> Program:
 
 
 def without_dense(program: Program) -> Program:
-    """Where the dense equations are asked for, they are no numbers: elimination alone must do."""
+    """The dense equations are no numbers if asked for: elimination alone must do."""
     graph = program.graph
     t = graph.unary(Op.SQRT, graph.constant(-1.0))
     blocks = program.function("dynamics").results

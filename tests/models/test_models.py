@@ -34,7 +34,7 @@ from models.kinds import EVERY, FEW, OF_EACH_KIND, SOME, kinds
 
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
-# Where multipliers take back what forces alone would do, the rounding of that is left: in rows in which nothing else
+# Multipliers that take back the effect of forces leave its rounding: in rows in which nothing else
 # stands, of coordinates that are prescribed at rest, and of a slide without mass (roundings of the largest multiplier).
 TAKEN_BACK = {"library/forces_speed_drives": 1e-10, "library/planar_trammel": 1e-11}
 
@@ -140,7 +140,7 @@ def test_solutions_satisfy_the_equations(name: str, make: object) -> None:
 
 
 def _assert_solved(name: str, engine: Engine, states: Arrays, program: Program, *as_large_as: Program) -> None:
-    """What qdd and lam leave in M qdd - f - J' lam = 0 and J qdd = gamma, against the size of the terms.
+    """Residual that qdd and lam leave in M qdd - f - J' lam = 0 and J qdd = gamma, against the size of the terms.
 
     Where all terms of a row vanish, against a ten-thousandth of what the largest unknowns, or the accelerations that
     the forces alone would make, would make of it: where everything is held, those are all there is.

@@ -36,7 +36,7 @@ HERE = Path(__file__).parent
 # Smooth, contact with impacts, closed loops, sampled control, friction and clutches.
 CHOSEN = {"double_pendulum": 2.0, "bouncing_ball": 2.0, "four_bar": 2.0, "library/blocks_pid": 2.0, "clutch": 2.0}
 TOLERANCE, ROWS = 1e-10, 40
-# What runs programs of the platform, and which libraries it needs for them.
+# Commands that run programs of the platform, and which libraries it needs for them.
 EMULATORS = {
     "linux-x86_64": ["env"],  # another compiler than this machine's
     "linux-aarch64": ["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"],

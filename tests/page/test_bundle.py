@@ -1,4 +1,4 @@
-"""What pages carry was built from the sources that are here: `make page`."""
+"""The bundle of pages was built from the sources that are here: `make page`."""
 
 from __future__ import annotations
 

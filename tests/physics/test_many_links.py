@@ -1,7 +1,7 @@
 """Large mechanisms against Newton's and Euler's equations of their bodies, link by link, in extended precision.
 
 Source: the recursive Newton-Euler equations (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 5), here in
-axes of the world. What a joint misses is compared with the torques that meet there, which are large in a long chain.
+axes of the world. The error of a joint is compared with the torques that meet there, which are large in a long chain.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Where the rows of a loop come near to depending on each other: little is left in the equations down to there,
+"""Rows of a loop that come near to depending on each other: little is left in the equations down to there,
 whichever way an engine takes, and elimination gives way to the dense solution in time."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Where the inertia of a quaternion's scalar part is almost nothing, its norm must not dwarf the other constraints."""
+"""If the inertia of a quaternion's scalar part is almost nothing, its norm must not dwarf the other constraints."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What says the same moves the same: every model of models/, with a stranger beside it, in other order, by other names,
-in a class, twice in one model, in a file of its own; with the stop or a tick where something happens.
+"""Texts that say the same give the same motion: every model of models/, with a stranger beside it, in other order, by
+other names, in a class, twice in one model, in a file of its own; with the stop or a tick where something happens.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ def _renamed(name: str, prefix: str, names: Mapping[str, str]) -> str:
 
 
 def _kinds(motion: Trajectory, until: float, beside: str = "nothing") -> Counter[str]:
-    """What happened before a time, by kind, but for `beside`; names hold those of coordinates, which may be others."""
+    """Events before a time, by kind, but for `beside`; names hold those of coordinates, which may be others."""
     return Counter(e.kind for e in motion.events if e.time < until * (1 - 1e-9) and not e.name.startswith(beside))
 
 
@@ -157,7 +157,7 @@ def test_twice_with_different_values(name: str) -> None:
         assert_columns(one, coarser, both, prefix="other.")
 
 
-# Where something happens: one event a model, the first that is neither at the start nor a tick.
+# Times of events, one a model: the first that is neither at the start nor a tick.
 HAPPENING = NAMES if EXPLORE else ["bouncing_ball", "escapement", "valve_train"]
 
 

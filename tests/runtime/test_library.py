@@ -38,7 +38,7 @@ def _type(text: str) -> type:
 
 
 def _arguments(text: str) -> tuple[type, ...]:
-    """Those of pointers to functions hold commas of their own."""
+    """Parameters that are pointers to functions hold commas of their own."""
     flat = re.sub(r"\(\*\w+\)\([^)]*\)", "*", text)
     return tuple(_type(each) for each in flat.split(","))
 

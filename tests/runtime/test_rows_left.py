@@ -22,7 +22,7 @@ def _draw(seed: int, n: int, m: int) -> Arrays:
 
 
 def _left(system: Arrays, kept: tuple[int, ...]) -> Arrays:
-    """What elimination gives when it solves for all multipliers but those of `kept`: a, l, Y, K, J, g."""
+    """Results of elimination that solves for all multipliers but those of `kept`: a, l, Y, K, J, g."""
     mass, force, rows, bias = system
     others = [i for i in range(len(bias)) if i not in kept]
 
@@ -51,7 +51,7 @@ def _solve(left: Sequence[np.ndarray], kept: tuple[int, ...], rank: int) -> Arra
 
 
 def _rest(system: Arrays, a: np.ndarray, lam: np.ndarray) -> float:
-    """What a and lam leave in both rows, as a part of the terms that stand there."""
+    """Residual that a and lam leave in both rows, as a part of the terms that stand there."""
     mass, force, rows, bias = system
     motion = np.abs(mass @ a - force - rows.T @ lam)
     terms = np.abs(mass) @ np.abs(a) + np.abs(force) + np.abs(rows.T) @ np.abs(lam)

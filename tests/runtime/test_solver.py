@@ -15,7 +15,7 @@ Arrays = tuple[np.ndarray, ...]
 def _rest(
     mass: np.ndarray, force: np.ndarray, rows: np.ndarray, bias: np.ndarray, a: np.ndarray, lam: np.ndarray
 ) -> float:
-    """What a and lam leave in both rows, as a part of the terms that stand there."""
+    """Residual that a and lam leave in both rows, as a part of the terms that stand there."""
     motion = np.abs(mass @ a - force - rows.T @ lam)
     terms = np.abs(mass) @ np.abs(a) + np.abs(force) + np.abs(rows.T) @ np.abs(lam)
     left = np.abs(rows @ a - bias)

@@ -94,7 +94,7 @@ class Exact:
         return [a - b for a, b in zip(lam, excess.T * along, strict=True)]
 
     def everything(self, given: dict[Group, Any]) -> list[Any]:
-        """What the probe tells, as values: rates, y, d, energies, phi, J qd + b, lam."""
+        """Output of the probe, as values: rates, y, d, energies, phi, J qd + b, lam."""
         qdd, lam = self.solve(given)
         solved = {**given, Group.QDD: qdd, Group.LAMBDA: lam}
         told = [*given[Group.QD], *qdd]

@@ -156,7 +156,7 @@ def _known(modifier: Modifier, env: Env) -> _Said:
 
 
 def _of_element(said: _Said, index: int) -> _Said:
-    """What a modifier of an array says of one element: `each` counts for this array."""
+    """The part of an array's modifier that counts for one element: `each` counts for this array."""
     if said.each:
         return replace(said, each=False)
     value = said.value[index - 1] if isinstance(said.value, list) else said.value
@@ -172,7 +172,7 @@ def meaning(kind: Kind) -> Meaning:
 def _instance(kind: Kind, prefix: str, said: list[_Said], found: Meaning) -> None:
     """`said` are the modifiers from outside, outer ones last."""
     env: Env = {}
-    # What a class says of its base counts before what is said from outside; it may use the parameters of both.
+    # Modifiers that a class gives its base count before those from outside; it may use the parameters of both.
     inherited: list[Modifier] = []
     for each in reversed(kind.line()):
         inherited = [*(each.base[1] if each.base is not None else ()), *inherited]
@@ -296,7 +296,7 @@ def expression(draw: st.DrawFn, names: Names, quantity: str, shape: Shape, depth
 
 
 def _modifiers(draw: st.DrawFn, names: Names, kind: Kind, extents: Shape) -> tuple[Modifier, ...]:
-    """What is said of components of a class inside arrays of these extents, innermost array last."""
+    """Modifiers of components of a class inside arrays of these extents, innermost array last."""
     found: list[Modifier] = []
     for name, (quantity, shape) in kind.names().items():
         if not draw(st.booleans()):

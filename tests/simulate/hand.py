@@ -27,7 +27,7 @@ from lagdsl.runtime.engines.numpy_model import Callbacks
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, LENGTH
 
-# What the runtime asks a model for.
+# Functions that the runtime asks a model for.
 NATIVE = (
     *("start", "position_constraint", "velocity_constraint", "mass_matrix", "dynamics"),
     *("residual", "residual_tangent", "state_derivative", "state_derivative_tangent"),

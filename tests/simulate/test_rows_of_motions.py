@@ -83,7 +83,7 @@ def test_the_highest_point_of_a_bounce_lies_between_rows() -> None:
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-10])
 def test_extremes_are_those_of_a_fine_grid(tolerance: float) -> None:
-    """Whatever the steps: of a beat, whose peaks grow."""
+    """Rows do not depend on the steps: of a beat, whose peaks grow."""
     text = """
     model Beat
       coordinate Length x(start = 1 m), y;

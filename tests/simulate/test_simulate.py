@@ -31,7 +31,7 @@ def pendulum_angle(t: np.ndarray, amplitude: float) -> np.ndarray:
     return np.asarray(2 * np.arcsin(np.sqrt(k2) * sn))
 
 
-# Those of fixed steps have tests of their own.
+# Methods of fixed steps have tests of their own.
 ADAPTIVE = ("auto", *METHODS)
 
 

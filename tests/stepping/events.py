@@ -1,4 +1,4 @@
-"""What happens at an instant: passes over the clauses, resets, blows, contacts that close and open.
+"""An instant: passes over the clauses, resets, blows, contacts that close and open.
 
 Written from docs/reference/events.md and docs/explanation/mechanics.md, section 9.
 """
@@ -12,7 +12,7 @@ from stepping.balance import Balance, Floats, impact, least_impulse, pushed
 from stepping.state import AHEAD, NOW, State, System
 
 _PASSES = 100
-# What is told of a contact that struck, by whether it was closed and whether it stays.
+# Words for a contact that struck, by whether it was closed and whether it stays.
 _KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impact", (True, False): "opened"}
 # Of the run: how long bounces may still go on in a contact that is at rest; of that, how long the next flight is
 # where bounces do not become shorter.
@@ -33,7 +33,7 @@ class Happening:
 
 @dataclass
 class Memory:
-    """Of rates and of positions: the largest so far. What was told."""
+    """Of rates and of positions: the largest so far. Events that were told."""
 
     speeds: Floats
     places: Floats
@@ -184,7 +184,7 @@ class Instant:
         closed: Floats,
         scale: Floats,
     ) -> State:
-        """Which contacts stay together after blows, which part."""
+        """Contacts that stay together after blows, and those that part."""
         system = self._system
         speed = system.call("contact", s, b)["speed"]
         w, noise = s.w.copy(), self.noise(s, b)

@@ -90,7 +90,7 @@ class System:
         return np.concatenate((s.v, solved[0], zd))
 
     def valid(self, s: State, b: list[float]) -> Floats:
-        """What stays positive in a mode: of relations, of contacts (gap, or the force that pushes), of corners."""
+        """Values that stay positive in a mode: of relations, of contacts (gap, or the force), of corners."""
         closed = bool(self.contacts) and bool(np.any(s.w[self.contacts]))
         solved = self.solved(s, b) if closed or self._asks else None
         values: list[float] = []
@@ -116,7 +116,7 @@ class System:
     # ---- a moment later ----------------------------------------------------------------------------------------------
 
     def later(self, s: State, b: list[float], ahead: float) -> State:
-        """Where it is so much later, to second order."""
+        """The state so much later, to second order."""
         h, n = ahead * self.length, len(s.q)
         rates = self.rates(s, b)
         x = s.x + h * rates
@@ -146,7 +146,7 @@ class System:
         return w, corners
 
     def timed_values(self, s: State, t: float) -> Floats:
-        """What entries that depend on time alone are at a time."""
+        """Values at a time of the entries that depend on time alone."""
         return self.call("time_event", replace(s, t=t), None)["value"]
 
     def next_timed(self, s: State, end: float) -> float:

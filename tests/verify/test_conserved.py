@@ -148,7 +148,7 @@ def test_balls_that_collide_keep_their_momentum() -> None:
 
 @pytest.mark.parametrize("name", ["rolling_coin", "two_masses_and_spring", "gyroscope_in_gimbals", "charged_particle"])
 def test_expressions_are_claims_that_hold(name: str) -> None:
-    """What is found can be written into the model, and the runtime sees no drift."""
+    """A quantity that is found can be written into the model, and the runtime sees no drift."""
     text = path_of(name).read_text()
     quantities = lagdsl.compile(path_of(name)).conserved_quantities
     assert quantities

@@ -69,7 +69,7 @@ static inline void initialize(fmi3Instance instance)
     CHECK(fmi3ExitInitializationMode(instance) == fmi3OK);
 }
 
-/* What a step told. */
+/* Results of a step. */
 static struct {
     fmi3Boolean event, terminate, early;
     double t;

@@ -1,6 +1,6 @@
 /*
- * Importers that call anything in any order with any arguments, on a real instance of the model that `lag_exported` is. Whatever they do, they
- * get a status; what they get of the motion as good is finite; and the sanitizers find nothing.
+ * Importers that call anything in any order with any arguments, on a real instance of the model that `lag_exported` is. They always
+ * get a status; values of the motion that come with a good one are finite; and the sanitizers find nothing.
  */
 #ifndef RANDOM_CALLS_H
 #define RANDOM_CALLS_H

@@ -14,7 +14,7 @@
 /* Value references. */
 enum { V_TIME, V_Q, V_QD, V_QDD, V_K, V_FAULT, V_PERIOD, V_U, V_COUNT, V_CLOSED, V_LABEL, V_KIND, V_BIG, V_VARIABLES };
 
-/* What goes wrong, and when. */
+/* Faults, and their times. */
 enum {
     FAULT_NONE,
     FAULT_STEP,        /* a step cannot be done */

@@ -5,7 +5,7 @@
 #include "lag/instance/instance_internal.h"
 
 static const double TOLERANCE = 1e-9;
-/* What a motion of a few seconds may be off. */
+/* Largest error of a motion of a few seconds. */
 static const double OFF = 1e-7;
 
 /* Steps that the integrator takes for itself. */

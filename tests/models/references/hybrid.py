@@ -14,7 +14,7 @@ from models.references.integrate import Floats
 
 # Rows at an event are recognized by their times: nearer to one than this, twice.
 _SAME = 2e-9
-# Where a mode begins its guards are zero but for round-off: for so long they are not looked at.
+# At the start of a mode its guards are zero but for round-off: for so long they are not looked at.
 _BLIND = 1e-9
 
 Guard = Callable[[float, Floats], float]
