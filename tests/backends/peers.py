@@ -18,7 +18,7 @@ def has(package: str) -> bool:
 
 
 def in_peers(*arguments: object, folder: Path) -> str:
-    """What a program with these arguments prints, run in `folder`."""
+    """Output of a program with these arguments, run in `folder`."""
     done = subprocess.run(
         [PEERS.absolute(), *map(str, arguments)], capture_output=True, text=True, check=False, cwd=folder, timeout=600
     )

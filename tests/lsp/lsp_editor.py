@@ -83,7 +83,7 @@ class Editor:
             assert self._heard.wait_for(is_there, WAIT), "the server says nothing"
 
     def diagnostics(self, uri: str, *, having: str | None = None) -> list[lsp.Diagnostic]:
-        """What is told of the last version; with `having` as soon as that code is among it."""
+        """Diagnostics of the last version; with `having` as soon as that code is among it."""
 
         def is_there() -> bool:
             known = self.found.get(uri)

@@ -89,7 +89,7 @@ def test_a_broken_statement_is_the_only_one_that_is_told(name: str) -> None:
 
 
 EXCEPTIONS = ("E0100", "E0101", "E0103", "E0113", "E0118")
-"""Where the broken statement runs into the next one, the parser finds out behind it."""
+"""If the broken statement runs into the next one, the parser sees the fault behind it."""
 
 
 def _items(item: nodes.Class) -> list[nodes.Item]:
