@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import asin, cos, exp, sin
+
 from attack.rows import Attack, check, model, rows
 
 DISCRETES = [
@@ -174,6 +176,48 @@ INITIAL = [
         'constraint sum: der(c) + der(d) = 1; annotation(units = "none"); initial equation der(x) = 2; end Attacked;',
         1.0,
         {"der(c)": 0.25, "der(d)": 0.75},
+    ),
+    Attack(
+        "defaulted_rates_that_inertia_couples",
+        # with u = a' + b' and v = b' the row is u + v = 3, the energy (u^2 + v^2)/2
+        "model Attacked coordinate Real a, b, x; kinetic 1/2*(der(a) + der(b))^2 + 1/2*der(b)^2 + 1/2*der(x)^2;"
+        'constraint sum: der(a) + 2*der(b) = 3; annotation(units = "none"); initial equation der(x) = 2; end Attacked;',
+        1.0,
+        {"der(a)": 0.0, "der(b)": 1.5, "der(x)": 2.0},
+    ),
+    Attack(
+        "defaulted_rates_of_two_pairs",
+        "model Attacked coordinate Real c, d, e, f, x; "
+        "kinetic 1/2*(der(c)^2 + 5*der(d)^2 + 2*der(e)^2 + 3*der(f)^2 + der(x)^2);"
+        "constraint one: der(c) + der(d) = 1; constraint two: der(e) + der(f) = 5;"
+        'annotation(units = "none"); initial equation x = 1; end Attacked;',
+        1.0,
+        {"der(c)": 5 / 6, "der(d)": 1 / 6, "der(e)": 3.0, "der(f)": 2.0, "x": 1.0},
+    ),
+    Attack(
+        "defaulted_rates_of_unequal_weights",
+        # along M^-1 J' = (2, -1/5), which the row counts as 4.2
+        "model Attacked coordinate Real c, d, x; kinetic 1/2*der(c)^2 + 1/2*5*der(d)^2 + 1/2*der(x)^2;"
+        'constraint row: 2*der(c) - der(d) = 4; annotation(units = "none"); initial equation der(x) = 2; end Attacked;',
+        1.0,
+        {"der(c)": 8 / 4.2, "der(d)": -0.8 / 4.2},
+    ),
+    Attack(
+        "defaulted_rates_beside_a_state",
+        "model Attacked coordinate Real c, d; state Real z; kinetic 1/2*der(c)^2 + 1/2*5*der(d)^2;"
+        'constraint sum: der(c) + der(d) = 1; annotation(units = "none");'
+        "equation der(z) = -z; initial equation z = 3; end Attacked;",
+        1.0,
+        {"der(c)": 5 / 6, "der(d)": 1 / 6, "z": 3 * exp(-1)},
+    ),
+    Attack(
+        "bead_on_a_circle_beside_an_initial_equation",
+        # x = sin(p), 0.8 p' = 1 at x = 0.6; nothing acts along the circle
+        "model Attacked coordinate Real x(start = 0.6, der(start = 1)), y(start = -0.8), s; "
+        "kinetic 1/2*(der(x)^2 + der(y)^2 + der(s)^2); constraint circle: x^2 + y^2 = 1;"
+        'annotation(units = "none"); initial equation der(s) = 2; end Attacked;',
+        2.0,
+        {"x": sin(asin(0.6) + 2.5), "y": -cos(asin(0.6) + 2.5), "s": 4.0},
     ),
 ]
 
