@@ -13,18 +13,17 @@ from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.spans import around, place
 from lagdsl.fmi.variables.names import named
 
-# Integer of FMI 2 has 32 bits. Int64 of FMI 3 has more than a double has digits: beyond 2**53 neighbors are one number.
-_INTEGERS = {2: (-(2**31), 2**31 - 1), 3: (-(2**53), 2**53)}
+# Of Integer of FMI 2 and of Int32 of FMI 3.
+_LEAST, _MOST = -(2**31), 2**31 - 1
 
 
 def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sink) -> None:
     """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902), and which inputs
     belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
-    least, most = _INTEGERS[version]
     counted: tuple[Parameter | Discrete | Input, ...] = (*flat.parameters, *flat.events.discretes, *flat.inputs)
     for item in counted:
         for what, value in _integers(flat, item, values):
-            if not least <= value <= most:
+            if not _LEAST <= value <= _MOST:
                 sink.report(
                     "E0902",
                     place(item),
@@ -33,8 +32,8 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
                     name=item.name,
                     value=f"{value:.17g}",
                     version=version,
-                    least=least,
-                    most=most,
+                    least=_LEAST,
+                    most=_MOST,
                 )
     for driven in flat.inputs:
         if driven.smooth:

@@ -15,6 +15,7 @@ from fmi.exported import VERSIONS, Exported, exported
 from fmi.importing import exchanged
 from fmi.test_descriptions import EVERYTHING
 from fmi.texts import exported_text
+from lagdsl.flat.quantity import Quantity
 from lagdsl.fmi.variables.names import belonging, named
 from lagdsl.pipeline import Compilation, with_names
 from lagdsl.program.program import Slot
@@ -73,7 +74,11 @@ class Meaning:
             found[belonging(slot.name, "multiplier").text] = value
         energies = evaluate("energies", *state)
         found |= {f"energy.{word}": float(e) for word, e in zip(("total", "kinetic", "potential"), energies)}  # noqa: B905
-        return found
+        flat = self.compilation.flat
+        hidden = {
+            item.name for item in (*flat.parameters, *flat.named) if isinstance(item, Quantity) and item.protected
+        }
+        return {name: value for name, value in found.items() if name not in hidden}
 
     @staticmethod
     def _tell(found: dict[str, float], slots: tuple[Slot, ...], values: Floats, order: int = 0) -> None:
