@@ -20,6 +20,9 @@ from lagdsl.source import SourceFile
 _MOST_ACCELERATIONS = 6  # coordinates, beyond which nobody reads the equations beside a name
 
 
+_NICENESS = 5  # the process gives way to what answers a key
+
+
 @record(kw_only=True)
 class Request:
     """A text to look at; with `page` the living page of its model is written there."""
@@ -127,6 +130,8 @@ def main() -> None:
     """Requests from standard input, answers to what standard output was; nothing else is written there."""
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
+    if hasattr(os, "nice"):
+        os.nice(_NICENESS)
     serve(sys.stdin.buffer, answers)
 
 

@@ -19,20 +19,24 @@ class Depths:
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._answers = 0
+        self._waiting = False
         self._lock = Lock()
 
     def ask(self, request: Request) -> Depth | None:
-        """The answer; None where `stop` came before it. Called by one thread."""
+        """The answer; None where `cancel` came before it. Called by one thread."""
         process = self._running()
         assert process.stdin is not None
         assert process.stdout is not None
         line = {name: getattr(request, name) for name in Request.__annotations__}
+        self._waiting = True
         try:
             process.stdin.write(json.dumps(line).encode() + b"\n")
             process.stdin.flush()
             answer = process.stdout.readline()
         except (OSError, ValueError):
             return None
+        finally:
+            self._waiting = False
         if not answer:
             return None
         self._answers += 1
@@ -40,8 +44,13 @@ class Depths:
         found["redundant"] = [(start, count) for start, count in found["redundant"]]
         return Depth(**found)
 
+    def cancel(self) -> None:
+        """Drop the question that waits for its answer, if there is one. May be called by another thread."""
+        if self._waiting:
+            self.stop()
+
     def stop(self) -> None:
-        """End the process, and with it the question. May be called by another thread."""
+        """End the process."""
         with self._lock:
             process, self._process = self._process, None
         if process is not None:

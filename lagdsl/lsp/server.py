@@ -54,7 +54,7 @@ class LagServer(LanguageServer):
             self.opened(uri, text, version)
             return
         document.change(text, version)
-        self.depths.stop()
+        self.depths.cancel()
         self.quick.ask(uri)
 
     def saved(self) -> None:
