@@ -34,7 +34,7 @@ _HEAD = r"""\documentclass[11pt,a4paper]{article}
 \usepackage{amsmath,amssymb}
 \usepackage[margin=25mm]{geometry}
 \usepackage{array,longtable,graphicx}
-\newcommand{\fit}[1]{\resizebox{\ifdim\width>0.8\linewidth 0.8\linewidth\else\width\fi}{!}{$\displaystyle #1$}}
+\newcommand{\fit}[1]{\resizebox{\ifdim\width>0.66\linewidth 0.66\linewidth\else\width\fi}{!}{$\displaystyle #1$}}
 \allowdisplaybreaks
 \emergencystretch=3em
 \setlength{\parindent}{0pt}
