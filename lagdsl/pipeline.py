@@ -96,18 +96,47 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
 
     if not pairs:
         return flatten_unit(unit, sink, model=model)
-    first = Sink()
     with deep_recursion():
-        flat = flatten(unit, first, model=model, structural={})
+        flat = _structured(unit, sink, model, pairs)
         if flat is None:
-            for diagnostic in first.diagnostics:
-                sink.add(diagnostic)
             return None
         chosen = settings(flat, pairs, sink)
-        flat = flatten(unit, sink, model=model, structural=chosen.structural)
-        if flat is None or sink.has_errors:
+        if sink.has_errors:
             return None
         flat = with_values(flat, chosen.parameters, chosen.start)
+        check_physics(flat, sink)
+    return None if sink.has_errors else flat
+
+
+def _structured(unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
+    """The flat model with the structural parameters of `pairs`, before physics is checked.
+
+    The model says which names are structural, and other values of these may bring others: it is flattened anew until
+    nothing is left to set. What was said of the last one counts.
+    """
+    from lagdsl.settings.settings import structure_of
+
+    chosen: dict[str, float] = {}
+    for left in range(len(pairs), -1, -1):
+        found = Sink()
+        flat = flatten(unit, found, model=model, structural=chosen)
+        wanted = structure_of(flat, pairs) if flat is not None else chosen
+        if wanted == chosen or left == 0:
+            break
+        chosen = wanted
+    for diagnostic in found.diagnostics:
+        sink.add(diagnostic)
+    return flat
+
+
+def flatten_for_runs(file: SourceFile, sink: Sink, *, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
+    """The flat model with the structural parameters of `pairs` only: all other values are for its runs. Raises
+    SettingError for values that do not fit."""
+    unit = parse_file(file, sink)
+    with deep_recursion():
+        flat = _structured(unit, sink, model, pairs) if unit is not None else None
+        if flat is None or sink.has_errors:
+            return None
         check_physics(flat, sink)
     return None if sink.has_errors else flat
 

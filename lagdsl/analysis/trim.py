@@ -29,6 +29,7 @@ from lagdsl.analysis.point import (
 )
 from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
 from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import listing
 from lagdsl.numerics.levenberg_marquardt import Equations, Minimizer, descend
 from lagdsl.numerics.rank import Floats
 from lagdsl.structure.names import configuration
@@ -117,7 +118,7 @@ def trim_at(
     for name in (*free, *hold):
         if name not in names:
             what = "freed" if name in free else "held"
-            sink.report("E0853", None, name=name, what=what, known=", ".join(names))
+            sink.report("E0853", None, name=name, what=what, known=listing(name, names))
     if sink.has_errors:
         return None
     whose = [names.index(n) for n in free], [names.index(n) for n in hold]

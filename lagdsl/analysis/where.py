@@ -18,6 +18,7 @@ from lagdsl.analysis.point import Point, System, point_of
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import Sink, failed
+from lagdsl.diagnostics.suggest import listing
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.inputs import report_missing
 from lagdsl.units.naming import rate_text
@@ -130,7 +131,7 @@ def _varied(system: System, name: str, sink: Sink) -> Named:
     if found in known or found in starts:
         return Named(found, {**starts, **known}[found])
     own = Sink()
-    own.report("E0853", None, name=name, what="varied", known=", ".join([*known, *(f"{s}.start" for s in starts)]))
+    own.report("E0853", None, name=name, what="varied", known=listing(name, [*known, *(f"{s}.start" for s in starts)]))
     sink.add(own.diagnostics[0])
     raise failed(own.diagnostics)
 

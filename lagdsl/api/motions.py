@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import keys_of, number
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
@@ -48,7 +48,7 @@ class Motions:
         elements = family(name, self.columns)
         if elements:
             return np.stack([self.columns[each] for each in elements], axis=-1)
-        hint = did_you_mean(str(name), self.columns, f"there are {', '.join(self.columns)}")
+        hint = did_you_mean(str(name), self.columns, f"there are {listing(str(name), self.columns)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
     @property

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.diagnostics import CompilationFailed, Sink, failed
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target, value_of
 
@@ -78,9 +78,9 @@ def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
 
 def unknown_among(what: str, name: str, names: Sequence[str]) -> CompilationFailed:
     """UnknownName (E0874) for a name that is none of `names`, with the nearest of them, or with all."""
-    listing = f"there are {', '.join(names) or 'none'}"
-    hint = did_you_mean(name, names, listing) if isinstance(name, str) else listing
-    return _unknown(what, name, hint or listing)
+    listed = f"there are {listing(str(name), names)}"
+    hint = did_you_mean(name, names, listed) if isinstance(name, str) else listed
+    return _unknown(what, name, hint or listed)
 
 
 def _unknown(what: str, name: str, hint: str) -> CompilationFailed:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import click
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel
 from lagdsl.settings.arrays import family
 from lagdsl.simulate.table import heads_of
@@ -19,7 +19,7 @@ def columns_of(names: tuple[str, ...], models: Iterable[FlatModel]) -> tuple[str
     for name in names:
         elements = [name] if name in known else family(name, known)
         if not elements:
-            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
+            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
             raise click.UsageError(f"there is no column `{name}`; {hint}")
         kept |= dict.fromkeys(elements)
     return tuple(kept) or None

@@ -11,12 +11,14 @@ from lagdsl.settings.failure import SettingError
 
 class Command(click.Command):
     """A click command that leaves with status 2 where a text is no value of what it is assigned to, and that knows the
-    usual slips of a command line: one dash for two, blanks without quotes."""
+    usual slips of a command line: one dash for two, blanks without quotes, an option twice."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         given = list(args)
         try:
-            return super().parse_args(ctx, args)
+            rest = super().parse_args(ctx, args)
+            self._require_once(ctx, given)
+            return rest
         except click.NoSuchOption as error:
             long = [name for param in self.params for name in param.opts if f"-{name.lstrip('-')}" in given]
             if len(long) == 1 and long[0].startswith("--"):
@@ -27,6 +29,14 @@ class Command(click.Command):
                 hint = "there is one FILE; a value with blanks stands in quotes, as in --set 'm=2 kg'"
                 raise click.UsageError(f"{error.message.rstrip('.')}: {hint}", ctx) from error
             raise
+
+    def _require_once(self, ctx: click.Context, given: list[str]) -> None:
+        """Of an option that takes one value, two would be one too many: the first would be left out in silence."""
+        _, _, order = self.make_parser(ctx).parse_args(args=given)
+        values = [param for param in order if isinstance(param, click.Option) and not param.multiple]
+        for param in values:
+            if not param.is_flag and not param.count and values.count(param) > 1:
+                raise click.UsageError(f"`{max(param.opts, key=len)}` is given twice", ctx)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:

@@ -35,6 +35,9 @@ class Inputs:
         return found
 
 
+_WAY = "check the name of the file; the value of an input is written NAME=VALUE"
+
+
 def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False) -> Inputs:
     """Assignments and files of `--input`; leaves with status 2 where a file cannot be read. Raises SettingError."""
     tables: Tables = {}
@@ -43,7 +46,7 @@ def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False
         if _is_assignment(text):
             continue
         sink = Sink()
-        found = read_inputs(Path(text), sink)
+        found = read_inputs(Path(text), sink, way=_WAY)
         tell(sink.diagnostics, style)
         if found is None:
             click.get_current_context().exit(USAGE)

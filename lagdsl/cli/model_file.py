@@ -23,6 +23,9 @@ _TOLD_BY_CHECK = frozenset({"N0515", "N0701"})
 Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
+# Files beside the model that cannot be read: tables, files of robots.
+_UNREADABLE = frozenset({"E0820", "E1000"})
+
 
 def takes_format(command: _Command) -> _Command:
     """Add `--format`."""
@@ -91,9 +94,10 @@ def tell(diagnostics: Sequence[Diagnostic], style: Format, *, to_output: bool = 
 
 
 def leave_with_errors(diagnostics: Sequence[Diagnostic], style: Format) -> NoReturn:
-    """Tell them and leave with status 1."""
+    """Tell them and leave with status 1, or 2 where a file cannot be read."""
     tell(diagnostics, style)
-    click.get_current_context().exit(ERRORS)
+    unreadable = any(diagnostic.code in _UNREADABLE for diagnostic in diagnostics)
+    click.get_current_context().exit(USAGE if unreadable else ERRORS)
 
 
 def _color() -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+MOST_LISTED = 12
 _LONGEST = 64  # names beyond it are compared for equality only: hostile input must not cost quadratic time
 
 
@@ -41,6 +42,17 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
         if _comparable(name, candidate) and (slips := distance(name.casefold(), candidate.casefold())) <= _allowed(name)
     ]
     return min(likely)[2] if likely else None
+
+
+def listing(name: str, candidates: Iterable[str], form: str = "{}") -> str:
+    """Twelve candidates at most, each in `form`, as `a, b and 5 more`; where there are more, those most like `name`
+    first. `none` without any."""
+    names = list(candidates)
+    if len(names) > MOST_LISTED:
+        asked = name[:_LONGEST].casefold()
+        names.sort(key=lambda each: (distance(asked, each[:_LONGEST].casefold()), each))
+    more = f" and {len(names) - MOST_LISTED} more" if len(names) > MOST_LISTED else ""
+    return ", ".join(form.format(each) for each in names[:MOST_LISTED]) + more if names else "none"
 
 
 class Proposal(str):

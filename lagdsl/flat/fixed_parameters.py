@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel, Parameter
 
@@ -53,5 +53,5 @@ def _fixed(parameter: Parameter, values: Mapping[str, float]) -> Parameter:
 def _unknown(name: str, flat: FlatModel, known: list[str]) -> str:
     if any(parameter.name == name and parameter.structural for parameter in flat.parameters):
         return f"`{name}` is structural: it is a number of the model already"
-    hint = did_you_mean(name, known, f"there are {', '.join(known[:12]) or 'none'}")
+    hint = did_you_mean(name, known, f"there are {listing(name, known)}")
     return f"{flat.name} has no independent parameter `{name}`; {hint}"

@@ -30,6 +30,8 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
 
 def found_wrong(limit: Limit, value: float) -> str | None:
     """The condition that the value violates; None if it violates none."""
+    if limit.strict and math.isinf(value) and value > 0.0:
+        return "finite"
     low = value > limit.least if limit.strict else value >= limit.least
     if low and value <= limit.most:
         return None

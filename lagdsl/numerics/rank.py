@@ -13,6 +13,7 @@ Floats = NDArray[np.float64]
 
 # Singular values below this part of the largest count as zero. Far above round-off of a derived Jacobian (1e-13),
 # far below what a mechanism a hundredth of a degree away from a singular position shows (1e-4).
+_SMALL = 1e-100
 RANK_TOLERANCE = 1e-9
 
 
@@ -52,10 +53,12 @@ def minimum_norms(
     left, values, rows = np.linalg.svd(matrices, full_matrices=False)
     largest = values[:, :1]
     kept = values > tolerance * largest
+    unit = np.where((largest > 0.0) & ((largest < _SMALL) | (largest > 1.0 / _SMALL)), largest, 1.0)
+    values, largest = values / unit, largest / unit  # squares of sizes that no square has
     shift = (np.broadcast_to(damping, (count,))[:, None] * largest) ** 2
     inverse = np.where(kept, values, 0.0) / np.where(kept, values**2 + shift, 1.0)
     projected = np.einsum("kij,ki->kj", left, rights)
-    return np.asarray(np.einsum("kij,ki->kj", rows, inverse * projected))
+    return np.asarray(np.einsum("kij,ki->kj", rows, inverse * (projected / unit)))
 
 
 def independent_rows(matrix: Floats, order: list[int], count: int) -> list[bool]:

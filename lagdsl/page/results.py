@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.analysis.point import Point
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.page.page import head_of_recording
@@ -62,7 +62,7 @@ def _checked(flat: FlatModel, tables: Tables, file: str) -> tuple[Floats, dict[s
     heads = {name: (unit, kind) for name, unit, kind, _ in heads_of(flat)}
     for name in tables:
         if name not in heads:
-            hint = did_you_mean(name, heads, f"{flat.name} has {', '.join(list(heads)[1:])}")
+            hint = did_you_mean(name, heads, f"{flat.name} has {listing(name, list(heads)[1:])}")
             raise ValueError(f"{file}: {flat.name} has no column `{name}`; {hint}")
     for name, (_, kind) in heads.items():
         if kind in _NEEDED and name not in tables:

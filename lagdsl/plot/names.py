@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.settings.arrays import family
 
 # Besides the columns: the energy of the rows.
@@ -37,7 +37,7 @@ def columns_in(text: str, known: Collection[str]) -> list[str]:
     for name in names_in(text):
         elements = [name] if name in known else family(name, known)
         if not elements:
-            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
+            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
             raise UnknownColumn(f"there is no column `{name}`; {hint}")
         found |= dict.fromkeys(elements)
     if not found:

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
-from lagdsl.settings.arrays import spread
+from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, value_of
 
@@ -51,6 +51,14 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     return result
 
 
+def structure_of(flat: FlatModel, pairs: Mapping[str, str]) -> dict[str, float]:
+    """Those of the assignments that set structural parameters of this model; of the others, names may be known only
+    with these. Raises SettingError for values that do not fit."""
+    known = targets(flat, ("structural",))
+    chosen = {name: text for name, text in pairs.items() if name in known or family(name, known)}
+    return settings(flat, chosen, Sink()).structural
+
+
 def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str, float]:
     """Inputs by name, SI units; N0871 for numbers that lack a unit. Raises SettingError for unknown names and values
     that do not fit."""
@@ -58,7 +66,7 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
     values: dict[str, float] = {}
     for name, text in spread(pairs, known).items():
         if name not in known:
-            hint = did_you_mean(name, known, f"inputs: {', '.join(known) or 'none'}")
+            hint = did_you_mean(name, known, f"inputs: {listing(name, known)}")
             raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
         given = value_of(known[name], text)
         if lacks_unit(known[name], given):

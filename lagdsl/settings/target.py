@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import Literal as OneOf
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
@@ -21,7 +22,6 @@ from lagdsl.units.naming import rate_text
 
 Kind: TypeAlias = OneOf["parameter", "structural", "start", "input"]
 SETTABLE: tuple[Kind, ...] = ("parameter", "structural", "start")
-_MOST_TOLD = 12
 
 
 @record(kw_only=True)
@@ -111,7 +111,7 @@ def note_lacking_unit(target: Target, text: str, value: float, sink: Sink) -> No
     """N0871: `theta.start=30` is 30 rad = 1719 deg."""
     shown = target.display
     readings = [f"{value:.6g} {target.unit}"]
-    if shown.unit != target.unit:
+    if shown.unit != target.unit and math.isfinite(shown(value)):
         readings.append(f"{shown(value):.4g} {shown.unit}")
     units = dict.fromkeys((shown.unit, target.unit))
     ways = " or ".join(f"`{text} {unit}`" for unit in units)
@@ -129,8 +129,5 @@ def _unknown(flat: FlatModel, name: str, known: Mapping[str, Target]) -> str:
     if elements:
         whole, first = f"--set '{name}={{...}}'", f"--set '{elements[0]}=...'"
         return f"`{name}` is an array; set it with {whole}, or its elements, as in {first}"
-    names = list(known)
-    more = f" and {len(names) - _MOST_TOLD} more" if len(names) > _MOST_TOLD else ""
-    listing = ", ".join(names[:_MOST_TOLD]) + more if names else "none"
-    hint = did_you_mean(name, known, f"what can be set: {listing}")
+    hint = did_you_mean(name, known, f"what can be set: {listing(name, known)}")
     return f"{flat.name} has no parameter `{short(name)}`; {hint}"

@@ -129,9 +129,9 @@ def _write_parquet(trajectory: Trajectory, draft: Path) -> None:
 # ---- reading ---------------------------------------------------------------------------------------------------------
 
 
-def read_inputs(path: Path, sink: Sink) -> Tables | None:
+def read_inputs(path: Path, sink: Sink, *, way: str | None = None) -> Tables | None:
     """Columns of a CSV file that has a column `time`; every fault is reported with its line (E0820 to E0824, E0827,
-    E0829)."""
+    E0829). `way` is what helps where there is no such file."""
     try:
         with path.open("rb") as file:
             content = file.read(_LARGEST_INPUT + 1)  # a device without end is no danger
@@ -140,7 +140,7 @@ def read_inputs(path: Path, sink: Sink) -> Tables | None:
         text = content.decode("utf-8-sig")
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        sink.report("E0820", None, file=path, reason=reason)
+        sink.report("E0820", None, file=path, reason=reason, help=way)
         return None
     return parse_inputs(SourceFile(str(path), text.replace("\r\n", "\n").replace("\r", "\n")), sink)
 

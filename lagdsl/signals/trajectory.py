@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.display import Display
 from lagdsl.numerics.rank import Floats
 from lagdsl.settings.arrays import family
@@ -134,7 +134,7 @@ class Trajectory:
         for column in self.columns:
             if column.name == name:
                 return column
-        hint = did_you_mean(str(name), self.names, f"there are {', '.join(self.names)}")
+        hint = did_you_mean(str(name), self.names, f"there are {listing(str(name), self.names)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:

@@ -143,8 +143,10 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
+    if count == 0:
+        return np.array([t0, stop])
     times = equidistant(t0, step, count + 1)
-    if count == 0 or stop - times[-1] > 1e-9 * step:
+    if stop - times[-1] > 1e-9 * step:
         return np.append(times, stop)
     times[-1] = stop
     return times
@@ -170,5 +172,7 @@ def _check_step(solver: str, step: float | None, span: float) -> None:
     if step is not None and not fixed:
         names = ", ".join(FIXED_METHODS)
         raise ValueError(f"the solver `{solver}` chooses the length of its steps; give a step to {names} only")
-    if step is not None and not 1e-9 * span <= step <= span:
-        raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation")
+    if step is not None and not 0.0 < step <= span:
+        raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation, {span:g} s")
+    if step is not None and step < 1e-9 * span:
+        raise ValueError(f"the step {step:g} s is too short: {span:g} s would take {span / step:.3g} steps")

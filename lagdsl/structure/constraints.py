@@ -182,7 +182,7 @@ def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Pro
         left_over = np.abs(point.rows @ solved(point.rows, right, split) - right)
         rounding = _ROUNDING * max(1.0, float(np.max(np.abs(right), initial=0.0)))
         most = np.maximum(1e-6 * split.sizes(right)[split.row_labels], rounding)
-        if not np.all(np.isfinite(right)) or np.all(left_over <= most):
+        if not np.all(np.isfinite(left_over)) or np.all(left_over <= most):
             continue
         items = [i for i in located(flat) if any(left_over[row] > most[row] for row in i.rows)]
         constraint = items[-1].constraint

@@ -62,9 +62,14 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
             if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
             if found.empty[row] and not np.any(space.pattern[row]):
-                sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)
+                part = f"component {component + 1} of " if len(item.rows) > 1 else ""
+                sink.report("N0605", place(item.constraint), subject=f"{part}`{item.constraint.name}`")
             else:
                 others = _sources(space, points[-1], found, split, row)
+                if not others:
+                    name = item.constraint.rows[component]
+                    sink.report("E0609", place(item.constraint), name=name, fault="vanishes toward where it holds")
+                    continue
                 help = _GROUND if item.constraint.node else None
                 name = item.constraint.rows[component]
                 sink.report("N0607", place(item.constraint), help=help, name=name, others=others)

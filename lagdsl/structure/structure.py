@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from dataclasses import field, replace
 
+import numpy as np
+
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.program.program import Program
@@ -88,6 +90,11 @@ class Examination:
 
 def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     """The same for any implementation of the program's functions."""
+    with np.errstate(all="ignore"):  # rows may be of any size, and are told where they are none
+        return _examined(flat, functions, sink)
+
+
+def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     space = geometry(flat, functions)
     impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
     points = [] if impossible else probes(flat, space, space.position_rows)

@@ -1,4 +1,4 @@
-"""Characters that change the direction of the text around them without being seen.
+"""Characters that change the direction of the text around them, or seem to end its lines, without being seen.
 
 In a comment or a string they let a text look other than it is read (N. Boucher and R. Anderson, Trojan Source:
 Invisible Vulnerabilities, USENIX Security 2023).
@@ -12,7 +12,7 @@ import unicodedata
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile, Span
 
-_CONTROLS = re.compile("[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+_CONTROLS = re.compile("[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\u2028\u2029]")
 _OPENS = {"\u202a": "\u202c", "\u202b": "\u202c", "\u202d": "\u202c", "\u202e": "\u202c"}
 _OPENS |= {"\u2066": "\u2069", "\u2067": "\u2069", "\u2068": "\u2069"}
 _CLOSES = frozenset(_OPENS.values())

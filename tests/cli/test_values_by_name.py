@@ -381,3 +381,21 @@ def test_check_with_values_says_nothing_of_those_in_the_text(invoke: Invoke, tmp
     assert invoke("check", path).exit_code == 1
     assert invoke("check", path, "--set", "k=2").exit_code == 0
     assert "E0808" in invoke("check", path, "--set", "k=0").stderr
+
+
+def test_names_that_other_structure_brings(invoke: Invoke, tmp_path: Path) -> None:
+    path = tmp_path / "row.lag"
+    path.write_text(
+        "model Row\n  structural parameter Integer N = 2;\n  parameter Mass m[N] = fill(1 kg, N);\n"
+        "  coordinate Length x[N];\n  for i in 1:N loop\n    kinetic 1/2*m[i]*der(x[i])^2;\n  end for;\n"
+        "  output Mass total = sum(m);\nend Row;\n",
+        encoding="utf-8",
+    )
+    for order in (["--set", "N=3", "--set", "m[3]=5 kg"], ["--set", "m[3]=5 kg", "--set", "N=3"]):
+        result = invoke("run", path, *order, "--set", "x[3].start=2 m", "--stop", "1")
+        assert result.exit_code == 0 and "total          7" in result.output
+    for command in ("check", "run", "flat", "modes"):
+        result = invoke(command, path, "--set", "N=1", "--set", "m[2]=5 kg")
+        assert result.exit_code == 2 and "has no parameter `m[2]`; did you mean `m[1]`" in words(result)
+    result = invoke("check", path, "--set", "N=30", "--set", "wrong=5 kg")
+    assert "and 79 more" in words(result)

@@ -71,3 +71,16 @@ def test_what_is_too_large() -> None:
         found = dict(said(sink))
         assert found.get("E0326", "").endswith(place.split(" ")[-1]), (text, said(sink))
     assert MAX_TURNS <= 1_000_000
+
+
+@pytest.mark.parametrize("size", [5001, 10**30])
+def test_coordinates_are_counted_before_anything_is_made_of_them(size: int) -> None:
+    text = f"model A\n  coordinate Length x[{size}];\n  kinetic 1/2*(1 kg)*der(x)*der(x);\nend A;"
+    start = time.process_time()
+    _, sink = run(text)
+    assert "E0326" in {code for code, _ in said(sink)} and time.process_time() - start < 2.0
+
+
+def test_a_range_that_no_memory_holds() -> None:
+    _, sink = run(body("  for i in 1:1000000000000000000000000000000 loop\n    potential (1 N)*x;\n  end for;"))
+    assert {code for code, _ in said(sink)} == {"E0326"}

@@ -143,3 +143,25 @@ def test_a_structure_is_told() -> None:
     assert "N0611" in told(held)
     assert "N0611" not in told("constraint c: {x, y, z} = {0, 0, l}; constraint d: a = 1 rad/s*time;")
     assert "N0611" not in told("constraint c: {x, y, z} = {0, 0, l};")
+
+
+@pytest.mark.parametrize("row", ["max(x - (1 m), 0 m)", "min(x, 0 m)", "max(x, 0 m)^2", "x*max(y, 0 m)"])
+def test_rows_that_hold_in_a_whole_region(row: str) -> None:
+    for start in ("-1 m", "0.5 m", "3 m"):
+        (error,) = _errors(f"{row} = 0", start)
+        assert error.code == "E0609" and "contact" in (error.help or "")
+
+
+def test_rows_that_hold_nowhere_and_rows_of_any_size() -> None:
+    for row, code in (("exp(x/(1 m))", "E0609"), ("1e-300*(x - y)", "E0609"), ("1e300*(x - y)", "E0802")):
+        assert [error.code for error in _errors(f"{row} = 0", "1 m")] == [code]
+
+
+def _errors(row: str, start: str) -> list[Diagnostic]:
+    text = f"""model M
+      coordinate Length x(start = {start}), y(start = 0.2 m);
+      kinetic 1/2*(1 kg)*(der(x)^2 + der(y)^2);
+      constraint c: {row};
+    end M;"""
+    found, _ = check(SourceFile("m.lag", text))
+    return [diagnostic for diagnostic in found if diagnostic.code.startswith("E")]

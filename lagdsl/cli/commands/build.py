@@ -12,7 +12,7 @@ from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, take
 from lagdsl.cli.options import PATH, takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.geometry import frame_names, point_names
 from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
@@ -127,10 +127,8 @@ def _with_functions(compilation: Compilation, terms: bool, frames: tuple[str, ..
     ):
         for name in given:
             if name not in known:
-                listing = f"there are {', '.join(known) or 'none'}"
-                raise click.UsageError(
-                    f"{option}: the model has no `{name}`: {did_you_mean(name, known, listing) or listing}"
-                )
+                hint = did_you_mean(name, known, f"there are {listing(name, known)}")
+                raise click.UsageError(f"{option}: the model has no `{name}`: {hint}")
     if terms:
         program = with_regressor(compilation.equations, with_equation_terms(compilation.equations, program))
     return with_kinematics(compilation.equations, program, frames, points) if frames or points else program

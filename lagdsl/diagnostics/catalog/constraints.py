@@ -19,7 +19,7 @@ ROWS: dict[str, Row] = {
         "state the condition for the components, or the holonomic condition it follows from",
     ),
     "N0605": note(
-        "component {component} of `{name}` is identically satisfied; its multiplier is 0",
+        "{subject} is identically satisfied; its multiplier is 0",
         "does not restrict the motion",
     ),
     "N0606": note(

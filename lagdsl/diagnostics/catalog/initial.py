@@ -103,7 +103,7 @@ ROWS: dict[str, Row] = {
     "E0820": error(
         "cannot read the table `{file}`: {reason}",
         None,
-        "check the name of the file; the value of an input is written NAME=VALUE",
+        "check the name of the file",
     ),
     "E0821": error(
         "the table `{file}` has no column {column}",

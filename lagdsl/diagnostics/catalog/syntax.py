@@ -100,7 +100,7 @@ ROWS: dict[str, Row] = {
         "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
     ),
     "E0137": error(
-        "the text contains invisible characters that change its direction ({codes})",
+        "the text contains invisible characters that change its direction or break its lines ({codes})",
         label="here, or beside it",
         help="remove them; they may stand in a string with letters from right to left, each closed in it",
     ),

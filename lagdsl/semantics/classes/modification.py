@@ -7,7 +7,7 @@ from dataclasses import field, replace
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.record import mutable_record
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import without_each
@@ -18,8 +18,6 @@ from lagdsl.syntax import nodes
 Given: TypeAlias = "tuple[nodes.AnyModifier, Scope]"
 
 _REBOUND = ("parameter", "structural", "input", "algebraic", "output", "point", "frame", "coordinate")
-
-_MOST_LISTED = 12
 
 
 @mutable_record()
@@ -156,7 +154,7 @@ def report_no_such(
     ctx: Context, modifier: nodes.AnyModifier, name: str, node: nodes.Class | nodes.ShortClass, known: list[str]
 ) -> None:
     """E0223 for a modifier of `name`, which the class does not have; `known` are the names that it has."""
-    hint = did_you_mean(name, known, _listed(known))
+    hint = did_you_mean(name, known, f"it has {listing(name, known, '`{}`')}" if known else None)
     span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
     place = node.name_span if isinstance(node, nodes.Class) else node.span
     label = Label(place, f"`{node.name}` is declared here")
@@ -167,10 +165,3 @@ def _is_modifiable(entry: Entry) -> bool:
     if isinstance(entry, Symbol):
         return entry.declarator is not None
     return isinstance(entry, Instance | InstanceArray | ClassSymbol)
-
-
-def _listed(names: list[str]) -> str | None:
-    if not names:
-        return None
-    shown = [f"`{name}`" for name in names[:_MOST_LISTED]]
-    return f"it has {', '.join(shown)}{' and more' if len(names) > _MOST_LISTED else ''}"

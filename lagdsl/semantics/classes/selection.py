@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.semantics.classes.library import item_head
 from lagdsl.semantics.classes.packages import Library
 from lagdsl.semantics.scope.context import Context
@@ -87,7 +87,7 @@ def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> Cl
     if name is not None:
         if name in models:
             return models[name]
-        hint = did_you_mean(name, models, f"the file has {', '.join(f'`{path}`' for path in models)}")
+        hint = did_you_mean(name, models, f"the file has {listing(name, models, '`{}`')}")
         ctx.sink.report("E0217", None, name=name, help=hint if models else None)
         return None
     used = _used(unit)

@@ -169,7 +169,8 @@ def range_values(ctx: Context, scope: Scope, node: nodes.Expression | nodes.Rang
         ctx.sink.report("E0323", node.span, reason="the step of a range is zero")
         return None
     values = range(start, stop + (1 if step > 0 else -1), step)
-    return tuple(values) if range_fits(ctx, node.span, len(values)) else None
+    count = max(0, (stop - start) // step + 1)  # len() refuses what no memory holds
+    return tuple(values) if range_fits(ctx, node.span, count) else None
 
 
 def index_value(number: int) -> Scalar:

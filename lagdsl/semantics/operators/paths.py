@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import (
@@ -22,8 +22,6 @@ from lagdsl.semantics.scope.scope import (
 from lagdsl.semantics.scope.values import POISON, AnyValue, Component, Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-
-_MOST = 12  # names in a message
 
 
 def designated(ctx: Context, scope: Scope, node: nodes.Expression) -> Entry | None:
@@ -73,7 +71,7 @@ def member_of(ctx: Context, instance: Instance, name: str, span: Span) -> Entry:
         return POISON
     if entry is None:
         names = [known for known in instance.scope.entries if known not in instance.protected]
-        listed = f"it has {', '.join(f'`.{known}`' for known in names[:_MOST])}" if names else None
+        listed = f"it has {listing(name, names, '`.{}`')}" if names else None
         hint = did_you_mean(name, names, listed, mark=".")
         label = Label(instance.span, f"a component of class {instance.scope.title}")
         ctx.sink.report("E0210", span, label, name=name, what=f"`{short}`", help=hint)

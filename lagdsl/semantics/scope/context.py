@@ -79,6 +79,7 @@ class Counts:
     turns: int = 0
     calls: int = 0
     components: int = 0
+    coordinates: int = 0
     exceeded: set[str] = field(default_factory=set)
 
 

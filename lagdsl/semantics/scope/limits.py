@@ -16,6 +16,9 @@ MAX_TURNS = 200_000
 MAX_COMPONENTS = 20_000
 """Components of a model, those of components included."""
 
+MAX_COORDINATES = 5_000
+"""Coordinates and states: the runtime keeps a matrix of them, 200 MB."""
+
 MAX_CALLS = 50_000
 """Calls of the user's functions that are expanded in place, nested ones included."""
 
@@ -39,6 +42,12 @@ def another_component(ctx: Context, span: Span) -> bool:
     """Count a component."""
     ctx.counts.components += 1
     return _fits(ctx, span, "the number of components", ctx.counts.components, MAX_COMPONENTS)
+
+
+def more_coordinates(ctx: Context, span: Span, count: int) -> bool:
+    """Count coordinates or states."""
+    ctx.counts.coordinates += count
+    return _fits(ctx, span, "the number of coordinates and states", ctx.counts.coordinates, MAX_COORDINATES)
 
 
 def another_call(ctx: Context, span: Span) -> bool:

@@ -6,7 +6,7 @@ A value is the number of its place, from 1, of a kind of its own: values of one 
 
 from __future__ import annotations
 
-from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat import expression as flat
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import TypeInfo, TypeSymbol, lookup_path
@@ -46,7 +46,7 @@ def literal(ctx: Context, symbol: TypeSymbol, node: nodes.Member) -> Value:
     if found is not None and node.name in names:
         kind = f"{found.scope.prefix}{found.node.name}"
         return Scalar(flat.Number(float(names.index(node.name) + 1)), DIMENSIONLESS, kind=kind)
-    listed = f"it has {', '.join(f'`{name}`' for name in names)}" if names else None
+    listed = f"it has {listing(node.name, names, '`{}`')}" if names else None
     hint = did_you_mean(node.name, names, listed)
     ctx.sink.report("E0210", node.name_span, name=node.name, what=f"type `{node.target.span.text}`", help=hint)
     return POISON
