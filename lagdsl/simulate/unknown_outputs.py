@@ -11,6 +11,7 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.traversal import postorder
+from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.state_words import time_text
 
@@ -32,7 +33,7 @@ class UnknownOutputs:
 
     def first(self, values: Floats) -> tuple[int, int] | None:
         """Row and column of the first one in `values` (rows, outputs)."""
-        wrong = ~np.isfinite(values)
+        wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
             lost = np.isnan(values[:, self._solved]).all(axis=1)
             wrong[:, self._solved] &= ~lost[:, None] | (len(values) > 1 and lost.all())

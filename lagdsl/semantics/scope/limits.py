@@ -23,9 +23,13 @@ MAX_CALLS = 50_000
 """Calls of the user's functions that are expanded in place, nested ones included."""
 
 
-def array_fits(ctx: Context, span: Span, shape: tuple[int, ...]) -> bool:
-    """E0326 unless an array of this shape can be held."""
-    return _fits(ctx, span, "an array", math.prod(shape), MAX_ELEMENTS)
+def array_fits(ctx: Context, span: Span, shape: tuple[int, ...], *, moves: bool = False) -> bool:
+    """E0326 unless an array of this shape can be held; one that `moves` counts as coordinates and states."""
+    if moves:
+        ctx.counts.coordinates += math.prod(shape)
+    fits = _fits(ctx, span, "an array", math.prod(shape), MAX_ELEMENTS)
+    many = "the number of coordinates and states"
+    return fits and (not moves or _fits(ctx, span, many, ctx.counts.coordinates, MAX_COORDINATES))
 
 
 def range_fits(ctx: Context, span: Span, count: int) -> bool:
@@ -42,12 +46,6 @@ def another_component(ctx: Context, span: Span) -> bool:
     """Count a component."""
     ctx.counts.components += 1
     return _fits(ctx, span, "the number of components", ctx.counts.components, MAX_COMPONENTS)
-
-
-def more_coordinates(ctx: Context, span: Span, count: int) -> bool:
-    """Count coordinates or states."""
-    ctx.counts.coordinates += count
-    return _fits(ctx, span, "the number of coordinates and states", ctx.counts.coordinates, MAX_COORDINATES)
 
 
 def another_call(ctx: Context, span: Span) -> bool:

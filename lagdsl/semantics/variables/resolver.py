@@ -6,7 +6,6 @@ model.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
@@ -23,7 +22,7 @@ from lagdsl.semantics.operators.geometry import as_point
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.instance_diagnostics import report_missing
-from lagdsl.semantics.scope.limits import array_fits, more_coordinates
+from lagdsl.semantics.scope.limits import array_fits
 from lagdsl.semantics.scope.naming import element_name, kind_of
 from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, Symbol
@@ -101,10 +100,7 @@ class Definitions:
                 self._poison(symbol)
                 return None
             extents.append(extent)
-        fits = array_fits(ctx, symbol.span, tuple(extents))
-        if symbol.kind in ("coordinate", "state"):
-            fits = fits and more_coordinates(ctx, symbol.span, math.prod(extents))
-        if not fits:
+        if not array_fits(ctx, symbol.span, tuple(extents), moves=symbol.kind in ("coordinate", "state")):
             self._poison(symbol)
             return None
         return tuple(extents)
