@@ -17,6 +17,8 @@ enum { AGAIN = 8 };
 static const double SHORTEST = 0x1p-8;
 /* Values below so many times their round-off have no shape. */
 static const double SHAPELESS = 1e3;
+/* Steps that are shorter than this part of the experiment show by themselves: bounces within them are rest. */
+static const double SHORT = 1e-6;
 
 typedef struct node {
     double *t, *x, *f, *u, *passed; /* (1) (size) (size) (nu) (watched) 1: this one has changed on the way here; -1: it shows so */
@@ -219,7 +221,8 @@ static lag_status look_along(lag_instance *instance)
         in.seen[k] = instance->looks + (size_t)k * count_of(&in);
     }
     advance(&in);
-    if (instance->held.nodes < 2 || shows(&in)) {
+    const int is_short = !(*in.tip.t - *in.base.t > SHORT * instance->run->options.length);
+    if (instance->held.nodes < 2 || is_short || shows(&in)) {
         return LAG_OK;
     }
     motion->inputs = NULL;
