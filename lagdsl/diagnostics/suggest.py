@@ -12,10 +12,14 @@ MOST_LISTED = 12
 _LONGEST = 64  # names beyond it are compared for equality only: hostile input must not cost quadratic time
 
 
-def distance(left: str, right: str) -> int:
-    """Number of insertions, deletions, substitutions and swaps of neighbours between two names."""
+def distance(left: str, right: str, most: int | None = None) -> int:
+    """Number of insertions, deletions, substitutions and swaps of neighbours between two names.
+
+    Beyond `most` any greater number stands for it: most pairs of names are told apart by their first letters.
+    """
     before: list[int] = []
     previous = list(range(len(right) + 1))
+    least = 0
     for i, a in enumerate(left, 1):
         current = [i]
         for j, b in enumerate(right, 1):
@@ -23,6 +27,9 @@ def distance(left: str, right: str) -> int:
             if i > 1 and j > 1 and a == right[j - 2] and left[i - 2] == b:
                 cost = min(cost, before[j - 2] + 1)
             current.append(cost)
+        passed, least = least, min(current)
+        if most is not None and passed > most < least:  # a swap reaches back over one row
+            return least
         before, previous = previous, current
     return previous[-1]
 
@@ -39,7 +46,8 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
     likely = [
         (slips, distance(name, candidate), candidate)
         for candidate in set(candidates)
-        if _comparable(name, candidate) and (slips := distance(name.casefold(), candidate.casefold())) <= _allowed(name)
+        if _comparable(name, candidate)
+        and (slips := distance(name.casefold(), candidate.casefold(), _allowed(name))) <= _allowed(name)
     ]
     return min(likely)[2] if likely else None
 

@@ -35,7 +35,7 @@ class UnknownOutputs:
         """Row and column of the first one in `values` (rows, outputs)."""
         wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
-            lost = np.isnan(values[:, self._solved]).all(axis=1)
+            lost = np.asarray(np.isnan(values[:, self._solved]).all(axis=1))
             wrong[:, self._solved] &= ~lost[:, None] | (len(values) > 1 and lost.all())
         rows = np.flatnonzero(wrong.any(axis=1))
         return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None

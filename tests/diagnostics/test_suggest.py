@@ -31,6 +31,12 @@ def test_distance_is_symmetric_and_bounded(left, right):
     assert abs(len(left) - len(right)) <= distance(left, right) <= max(len(left), len(right))
 
 
+@given(_NAMES, _NAMES, st.integers(0, 4))
+def test_a_bound_changes_no_distance_within_it(left, right, most):
+    exact, bounded = distance(left, right), distance(left, right, most)
+    assert bounded == exact if exact <= most else bounded > most
+
+
 @given(_NAMES, st.text("abc", min_size=1, max_size=3), _NAMES)
 def test_common_ends_do_not_count(prefix, middle, suffix):
     assert distance(prefix + middle + suffix, prefix + suffix) == len(middle)

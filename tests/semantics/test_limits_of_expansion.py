@@ -84,3 +84,13 @@ def test_coordinates_are_counted_before_anything_is_made_of_them(size: int) -> N
 def test_a_range_that_no_memory_holds() -> None:
     _, sink = run(body("  for i in 1:1000000000000000000000000000000 loop\n    potential (1 N)*x;\n  end for;"))
     assert {code for code, _ in said(sink)} == {"E0326"}
+
+
+def test_names_are_compared_for_the_first_faults_only() -> None:
+    """Two thousand unknown names among four thousand took minutes."""
+    known = [f"  parameter Length alpha{i:04d} = 1 m;" for i in range(100)]
+    unknown = [f"  parameter Length beta{i:04d} = alpha{i:04d}x;" for i in range(100)]
+    _, sink = run(body("\n".join([*known, *unknown])))
+    helps = [each.help for each in sink.diagnostics if each.code == "E0201"]
+    assert helps[0] == "did you mean `alpha0000`?"
+    assert len(helps) == 100 and helps[-1] == "check the spelling, or declare it with its type"

@@ -124,6 +124,9 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
         title = "the function" if function else scope.title
         ctx.sink.report("E0201", node.span, label, name=node.name, scope=title, help=way)
         return
+    if len(ctx.reports.reported) > _SEARCHED:
+        ctx.sink.report("E0201", node.span, name=node.name, scope=scope.title)
+        return
     names = dict(visible(scope))
     rate = next(((quantity, text) for quantity, text in rate_of(node.name) if quantity in names), None)
     if rate is not None and isinstance(found := names[rate[0]], Symbol):
@@ -161,6 +164,8 @@ def _habit(node: nodes.Reference) -> str | None:
     return name_help(node.name, behind[0])
 
 
+# Behind so many faults no names are compared: a text of unknown names must not cost the square of its length.
+_SEARCHED = 50
 _PATH = re.compile(r"(?:\.([A-Za-z_][A-Za-z0-9_]*))*")
 
 
