@@ -112,7 +112,7 @@ def _structured(unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[
     """The flat model with the structural parameters of `pairs`, before physics is checked.
 
     The model says which names are structural, and other values of these may bring others: it is flattened anew until
-    nothing is left to set. What was said of the last one counts.
+    nothing is left to set. Only the diagnostics of the last one count.
     """
     from lagdsl.settings.settings import structure_of
 

@@ -52,7 +52,7 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
 
 
 def structure_of(flat: FlatModel, pairs: Mapping[str, str]) -> dict[str, float]:
-    """Those of the assignments that set structural parameters of this model; of the others, names may be known only
+    """Values for the structural parameters of this model among the assignments; names of the others may be known only
     with these. Raises SettingError for values that do not fit."""
     known = targets(flat, ("structural",))
     chosen = {name: text for name, text in pairs.items() if name in known or family(name, known)}

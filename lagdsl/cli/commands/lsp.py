@@ -13,9 +13,9 @@ from lagdsl.cli.status import USAGE
 def command(stdio: bool) -> None:
     """Speak the language server protocol on standard input and output. Editors start this command."""
     try:
-        import pygls  # noqa: F401 whether it is there
+        import pygls  # noqa: F401 the extra may be absent
     except ImportError:
-        click.echo("lag lsp needs pygls: pip install 'lagdsl[lsp]'", err=True)
+        click.echo("lag lsp needs pygls: pip install pygls", err=True)
         click.get_current_context().exit(USAGE)
     from lagdsl.lsp.main import serve
 
