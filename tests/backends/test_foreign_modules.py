@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 from choice import ALL
+from foreign_programs import PEERS, has, in_peers
 from models.kinds import MODELS
-from peers import PEERS, has, in_peers
 
 import lagdsl
 from lagdsl.backends.registry import BACKENDS

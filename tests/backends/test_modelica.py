@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from base_modelica import Model
 from choice import ALL, examples
+from foreign_programs import PEERS, has, in_peers
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from models.kinds import MODELS
-from peers import PEERS, has, in_peers
 
 import lagdsl
 from lagdsl.backends.modelica.capability_checks import report_inexpressible
