@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from threading import Condition, Thread
-from time import monotonic
+from time import monotonic, sleep
 from typing import Any
 
 from lsprotocol import types as lsp
@@ -81,6 +81,14 @@ class Editor:
     def wait(self, is_there: Callable[[], bool]) -> None:
         with self._heard:
             assert self._heard.wait_for(is_there, WAIT), "the server says nothing"
+
+    @staticmethod
+    def ask_until(is_there: Callable[[], bool]) -> None:
+        """Asks again and again, without the lock that the messages of the server need."""
+        end = monotonic() + WAIT
+        while not is_there():
+            assert monotonic() < end, "the answer stays another one"
+            sleep(0.05)
 
     def diagnostics(self, uri: str, *, having: str | None = None) -> list[lsp.Diagnostic]:
         """Diagnostics of the last version; with `having` as soon as that code is among it."""

@@ -95,7 +95,7 @@ def test_a_hover_has_declaration_value_and_doc(editor: Editor, pendulum: str) ->
 def test_a_coordinate_shows_its_equation(editor: Editor, four_bar: str, folder: Path) -> None:
     editor.diagnostics(four_bar, having="N0701")
     uri = editor.open((folder / "equation.lag").as_uri(), PENDULUM.replace("Pendulum", "Equation"))
-    editor.wait(lambda: any("equation" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta")) for _ in (1,)))
+    editor.ask_until(lambda: "equation" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta")))
     assert "θ̈" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta"))
 
 

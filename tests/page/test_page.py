@@ -19,7 +19,7 @@ from lagdsl import compile as compile_model
 from lagdsl.diagnostics import CompilationFailed
 
 HOSTILE = """model Hostile "</script><script>alert(1)</script><img src=x onerror=alert(2)>"
-  parameter Length l = 1 m "</style><b>--></b><!-- \u2028";
+  parameter Length l = 1 m "</style><b>--></b><!--";
   coordinate Angle theta(start = 1) "<svg onload=alert(3)>";
   point P = l*{sin(theta), -cos(theta)};
   gravity = -g_n*world.y;

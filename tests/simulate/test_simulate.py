@@ -414,9 +414,9 @@ def test_a_table_is_also_two_rows_of_an_array() -> None:
     [
         (([0, 1], [0, 1, 2]), "as many values as times"),
         (([], []), "two at least"),
-        (([0],), "must be a number, a function of time or a pair"),
-        (np.zeros(5), "must be a number, a function of time or a pair"),
-        (None, "must be a number, a function of time or a pair"),
+        (([0],), "must be a number, a function of time, a pair"),
+        (np.zeros(5), "must be a number, a function of time, a pair"),
+        (None, "must be a number, a function of time, a pair"),
         (([0, 2, 1], [0, 1, 2]), "time decreases"),
         (([0, 1], [0, np.nan]), "not numbers"),
     ],
