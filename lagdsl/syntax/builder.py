@@ -46,31 +46,29 @@ class _Child(NamedTuple):
 _Callback = Callable[[list[Any]], Any]
 
 
-class Builder(dict[Rule, _Callback]):
+class Builder:
     """The callbacks of the rules for one text, made when first needed.
 
     `end` is the place behind the last token that was shifted.
     """
 
     def __init__(self, file: SourceFile, sink: Sink) -> None:
-        super().__init__()
         self.file = file
         self.actions = actions(sink)
         self.end = 0
+        self._made: dict[int, _Callback] = {}  # by identity: Lark computes the hash of a rule from its symbols
 
-    def __bool__(self) -> bool:
-        """Lark asks whether there are callbacks before it asks for one."""
-        return True
-
-    def __missing__(self, rule: Rule) -> _Callback:
-        callback = self[rule] = self._callback(rule, _children(rule))
-        return callback
+    def callback(self, rule: Rule) -> _Callback:
+        """The function that makes the value of a reduction by `rule`, an object of the automaton, from its symbols."""
+        made = self._made.get(id(rule))
+        if made is None:
+            made = self._made[id(rule)] = self._callback(rule, _children(rule))
+        return made
 
     def _callback(self, rule: Rule, children: tuple[_Child, ...]) -> _Callback:
         name = rule.alias or rule.origin.name
-        if rule.options.expand1 and not rule.alias and len(children) == 1:
-            assert len(rule.expansion) == 1, f"the place of {rule} would be lost"
-            return itemgetter(0)  # a level of precedence: the symbol becomes another of the same value
+        if keeps_value(rule):
+            return itemgetter(0)
         if name.startswith("_"):
             return self._list(children)
         return self._node(self.actions[name], children)
@@ -122,6 +120,15 @@ def _kept(children: tuple[_Child, ...], found: list[Any]) -> list[Any]:
         else:
             kept += value
     return kept
+
+
+@cache
+def keeps_value(rule: Rule) -> bool:
+    """True for a level of precedence: its one symbol becomes another of the same value."""
+    if not rule.options.expand1 or rule.alias or len(_children(rule)) != 1:
+        return False
+    assert len(rule.expansion) == 1, f"the place of {rule} would be lost"
+    return True
 
 
 @cache

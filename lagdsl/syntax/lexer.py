@@ -11,13 +11,15 @@ from typing import TypeAlias
 
 from lark import Token
 from lark.common import LexerConf
-from lark.lexer import AbstractBasicLexer, BasicLexer, ContextualLexer, UnlessCallback
+from lark.lexer import AbstractBasicLexer, BasicLexer, ContextualLexer, LexerState, UnlessCallback
 from lark.utils import TextSlice
 
 Found: TypeAlias = "tuple[str, str] | None"
 """The text of a token and the name of its terminal."""
 States: TypeAlias = Mapping[int, Mapping[str, object]]
 """For every state of the automaton the symbols that it takes."""
+_BLANKS = " \t\r\n"
+"""What the grammar ignores between tokens besides comments."""
 
 
 class StateLexer(BasicLexer):
@@ -32,6 +34,29 @@ class StateLexer(BasicLexer):
         self._whole = whole
         self._accepted = frozenset(terminal.name for terminal in self.terminals)
         self.callback = {name: self._keyword for name in whole.keywords if name in self._accepted}
+
+    def next_token(self, lex_state: LexerState, parser_state: object = None) -> Token:
+        """The next token that is not ignored, with its place; nobody asks for its line. Raises as Lark's does."""
+        slice_, places = lex_state.text, lex_state.line_ctr
+        text, start = slice_.text, places.char_pos
+        while start < slice_.end:
+            if text[start] in _BLANKS:
+                start += 1
+                continue
+            found = self.match(slice_, start)
+            if found is None:
+                break
+            value, kind = found
+            end = start + len(value)
+            if kind not in self.ignore_types:
+                places.char_pos = end
+                token = Token(kind, value, start, None, None, None, None, end)
+                change = self.callback.get(kind)
+                lex_state.last_token = token if change is None else change(token)
+                return lex_state.last_token
+            start = end
+        places.char_pos = start
+        return super().next_token(lex_state, parser_state)
 
     def match(self, text: TextSlice[str], pos: int) -> Found:
         found: Found = self._whole.scanner.match(text, pos)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import field
 from itertools import islice, pairwise, takewhile
-from typing import Any
 
 from lark import Token
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken
@@ -62,9 +61,7 @@ class Session:
         self.file = file
         self.sink = sink
         self.builder = Builder(file, sink)
-        self.stack = Stack(language().parser(file.text, start))
-        conf: Any = self.stack.parser.parser_state.parse_conf
-        conf.callbacks = self.builder
+        self.stack = Stack(language().parser(file.text, start), self.builder)
         self.tree: object | None = None
         self.finished = False
         self.previous = token_at(END_OF_TEXT, "", 0, 0)
@@ -107,14 +104,10 @@ class Session:
 
     def shift(self, token: Token) -> bool:
         """Feed `token` to the parser; brackets are kept in a list of their own. False if it does not fit."""
-        if token.type == END_OF_TEXT and self.stack.is_complete():
-            return self._finish(self.stack.values[-1])
-        try:
-            result = self.stack.parser.feed_token(token)
-        except UnexpectedToken:
+        if not self.stack.feed(token):
             return False
         if token.type == END_OF_TEXT:
-            return self._finish(result)
+            return self._finish(self.stack.values[-1])
         if len(self.stack.values) > limits.MAX_STACK:
             raise TooDeep(self.span(token))
         if token.type in _OPENING_TERMINALS:

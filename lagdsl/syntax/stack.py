@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from copy import copy
 from functools import cache
 from typing import Any
 
 from lark import Token
 from lark.exceptions import UnexpectedInput, UnexpectedToken
+from lark.grammar import Rule
 from lark.parsers.lalr_analysis import Shift
 
-from lagdsl.syntax.language import all_states
-from lagdsl.syntax.tokens import as_text
+from lagdsl.syntax.builder import Builder, keeps_value
+from lagdsl.syntax.language import all_states, language
+from lagdsl.syntax.tokens import END_OF_TEXT, as_text
 from lagdsl.syntax.vocabulary import vocabulary
 
 STATEMENTS = ("_item", "_element", "_section_item", "when_equation")  # where the parser may begin anew after an error
@@ -20,8 +21,10 @@ STATEMENTS = ("_item", "_element", "_section_item", "when_equation")  # where th
 class Stack:
     """The stack of `parser`. A height counts its states; the start state is the first and has no value."""
 
-    def __init__(self, parser: Any) -> None:
+    def __init__(self, parser: Any, builder: Builder) -> None:
         self.parser = parser  # Lark's InteractiveParser, which has no types
+        self._conf: Any = parser.parser_state.parse_conf
+        self._builder = builder
         self.states: list[int] = parser.parser_state.state_stack
         self.values: list[Any] = parser.parser_state.value_stack  # tokens and parts; one less than states
 
@@ -64,8 +67,6 @@ class Stack:
     def _trial(self, height: int) -> Any:
         """A copy of the parser with the stack cut at `height`, which makes no nodes."""
         trial = self.parser.copy(deepcopy_values=False)
-        trial.parser_state.parse_conf = copy(trial.parser_state.parse_conf)
-        trial.parser_state.parse_conf.callbacks = {}
         del trial.parser_state.state_stack[height:]
         del trial.parser_state.value_stack[height - 1 :]
         return trial
@@ -91,14 +92,33 @@ class Stack:
 
     def is_complete(self) -> bool:
         """True if the whole text is one tree already."""
-        state: int = self.parser.parser_state.parse_conf.end_state
-        return self.states[-1] == state
+        return bool(self.states[-1] == self._conf.end_state)
 
     def above(self, height: int) -> list[Any]:
         """Tokens and parts above that height."""
         return self.values[height - 1 :]
 
     # ---- moves -------------------------------------------------------------------------------------------------------
+
+    def feed(self, token: Token) -> bool:
+        """Shift `token` after the reductions that it asks for. False if it does not fit; the reductions stay made.
+
+        The same as Lark's `feed_token`, in a third of the time: an operand passes a dozen levels of precedence, of
+        which each is a reduction of one symbol that keeps its value. Their end is looked up.
+        """
+        rows, states, values, terminal = self._conf.states, self.states, self.values, token.type
+        while True:
+            if len(states) > 1:
+                states[-1] = _above_levels(states[-2], states[-1], terminal)
+            action = rows[states[-1]].get(terminal)
+            if action is None:
+                return self.is_complete() and terminal == END_OF_TEXT
+            kind, target = action
+            if kind is Shift:
+                states.append(target)
+                values.append(token)
+                return True
+            self._reduce(target)
 
     def settle(self) -> None:
         """Make the reductions that any next token would ask for: finish what is complete before an error is judged."""
@@ -111,18 +131,30 @@ class Stack:
                 return
             self._reduce(rule)
 
-    def _reduce(self, rule: Any) -> None:
-        conf = self.parser.parser_state.parse_conf
+    def _reduce(self, rule: Rule) -> None:
         height = len(self.states) - len(rule.expansion)
-        value = conf.callbacks[rule](self.above(height))
-        self.cut(height)
-        self.states.append(conf.states[self.states[-1]][rule.origin.name][1])
+        value = self._builder.callback(rule)(self.values[height - 1 :])
+        del self.states[height:]
+        del self.values[height - 1 :]
+        self.states.append(self._conf.states[self.states[-1]][rule.origin.name][1])
         self.values.append(value)
 
     def cut(self, height: int) -> None:
         """Forget everything above `height`."""
         del self.states[height:]
         del self.values[height - 1 :]
+
+
+@cache
+def _above_levels(below: int, state: int, terminal: str) -> int:
+    """The state in which the parser meets `terminal` after reductions of one symbol that keep its value; `state` was
+    reached from `below`."""
+    rows = language().table.states
+    while True:
+        kind, rule = rows[state].get(terminal, (Shift, None))
+        if kind is Shift or not keeps_value(rule):
+            return state
+        state = rows[below][rule.origin.name][1]
 
 
 @cache

@@ -8,29 +8,31 @@ from dataclasses import fields
 from lagdsl.syntax import nodes
 
 _FIELD_NAMES: dict[type[nodes.Node], tuple[str, ...]] = {}
+_WITHOUT_NODES = ("str", "str | None", "bool", "Span", "Span | None", "tuple[str, ...]")
 
 
-def children(node: nodes.Node) -> Iterator[nodes.Node]:
+def children(node: nodes.Node) -> list[nodes.Node]:
     """The nodes that are fields of `node`, in source order."""
+    found: list[nodes.Node] = []
     for name in _field_names(type(node)):
-        value = getattr(node, name)
-        if isinstance(value, nodes.Node | tuple):
-            yield from _nodes(value)
+        _add(getattr(node, name), found)
+    return found
 
 
 def _field_names(kind: type[nodes.Node]) -> tuple[str, ...]:
     known = _FIELD_NAMES.get(kind)
     if known is None:
-        known = _FIELD_NAMES[kind] = tuple(field.name for field in fields(kind))
+        known = tuple(field.name for field in fields(kind) if field.type not in _WITHOUT_NODES)
+        _FIELD_NAMES[kind] = known
     return known
 
 
-def _nodes(value: object) -> Iterator[nodes.Node]:
+def _add(value: object, found: list[nodes.Node]) -> None:
     if isinstance(value, nodes.Node):
-        yield value
+        found.append(value)
     elif isinstance(value, tuple):
         for part in value:
-            yield from _nodes(part)
+            _add(part, found)
 
 
 def descendants(node: nodes.Node) -> Iterator[nodes.Node]:
@@ -39,4 +41,7 @@ def descendants(node: nodes.Node) -> Iterator[nodes.Node]:
     while stack:
         current = stack.pop()
         yield current
-        stack.extend(reversed(list(children(current))))
+        below = children(current)
+        if below:
+            below.reverse()
+            stack += below
