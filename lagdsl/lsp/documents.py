@@ -9,6 +9,7 @@ from lsprotocol import types as lsp
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.lsp.deep import Depth
+from lagdsl.lsp.findings import Memory
 from lagdsl.lsp.positions import name_of_uri
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.semantics.classes.library import read_source
@@ -24,6 +25,7 @@ class Document:
         self.snapshot = Snapshot(name_of_uri(uri), text, version)
         self.checked: Snapshot | None = None  # the last one whose findings are told
         self.found: tuple[Diagnostic, ...] = ()
+        self.memory = Memory()
         self.depth: Depth | None = None
         self.depth_of: Snapshot | None = None
 
@@ -32,6 +34,7 @@ class Document:
 
     def refresh(self) -> None:
         """Look at the same text anew: a file that it needs has changed."""
+        self.memory = Memory()
         self.snapshot = Snapshot(self.snapshot.file.name, self.snapshot.text, self.snapshot.version)
 
     def with_values(self) -> Snapshot:

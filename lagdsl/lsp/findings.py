@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from lagdsl.diagnostics import Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
+from lagdsl.lsp.shape import Shape, moved, shape_of
 from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.record import mutable_record
 from lagdsl.semantics.classes.selection import complete_models
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.wellformed.check import check as check_physics
@@ -19,25 +21,41 @@ _ABSENT = frozenset({"E0201", "E0204", "E0210", "E0223", "E0318", "E0319", "E032
 """Faults that may come from a statement that is missing, in families that else are about one statement."""
 
 
-def findings(snapshot: Snapshot) -> tuple[Diagnostic, ...]:
+@mutable_record()
+class Memory:
+    """`found` by themselves in the statements of `shape`, those of a text that was looked at before."""
+
+    shape: Shape | None = None
+    found: tuple[Diagnostic, ...] = ()
+
+
+def findings(snapshot: Snapshot, memory: Memory | None = None) -> tuple[Diagnostic, ...]:
     """Everything that is found before deriving, in all models of the text; the snapshot keeps their flat models.
 
-    While a statement is not understood, only errors are told that are about another statement by itself.
+    While a statement is not understood, only errors are told that are about another statement by itself. They are
+    taken from `memory` where the other statements are those of the text before; it is then that of this text.
     """
     unit = snapshot.unit
     if unit is None:
         return snapshot.syntax_diagnostics
-    found: list[Diagnostic] = [each for each in snapshot.syntax_diagnostics if each.code not in _NO_MODEL]
-    for name in complete_models(unit) or (None,):
+    syntax = [each for each in snapshot.syntax_diagnostics if each.code not in _NO_MODEL]
+    memory = Memory() if memory is None else memory
+    found = _of_models(snapshot, unit, memory) if snapshot.is_whole else _of_statements(unit, memory)
+    return tuple(dict.fromkeys((*syntax, *found)))
+
+
+def _of_models(snapshot: Snapshot, unit: nodes.Unit, memory: Memory) -> list[Diagnostic]:
+    found: list[Diagnostic] = []
+    for name in complete_models(unit) or (None,) if unit.items else ():
         sink = Sink()
-        if snapshot.is_whole:
-            flat = _flat(unit, sink, name) if unit.items else None
-            if flat is not None:
-                snapshot.flats[flat.name] = flat
-            found += [each for each in sink.diagnostics if each.code not in _NO_MODEL]
-        elif unit.items:
-            found += [each for each in _of_statements(unit, name) if each.code not in _NO_MODEL]
-    return tuple(dict.fromkeys(found))
+        flat = _flat(unit, sink, name)
+        if flat is not None:
+            snapshot.flats[flat.name] = flat
+        found += [each for each in sink.diagnostics if each.code not in _NO_MODEL]
+    # no error in all statements is no error in the same statements beside one that is not understood
+    memory.shape = None if any(each.severity is Severity.ERROR for each in found) else shape_of(unit)
+    memory.found = ()
+    return found
 
 
 def _flat(unit: nodes.Unit, sink: Sink, name: str | None) -> FlatModel | None:
@@ -49,12 +67,23 @@ def _flat(unit: nodes.Unit, sink: Sink, name: str | None) -> FlatModel | None:
     return None if sink.has_errors else flat
 
 
-def _of_statements(unit: nodes.Unit, name: str | None) -> list[Diagnostic]:
+def _of_statements(unit: nodes.Unit, memory: Memory) -> tuple[Diagnostic, ...]:
+    shape = shape_of(unit)
+    known = None
+    if memory.shape is not None and memory.shape.has_statements_of(shape):
+        known = moved(memory.found, memory.shape, shape)
+    memory.shape, memory.found = shape, _errors_of_statements(unit) if known is None else known
+    return memory.found
+
+
+def _errors_of_statements(unit: nodes.Unit) -> tuple[Diagnostic, ...]:
     sink = Sink()
-    with deep_recursion():
-        flatten(unit, sink, name, incomplete=True)
-    return [each for each in sink.diagnostics if _is_of_one_statement(each)]
+    for name in complete_models(unit) or (None,) if unit.items else ():
+        with deep_recursion():
+            flatten(unit, sink, name, incomplete=True)
+    return tuple(each for each in sink.diagnostics if _is_of_one_statement(each))
 
 
 def _is_of_one_statement(found: Diagnostic) -> bool:
-    return found.severity is Severity.ERROR and found.code[1:3] in _OF_STATEMENTS and found.code not in _ABSENT
+    is_of_family = found.code[1:3] in _OF_STATEMENTS and found.code not in (*_ABSENT, *_NO_MODEL)
+    return found.severity is Severity.ERROR and is_of_family

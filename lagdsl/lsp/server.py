@@ -82,7 +82,7 @@ class LagServer(LanguageServer):
         if document is None:
             return
         snapshot = document.snapshot
-        found = findings(snapshot)
+        found = findings(snapshot, document.memory)
         if document.snapshot is not snapshot:
             return
         document.checked, document.found = snapshot, found

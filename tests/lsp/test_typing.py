@@ -9,6 +9,7 @@ from choice import ALL, chosen
 from lsp_texts import FOUR_BAR
 
 from lagdsl.diagnostics import Severity
+from lagdsl.lsp.documents import Document
 from lagdsl.lsp.features.completion import completion
 from lagdsl.lsp.features.cursor import cursor_at
 from lagdsl.lsp.features.folding import folding
@@ -19,7 +20,7 @@ from lagdsl.lsp.features.lenses import lenses
 from lagdsl.lsp.features.signature import signature
 from lagdsl.lsp.features.symbols import document_symbols
 from lagdsl.lsp.features.tokens import tokens
-from lagdsl.lsp.findings import findings
+from lagdsl.lsp.findings import Memory, findings
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.syntax import nodes
 from lagdsl.syntax.tokens import end_of, plain_tokens, start_of
@@ -86,6 +87,52 @@ def test_a_broken_statement_is_the_only_one_that_is_told(name: str) -> None:
             place = each.labels[0].span
             is_near = start <= place.start <= end_of(following)
             assert is_near or each.code in EXCEPTIONS or each.severity is not Severity.ERROR, (text[start:end], each)
+
+
+FAULTY = """model Two
+  parameter Mass m = 1 m;
+  coordinate Length x, y;
+  mass m at {x, y};
+end Two;
+"""
+TYPED = ("torque 1 N.m on q;", "parameter Real k(min = 0) = sin(30 deg)", "end")
+
+
+@pytest.mark.parametrize("text", [FOUR_BAR, FAULTY], ids=["four_bar", "faulty"])
+def test_what_is_remembered_is_what_is_found(text: str) -> None:
+    """Statements are typed at several places, one character after the other, after others, with errors elsewhere."""
+    memory, answered = Memory(), 0
+    places = [at for at in range(len(text)) if text.startswith("\n  ", at)]
+    for at in places[:: 1 if ALL else 4]:
+        for typed in TYPED:
+            for length in range(0, len(typed) + 1, 1 if ALL else 5):
+                snapshot = Snapshot("<typed>", f"{text[:at]}\n  {typed[:length]}{text[at:]}", length)
+                before = memory.shape
+                assert findings(snapshot, memory) == findings(snapshot), snapshot.text
+                answered += before is not None and memory.shape is not None and len(memory.shape.pieces) > 1
+    assert answered
+
+
+def test_what_is_remembered_moves_with_its_statement() -> None:
+    memory = Memory()
+    for lines in range(3):
+        snapshot = Snapshot(
+            "<typed>", FAULTY.replace("  coordinate", "\n" * lines + "  force {1 N\n  coordinate"), lines
+        )
+        (wrong,) = (each for each in findings(snapshot, memory) if each.code == "E0407")
+        assert wrong.labels[0].span.file is snapshot.file
+        assert wrong.labels[0].span.text == "1 m"
+
+
+def test_a_file_that_is_read_anew_is_looked_at_anew(tmp_path: Path) -> None:
+    """An error in a statement that imports a file is found again when that file has changed."""
+    (tmp_path / "Arm.lag").write_text("model Arm\n  parameter Length l = 1 m;\nend Arm;\n")
+    text = "model Use\n  import Arm;\n  Arm a(l = 2 m);\n  mass\nend Use;\n"
+    document = Document((tmp_path / "Use.lag").as_uri(), text, 1)
+    assert [each.code for each in findings(document.snapshot, document.memory)] == ["E0100"]
+    (tmp_path / "Arm.lag").write_text("model Arm\n  parameter Mass l = 1 kg;\nend Arm;\n")
+    document.refresh()
+    assert "E0407" in [each.code for each in findings(document.snapshot, document.memory)]
 
 
 EXCEPTIONS = ("E0100", "E0101", "E0103", "E0113", "E0118")
