@@ -93,7 +93,7 @@ def _derivation(flat: FlatModel) -> str:
     from lagdsl.textbook.recipe import recipe
 
     try:
-        return sections(document(recipe(flat)).blocks, _LETTERS_OF_A_LINE)
+        return sections(document(recipe(flat), units=True, drawn=True).blocks, _LETTERS_OF_A_LINE)
     except CompilationFailed as failure:
         return "".join(f"<p>{escape(d.message)}</p>" for d in failure.diagnostics)
 
@@ -114,7 +114,7 @@ def html_of(
     tabs = "".join(
         f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>' for name, title in _TABS
     )
-    inside = {"derivation": f'<div id="derivation">{derivation}</div>', "table": _TABLE}
+    inside = {"derivation": f'{_UNITS}<div id="derivation">{derivation}</div>', "table": _TABLE}
     panels = "".join(
         f'<div role="tabpanel" id="{name}-panel" aria-labelledby="{name}-tab" tabindex="0">'
         f"{inside.get(name, _empty(name))}</div>"
@@ -142,7 +142,8 @@ def html_of(
 </head>
 <body>
 <header><h1>{escape(flat.name)}</h1>{doc}</header>
-<div id="stage"><div id="pointed"></div><div id="legend"></div><div id="tools"></div></div>
+<div id="tools" role="toolbar" aria-label="Picture"></div>
+<div id="stage"><div id="pointed"></div><div id="legend"></div></div>
 <div id="player"></div>
 <main id="panels"><div role="tablist" aria-label="Panels">{tabs}</div>
 {panels}
@@ -157,6 +158,7 @@ def html_of(
 """
 
 
+_UNITS = '<label class="choice"><input type="checkbox" id="units">units of symbols and equations</label>'
 _TABLE = (
     '<table><caption>Values at the time of the clock</caption><thead><tr><th scope="col">name</th>'
     '<th scope="col">value</th><th scope="col">unit</th></tr></thead><tbody id="values"></tbody></table>'

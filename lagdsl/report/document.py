@@ -39,10 +39,11 @@ Inline: TypeAlias = tuple[Text | Code | Strong | Math, ...]
 
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """`step` is the number of a step of the recipe, for sections that are one."""
+    """`step` is the number of a step of the recipe, for sections that are one; `units` if it is about them alone."""
 
     title: str
     step: str | None = None
+    units: bool = False
 
 
 @dataclass(frozen=True, slots=True)

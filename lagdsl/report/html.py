@@ -72,7 +72,8 @@ def sections(blocks: Sequence[Block], width: int = _WIDTH) -> str:
     for block in blocks:
         if isinstance(block, Heading) or not is_open:
             pieces += ["</section>"] if is_open else []
-            pieces.append("<section>")
+            about_units = isinstance(block, Heading) and block.units
+            pieces.append('<section class="units">' if about_units else "<section>")
             is_open = True
         pieces.append(_block(block, width))
     return "\n".join([*pieces, "</section>"] if is_open else pieces)

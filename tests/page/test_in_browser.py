@@ -79,6 +79,10 @@ def test_every_page_is_shown_and_asks_for_nothing(name: str, browser: Any, tmp_p
     opened = Opened(browser, path)
     assert opened.ready() == "live"
     assert opened.colors() > 3
+    forces = opened.page.get_by_role("button", name="forces", exact=True)
+    if forces.count():
+        forces.click()
+        assert forces.get_attribute("aria-pressed") == "false"
     bar = opened.page.locator("#sliders input[type=range]").first
     if bar.count():
         bar.evaluate("bar => { bar.value = 520; bar.dispatchEvent(new Event('input')); }")
@@ -105,7 +109,7 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
         panel = page.locator(f"#{tab.get_attribute('aria-controls')}")
         assert panel.is_visible()
         assert page.locator("[role=tabpanel]:visible").count() == 1
-    for name in ("frames", "forces", "view", "ghosts", "keys"):
+    for name in ("frames", "fit", "ghosts", "keys"):
         page.get_by_role("button", name=name, exact=True).click()
     for name in ("v", "a", "∂r/∂q", "reactions"):
         page.get_by_role("button", name=name, exact=True).click()
@@ -113,10 +117,13 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     assert "reaction: longest" in page.locator("#legend").inner_text()
     assert "torque" not in page.locator("#legend").inner_text()  # pins: a rounding of forces is no torque
     page.get_by_label("The coordinate that moves").select_option("A.q")
-    for key in ("+", "-", "g", "v"):
+    speeds = page.get_by_role("button", name="v", exact=True)
+    for key in ("+", "-", "g", "v", "f"):
         page.keyboard.press(key)
+    assert speeds.get_attribute("aria-pressed") == "false"  # the button switched them on, the key off
     saved = {}
     for name, suffix in (("PNG", ".png"), ("SVG", ".svg"), ("GIF", ".gif"), ("CSV", ".csv")):
+        page.locator(".menu summary").click()
         with page.expect_download(timeout=MOST_MILLISECONDS) as download:
             page.get_by_role("button", name=name, exact=True).click()
         assert download.value.suggested_filename == f"FourBar{suffix}"
@@ -198,6 +205,19 @@ def test_a_notebook_shows_the_page_in_its_frame(browser: Any, tmp_path: Path) ->
     page.close()
 
 
+def test_units_are_shown_on_request(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(page_of("double_pendulum"), encoding="utf-8")
+    opened = Opened(browser, path)
+    page = opened.page
+    page.locator("#derivation-tab").click()
+    units = page.locator("#derivation section.units, #derivation mtext.unit")
+    assert units.count() > 3 and not any(each.is_visible() for each in units.all())
+    page.get_by_label("units of symbols and equations").check()
+    assert all(each.is_visible() for each in units.all())
+    opened.page.close()
+
+
 def test_a_term_and_its_statement_mark_each_other(browser: Any, tmp_path: Path) -> None:
     path = tmp_path / "page.html"
     path.write_text(page_of("double_pendulum"), encoding="utf-8")
@@ -209,5 +229,15 @@ def test_a_term_and_its_statement_mark_each_other(browser: Any, tmp_path: Path) 
     # Another panel hides the text of the model: the marks stay in the document.
     marked = [line.text_content().strip() for line in page.locator(".line.marked").all()]
     assert marked == ["mass m1 at P1;", "mass m2 at P2;"]
+    page.locator("#derivation .term").first.click()
+    line = page.locator(".line").filter(has_text="mass m2 at P2;")
+    assert line.is_visible() and "marked" in (line.get_attribute("class") or "")
+    line.hover()
+    assert page.locator("#pointed").inner_text() == "mass 2"
+    line.click()
+    assert page.locator("#derivation .term.marked").first.is_visible()
+    page.locator("#source-tab").click()
+    page.locator(".line").first.click()
+    playwright.expect(page.locator("#said")).to_have_text("No term of the equations comes from this line.")
     assert opened.faults == []
     page.close()

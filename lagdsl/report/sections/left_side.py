@@ -68,7 +68,7 @@ def symbols_and_units(page: Page) -> list[Block]:
     for j, q in enumerate(d.symbols.q):
         force = Subscript(letter("Q"), page.notation.of(q))
         rows.append(((Math(force),), text(page.units.force(j)), text("generalized force")))
-    return [Heading("Symbols and units"), Table(("symbol", "unit", "meaning"), tuple(rows))]
+    return [Heading("Symbols and units", units=True), Table(("symbol", "unit", "meaning"), tuple(rows))]
 
 
 def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:

@@ -21,6 +21,7 @@ export class Curves {
   private motion: Motion;
   private events: { time: number }[];
   private family: Motion[] = [];
+  private time = 0;
 
   constructor(
     private readonly head: Head,
@@ -78,6 +79,7 @@ export class Curves {
     const energy = this.head.scene.first + this.head.scene.count;
     const titled = { name: "energy", display: { unit: "J", scale: 1, shift: 0 } };
     this.add("J", [titled.name], (motion) => [motion.column(0), motion.column(energy)]);
+    this.point(this.time);
   }
 
   private value(motion: Motion, index: number): Float64Array {
@@ -175,8 +177,8 @@ export class Curves {
 
   /** The cursor of all charts over time. */
   point(time: number): void {
-    const chart = this.charts[0]?.plot;
-    if (chart !== undefined) chart.setCursor({ left: chart.valToPos(time, "x"), top: -10 });
+    this.time = time;
+    for (const { plot } of this.charts) plot.setCursor({ left: plot.valToPos(time, "x"), top: -10 }, false);
     this.portrait.point(time);
   }
 
@@ -187,6 +189,7 @@ export class Curves {
   private resize(): void {
     for (const { plot } of this.charts) plot.setSize(this.size());
     this.portrait.resize();
+    this.point(this.time);
   }
 }
 

@@ -2,7 +2,7 @@
 import { Curves } from "./curves.ts";
 import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
-import { inflated, readHead, type Head, type Shape } from "./head.ts";
+import { inflated, readHead, type Head, type Shape, type Span } from "./head.ts";
 import { Live, type Outcome } from "./live.ts";
 import { recorded, together, type Motion } from "./motion.ts";
 import { SWITCHES } from "./overlay.ts";
@@ -11,14 +11,16 @@ import { Runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
 import { Source } from "./source.ts";
 import { Stage } from "./stage.ts";
+import { tabs } from "./tabs.ts";
 import { overlap, Terms } from "./terms.ts";
+import { buttons, menu, type Buttons } from "./toolbar.ts";
 import { INTERRUPTED } from "./orders.ts";
 
 const ROWS = 601;
 const GHOSTS = 5;
 const FRAMES = 72;
 const FRAME_WIDTH = 480;
-const KEYS = "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v whole machine";
+const KEYS = "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v velocities, f the whole machine";
 
 function place(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -40,6 +42,8 @@ class Page {
   private ghosts = false;
   private arrows: Promise<Live | null> | null = null; // the motion behind arrows, once one asked for it
   private endFilm: (() => void) | null = null;
+  private ghostly: HTMLButtonElement | null = null;
+  private speedy: HTMLButtonElement | null = null; // the switch of velocities
 
   constructor(
     private readonly head: Head,
@@ -52,15 +56,16 @@ class Page {
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, place("sliders"), () => this.again());
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
-    this.source = new Source(head, place("source"));
-    this.terms = new Terms(head, place("derivation"), (spans) => {
-      const shapes = head.scene.shapes.filter(({ span }) => span !== null && spans.some((each) => overlap(each, span)));
-      this.stage.highlight(shapes);
-      this.source.mark(spans);
-      place("pointed").textContent = shapes.map((shape) => shape.name).join(", ");
-    });
+    this.source = new Source(head, place("source"), (line) => this.follow(line), (line) => this.toTerms(line));
+    this.terms = new Terms(head, place("derivation"), (spans) => this.mark(spans), (spans) => this.toSource(spans));
     this.cells = this.values();
-    this.tabs();
+    const units = place("units") as HTMLInputElement;
+    units.onchange = () => place("derivation").classList.toggle("units", units.checked);
+    tabs(() => {
+      this.tell();
+      this.source.pin([]);
+      this.terms.pin(null);
+    });
     this.tools();
     this.keys();
     this.pointer();
@@ -144,6 +149,35 @@ class Page {
     this.pose(this.player.time);
   }
 
+  /** Things and lines that statements of the model stand behind. */
+  private mark(spans: Span[]): void {
+    const shapes = this.head.scene.shapes.filter(({ span }) => span !== null && spans.some((each) => overlap(each, span)));
+    this.stage.highlight(shapes);
+    this.source.mark(spans);
+    place("pointed").textContent = shapes.map((shape) => shape.name).join(", ");
+  }
+
+  private follow(line: Span | null): void {
+    this.mark(line === null ? [] : [line]);
+    this.terms.mark(line);
+  }
+
+  private toSource(spans: Span[]): void {
+    place("source-tab").click();
+    this.source.pin(spans);
+  }
+
+  private toTerms(line: Span): void {
+    const term = this.terms.first(line);
+    if (term === null) {
+      this.say("No term of the equations comes from this line.");
+      return;
+    }
+    place("derivation-tab").click();
+    this.terms.pin(line);
+    term.scrollIntoView({ block: "center" });
+  }
+
   private legend(): void {
     place("legend").textContent = (this.stage.overlay?.legend() ?? []).join("\n");
   }
@@ -183,85 +217,61 @@ class Page {
     });
   }
 
-  private tabs(): void {
-    const tabs = [...document.querySelectorAll<HTMLButtonElement>("[role=tab]")];
-    const choose = (chosen: HTMLButtonElement): void => {
-      for (const tab of tabs) {
-        tab.ariaSelected = `${tab === chosen}`;
-        tab.tabIndex = tab === chosen ? 0 : -1;
-        place(tab.getAttribute("aria-controls") ?? "").hidden = tab !== chosen;
-      }
-    };
-    tabs.forEach((tab, i) => {
-      tab.onclick = () => {
-        choose(tab);
-        this.tell();
-      };
-      tab.onkeydown = (event) => {
-        const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-        if (step === 0) return;
-        event.stopPropagation();
-        const next = tabs[(i + step + tabs.length) % tabs.length];
-        choose(next);
-        this.tell();
-        next.focus();
-      };
-    });
-    choose(tabs[0]);
-  }
-
   private tools(): void {
-    const button = (words: string, title: string, act: (self: HTMLButtonElement) => void): void => {
-      const made = document.createElement("button");
-      made.textContent = words;
-      made.title = title;
-      made.onclick = () => act(made);
-      place("tools").append(made);
-    };
-    const layer = (name: "forces" | "frames", title: string): void =>
-      button(name, title, (self) => {
+    const button = buttons(place("tools"));
+    const layer = (name: "forces" | "frames", title: string): void => {
+      const made = button(name, title, () => {
         this.stage.shown[name] = !this.stage.shown[name];
-        self.ariaPressed = `${this.stage.shown[name]}`;
+        made.ariaPressed = `${this.stage.shown[name]}`;
         this.stage.show();
         this.pose(this.player.time);
       });
-    layer("forces", "Arrows of loads");
-    layer("frames", "Axes of frames");
+      made.ariaPressed = `${this.stage.shown[name]}`;
+    };
+    if (this.head.scene.shapes.some(({ kind }) => kind === "force" || kind === "torque")) layer("forces", "Arrows of loads");
     this.switches(button);
-    button("ghosts", "Pale postures of several instants", (self) => this.toggleGhosts(self));
-    button("view", "The whole machine", () => this.stage.lookAt());
-    button("PNG", "Save the picture", () => picture(this.stage.canvas, this.head));
-    button("SVG", "Save the picture as lines and faces", () =>
-      save(new Blob([this.stage.sketch()], { type: "image/svg+xml" }), `${this.head.name}.svg`));
-    button("GIF", "Save the motion as a film that plays everywhere", () => void this.filmed());
+    if (this.head.scene.shapes.some(({ kind }) => kind === "frame")) layer("frames", "Axes of frames");
+    this.ghostly = button("ghosts", "Pale postures of several instants (key g)", () => this.toggleGhosts());
+    this.ghostly.ariaPressed = "false";
+    button("fit", "The whole machine (key f)", () => this.stage.lookAt());
     button("keys", KEYS, () => this.say(KEYS));
-    button("CSV", "Save the values", () => table(this.motion, this.head));
-    if (typeof MediaRecorder !== "undefined") {
-      button("film", "Record what plays", (self) => {
-        if (this.endFilm === null) {
-          this.endFilm = film(this.stage.canvas, this.head);
-          this.player.play();
-        } else {
-          this.endFilm();
-          this.endFilm = null;
-        }
-        self.ariaPressed = `${this.endFilm !== null}`;
-      });
-    }
+    this.saving();
+  }
+
+  private saving(): void {
+    const button = buttons(menu(place("tools"), "save"));
+    button("PNG", "The picture", () => picture(this.stage.canvas, this.head));
+    button("SVG", "The picture as lines and faces", () =>
+      save(new Blob([this.stage.sketch()], { type: "image/svg+xml" }), `${this.head.name}.svg`));
+    button("GIF", "The motion as a film that plays everywhere", () => void this.filmed());
+    button("CSV", "The values", () => table(this.motion, this.head));
+    if (typeof MediaRecorder === "undefined") return;
+    const recording = button("film", "Record what plays", () => {
+      if (this.endFilm === null) {
+        this.endFilm = film(this.stage.canvas, this.head);
+        this.player.play();
+      } else {
+        this.endFilm();
+        this.endFilm = null;
+      }
+      recording.ariaPressed = `${this.endFilm !== null}`;
+    });
   }
 
   /** Arrows, by kind, and the coordinate of the admissible motions. */
-  private switches(button: (words: string, title: string, act: (self: HTMLButtonElement) => void) => void): void {
+  private switches(button: Buttons): void {
     const overlay = this.stage.overlay;
     if (overlay === null) return;
     for (const [kind, words, title] of SWITCHES) {
       if (!overlay.has(kind)) continue;
-      button(words, title, (self) => {
+      const made = button(words, title, () => {
         const on = !overlay.shown.has(kind);
-        self.ariaPressed = `${on}`;
+        made.ariaPressed = `${on}`;
         void this.point(kind, on);
         if (kind === "admissible") chooser.hidden = !on;
       });
+      made.ariaPressed = "false";
+      if (kind === "velocity") this.speedy = made;
     }
     const chooser = document.createElement("select");
     chooser.title = "The coordinate that moves";
@@ -275,10 +285,9 @@ class Page {
     place("tools").append(chooser);
   }
 
-  private toggleGhosts(button?: HTMLButtonElement): void {
+  private toggleGhosts(): void {
     this.ghosts = !this.ghosts;
-    const own = button ?? [...document.querySelectorAll<HTMLButtonElement>("#tools button")].find((each) => each.textContent === "ghosts");
-    if (own !== undefined) own.ariaPressed = `${this.ghosts}`;
+    if (this.ghostly !== null) this.ghostly.ariaPressed = `${this.ghosts}`;
     this.haunt();
     this.pose(this.player.time);
   }
@@ -322,7 +331,8 @@ class Page {
         "+": () => this.player.faster(1),
         "-": () => this.player.faster(-1),
         g: () => this.toggleGhosts(),
-        v: () => this.stage.lookAt(),
+        v: () => this.speedy?.click(),
+        f: () => this.stage.lookAt(),
         Home: () => this.player.go(-Infinity),
         End: () => this.player.go(Infinity),
       };

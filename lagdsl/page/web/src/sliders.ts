@@ -27,6 +27,11 @@ export function shown(quantity: { display: { scale: number; shift: number } }, s
   return Number((si * quantity.display.scale + quantity.display.shift).toPrecision(4)).toString();
 }
 
+/** A name that may go on in another line behind its dots and before its indices. */
+function breakable(name: string): (string | HTMLElement)[] {
+  return name.split(/(?<=\.)|(?=\[)/).flatMap((part) => [part, document.createElement("wbr")]);
+}
+
 export class Sliders {
   readonly values: Map<Quantity, number>;
 
@@ -75,7 +80,7 @@ export class Sliders {
     const label = document.createElement("label");
     label.title = quantity.doc ?? "";
     const name = document.createElement("span");
-    name.textContent = quantity.name;
+    name.append(...breakable(quantity.group === "start" ? quantity.name.replace(/\.start$/, "") : quantity.name));
     const bar = document.createElement("input");
     const whole = quantity.kind !== "Real";
     Object.assign(bar, { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1" });

@@ -30,6 +30,8 @@ import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
 const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
+const SOLID = new Set(["box", "disc", "sphere", "mass", "body", "circle"]);
+const POSTURES = 13;
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -44,10 +46,11 @@ export class Stage {
   private readonly ghosts = new Group();
   readonly shown = { forces: true, frames: false };
   readonly overlay: Overlay | null;
+  private moved = false; // somebody chose a view
 
   constructor(
     private readonly head: Head,
-    motion: Motion,
+    private readonly whole: Motion,
     private readonly place: HTMLElement,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: false });
@@ -55,14 +58,15 @@ export class Stage {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
     place.append(this.canvas);
-    this.box = extent(head, motion);
+    this.box = extent(head, whole);
     const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = sizesOf(head, motion, length, this.box.getCenter(new Vector3()));
+    this.sizes = sizesOf(head, whole, length, this.box.getCenter(new Vector3()));
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.up);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableRotate = !head.planar;
     this.controls.addEventListener("change", () => this.render());
+    this.controls.addEventListener("start", () => (this.moved = true));
     this.grid = this.ground(length);
     this.scene.add(this.grid, new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
     const sun = new DirectionalLight(0xffffff, 2);
@@ -70,6 +74,7 @@ export class Stage {
     this.camera.add(sun);
     this.scene.add(this.camera, this.ghosts);
     this.furnish();
+    this.enclose();
     const arrows = new Group();
     if (head.planar) arrows.position.z = 0.15 * length; // in front of what they belong to
     this.scene.add(arrows);
@@ -91,9 +96,25 @@ export class Stage {
       drawn.object.traverse((object) => (object.userData.shape = shape));
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
-      if (isGauge(shape)) this.box.expandByObject(drawn.object);
     }
+    if (gauges.length > 0 && this.head.scene.shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind))) this.box.makeEmpty();
+    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
     this.show();
+  }
+
+  /** The box has room for things of a size of their own, wherever they are. */
+  private enclose(): void {
+    const solid = this.drawn.filter(({ shape }) => SOLID.has(shape.kind));
+    const numbers = new Float64Array(this.whole.width);
+    for (let k = 0; k < POSTURES && this.whole.count > 0; ++k) {
+      const row = Math.round(((this.whole.count - 1) * k) / (POSTURES - 1));
+      this.whole.state(this.whole.at(row, 0), numbers);
+      for (const drawn of solid) {
+        drawn.update({ numbers, first: this.head.scene.first });
+        drawn.object.updateMatrixWorld(true);
+        if (drawn.object.visible) this.box.expandByObject(drawn.object);
+      }
+    }
   }
 
   /** The directions right, up and towards the viewer, as one first sees the machine. */
@@ -129,25 +150,43 @@ export class Stage {
     return grid;
   }
 
+  /** The whole machine, as one first sees it. */
   lookAt(): void {
-    const center = this.box.getCenter(new Vector3());
-    const size = this.box.getSize(new Vector3());
-    const length = this.sizes.length;
-    this.controls.target.copy(center);
-    if (this.camera instanceof OrthographicCamera) {
-      this.camera.position.copy(center).add(new Vector3(0, 0, 10 * length));
-      this.camera.near = 0.1 * length;
-      this.camera.far = 30 * length;
-      this.camera.zoom = 1;
-    } else {
-      const facing = this.facing();
-      const far = Math.max(size.length(), 0.5 * length) * 1.75;
-      this.camera.position.copy(center);
-      this.camera.position.addScaledVector(new Vector3().setFromMatrixColumn(facing, 2), far * 0.92);
-      this.camera.position.addScaledVector(new Vector3().setFromMatrixColumn(facing, 1), far * 0.38);
-    }
+    this.moved = false;
+    this.controls.target.copy(this.box.getCenter(new Vector3()));
     this.resize();
     this.controls.update();
+  }
+
+  /** The box fills the picture, with a margin. */
+  private fit(aspect: number): void {
+    const center = this.box.getCenter(new Vector3());
+    const { length } = this.sizes;
+    if (this.camera instanceof OrthographicCamera) {
+      const size = this.box.getSize(new Vector3());
+      const margin = 0.12 * Math.max(size.x, size.y, 0.2 * length);
+      const half = Math.max(size.y / 2 + margin, (size.x / 2 + margin) / aspect);
+      Object.assign(this.camera, { top: half, bottom: -half, right: half * aspect, left: -half * aspect });
+      if (this.moved) return;
+      Object.assign(this.camera, { near: 0.1 * length, far: 30 * length, zoom: 1 });
+      this.camera.position.copy(center).add(new Vector3(0, 0, 10 * length));
+      return;
+    }
+    this.camera.aspect = aspect;
+    if (this.moved) return;
+    const facing = this.facing();
+    const away = new Vector3(0, 0.38, 0.92).transformDirection(facing);
+    const right = new Vector3().setFromMatrixColumn(facing, 0);
+    const upward = new Vector3().crossVectors(away, right);
+    const slope = Math.tan((this.camera.fov * Math.PI) / 360) / 1.12;
+    let far = 0;
+    for (let k = 0; k < 8; ++k) {
+      const corner = new Vector3(...([0, 1, 2] as const).map((i) => ((k >> i) & 1 ? this.box.max : this.box.min).getComponent(i)));
+      corner.sub(center);
+      const across = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(upward)));
+      far = Math.max(far, corner.dot(away) + across / slope);
+    }
+    this.camera.position.copy(center).addScaledVector(away, Math.max(far, 0.5 * length));
   }
 
   resize(): void {
@@ -155,18 +194,9 @@ export class Stage {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height);
-    if (this.camera instanceof OrthographicCamera) {
-      const size = this.box.getSize(new Vector3());
-      const margin = 0.12 * this.sizes.length;
-      const half = Math.max((size.y + 2 * margin) / 2, ((size.x + 2 * margin) / 2) * (height / width));
-      this.camera.top = half;
-      this.camera.bottom = -half;
-      this.camera.right = (half * width) / height;
-      this.camera.left = -this.camera.right;
-    } else {
-      this.camera.aspect = width / height;
-    }
+    this.fit(width / height);
     this.camera.updateProjectionMatrix();
+    this.controls.update();
     this.render();
   }
 

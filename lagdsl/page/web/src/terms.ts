@@ -3,8 +3,9 @@ import type { Head, Span } from "./head.ts";
 
 export class Terms {
   private readonly terms: { element: Element; spans: Span[] }[];
+  private pinned: Span | null = null;
 
-  constructor(head: Head, place: HTMLElement, pointed: (spans: Span[]) => void) {
+  constructor(head: Head, place: HTMLElement, pointed: (spans: Span[]) => void, chosen: (spans: Span[]) => void) {
     this.terms = [...place.querySelectorAll("[data-from]")].map((element) => {
       const indices = (element.getAttribute("data-from") ?? "").split(" ").filter((index) => index !== "");
       const spans = indices.map((index) => head.sources[Number(index)]).filter((span) => span !== null);
@@ -17,16 +18,29 @@ export class Terms {
         pointed(spans);
       });
       element.addEventListener("pointerleave", () => {
-        element.classList.remove("marked");
+        this.mark(null);
         pointed([]);
       });
+      element.addEventListener("click", () => chosen(spans));
     }
+  }
+
+  /** The first term that comes from a statement. */
+  first(span: Span): Element | null {
+    return this.terms.find(({ spans }) => spans.some((each) => overlap(each, span)))?.element ?? null;
+  }
+
+  /** Marks that stay until others take their place. */
+  pin(span: Span | null): void {
+    this.pinned = span;
+    this.mark(null);
   }
 
   /** Marks what comes from a statement. */
   mark(span: Span | null): void {
+    const from = [span, this.pinned].filter((each) => each !== null);
     for (const { element, spans } of this.terms) {
-      element.classList.toggle("marked", span !== null && spans.some((each) => overlap(each, span)));
+      element.classList.toggle("marked", spans.some((each) => from.some((other) => overlap(each, other))));
     }
   }
 }
