@@ -107,19 +107,22 @@ def tangents(program: Program, engine: Engine, states: Arrays) -> Line:
 
 def power(program: Program, states: Arrays) -> Line:
     """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with the Jacobi integral h = qd . dL/dqd - L (Goldstein 2.7);
-    inputs and states are held."""
-    part = 0.0
+    states are held, and inputs but for those whose derivatives are inputs, too: their motion is part of dL/dt."""
+    part, names = 0.0, [slot.name for slot in program.layout.inputs]
+    follows = [(k, names.index(f"der({name})")) for k, name in enumerate(names) if f"der({name})" in names]
     for i in range(0, len(states[Group.TIME]), 5):
         state = {group: rows[i] for group, rows in states.items()}
         qdd, lam = (x.real for x in _solved(program, state))
         qd = state[Group.QD]
-        moving = state | {
-            Group.TIME: state[Group.TIME] + 1j * _STEP,
+        u = state[Group.U].astype(complex)
+        for k, rate_of in follows:
+            u[k] += 1j * _STEP * state[Group.U][rate_of]
+        later = state | {Group.TIME: state[Group.TIME] + 1j * _STEP, Group.U: u}
+        moving = later | {
             Group.Q: state[Group.Q] + 1j * _STEP * qd,
             Group.QD: qd + 1j * _STEP * qdd,
         }
         rate = values(program, "energies", moving)[3].imag / _STEP
-        later = state | {Group.TIME: state[Group.TIME] + 1j * _STEP}
         jacobi, momenta = values(program, "energies", later)[3], values(program, "momenta", later)[0]
         explicit = (momenta @ qd - jacobi).imag / _STEP
         load, dissipated = values(program, "power", state)

@@ -31,7 +31,7 @@ from lagdsl.verify.forms import FORMS
 NAME = "bead_on_circular_wire_redundant"  # a constraint, a load, dissipation
 
 
-@pytest.mark.parametrize("name", chosen(MODELS, ("double_pendulum", NAME, "van_der_pol")))
+@pytest.mark.parametrize("name", chosen(MODELS, ("double_pendulum", NAME, "servo_drive", "van_der_pol")))
 def test_every_line_holds(name: str) -> None:
     found = certify(compiled(name).compilation)
     assert [(line.name, line.figure) for line in found.lines if line.verdict == "failed"] == []
