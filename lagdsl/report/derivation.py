@@ -71,7 +71,7 @@ def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Doc
     """`drawn`: with the drawing of the system."""
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
-        blocks = outline(recipe.familiar, recipe.extent)
+        blocks = outline(recipe.familiar, recipe.extent, drawn=drawn)
     else:
         page = _page(recipe.familiar, derivation, units)
         blocks = filled([block for section in _SECTIONS for block in section(page)])

@@ -39,12 +39,21 @@ class Arrow:
 
 
 @dataclass(frozen=True, slots=True)
+class Caption:
+    """The name of what stands at `point`, at `at`."""
+
+    point: Place
+    label: Box
+    at: Place
+
+
+@dataclass(frozen=True, slots=True)
 class Figure:
     """`words` say what is drawn, for those who do not see it."""
 
     width: float
     height: float
-    marks: tuple[Stroke | Ball | Arrow, ...]
+    marks: tuple[Stroke | Ball | Arrow | Caption, ...]
     words: str
 
 

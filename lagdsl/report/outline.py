@@ -39,6 +39,7 @@ from lagdsl.report.document import (
 from lagdsl.report.names import own_name, statement
 from lagdsl.report.notation import Notation, notation
 from lagdsl.report.sections.instants import event_list
+from lagdsl.report.sections.system import machine
 from lagdsl.textbook.extent import Extent
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.symbols import symbols
@@ -46,8 +47,8 @@ from lagdsl.textbook.symbols import symbols
 _MOST = 12
 
 
-def outline(familiar: Familiar, extent: Extent) -> tuple[Block, ...]:
-    """Chapters instead of terms; every list is cut, and says so."""
+def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple[Block, ...]:
+    """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole."""
     flat = familiar.flat
     signs = notation(flat, symbols(flat), (), tuple(row for each in flat.constraints for row in each.rows))
     letter = signs.letter
@@ -60,6 +61,7 @@ def outline(familiar: Familiar, extent: Extent) -> tuple[Block, ...]:
             )
         )
     ]
+    blocks += machine(flat, signs) if drawn else []
     blocks += _coordinates(flat, signs)
     blocks += kinematics(familiar, letter)
     blocks += energies(familiar, letter)

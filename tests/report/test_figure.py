@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from html.parser import HTMLParser
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,11 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import flatten_file, read
 from lagdsl.report.derivation import document, render
 from lagdsl.report.document import Drawing
-from lagdsl.report.marks import Arrow, Figure, Stroke
+from lagdsl.report.figure.lettering import width
+from lagdsl.report.figure.outlines import outlines
+from lagdsl.report.marks import Arrow, Caption, Figure, Stroke
+from lagdsl.report.unicode_math import line
+from lagdsl.scene.shapes import Shape
 from lagdsl.source import SourceFile
 from lagdsl.textbook.recipe import recipe
 
@@ -83,6 +88,43 @@ def test_a_loop_is_drawn_closed() -> None:
         for end in (points[0], points[-1])
     ]
     assert min(near) >= 2
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "two_masses_and_spring", "elastic_pendulum"])
+def test_labels_keep_apart_and_inside(name: str) -> None:
+    figure = drawn(flat_of(_MODELS / f"{name}.lag"))
+    named = [
+        (mark.at, width(mark.label)) for mark in figure.marks if isinstance(mark, Arrow) and mark.label is not None
+    ]
+    assert len(named) >= 5
+    for (x, y), wide in named:
+        assert wide / 2 <= x <= figure.width - wide / 2
+        assert 8 <= y <= figure.height - 8
+    for ((x0, y0), one), ((x1, y1), other) in combinations(named, 2):
+        assert abs(x1 - x0) >= (one + other) / 2 or abs(y1 - y0) >= 12
+
+
+def test_a_machine_told_by_chapters_is_drawn() -> None:
+    """A trolley below its rail and a load on its rope: two coordinates, two bodies by name, no admissible motions."""
+    figure = drawn(flat_of(_MODELS / "crane_with_motor.lag"))
+    assert {line(mark.label) for mark in figure.marks if isinstance(mark, Caption)} == {"trolley", "load"}
+    assert len(ways(figure, "coordinate")) == 2
+    assert ways(figure, "motion") == ways(figure, "weight") == []
+
+
+def test_a_disc_is_a_ring_across_its_axis() -> None:
+    """Of radius 2 m about x, its middle at (1, 2, 3) m."""
+    shape = Shape(
+        kind="disc",
+        name="",
+        numbers=(("at", 0), ("x", 3), ("y", 6), ("z", 9), ("axis", 12), ("radius", 15)),
+        vectors=("axis",),
+        spans=(),
+    )
+    scalars = np.array([1.0, 2.0, 3.0, *np.eye(3).ravel(), 1.0, 0.0, 0.0, 2.0, 0.0, 0.0])
+    [ring] = outlines(shape, lambda column, _: scalars[column : column + 3])
+    np.testing.assert_allclose([point[0] for point in ring], 1.0, atol=1e-12)
+    np.testing.assert_allclose([math.hypot(point[1] - 2, point[2] - 3) for point in ring], 2.0, rtol=1e-12)
 
 
 def test_no_mass_no_drawing() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,21 +11,25 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.numerics.rank import Floats
-from lagdsl.report.boxes import Box, Derivative, Name, Number, Row, Subscript
+from lagdsl.report.boxes import Box, Derivative
+from lagdsl.report.figure.drawn_model import DrawnModel
+from lagdsl.report.figure.labels import labelled
+from lagdsl.report.figure.lettering import width
+from lagdsl.report.figure.outlines import outlines
 from lagdsl.report.figure.pose import Pose, pose
-from lagdsl.report.marks import Arrow, Ball, Figure, Place, Role, Stroke, Style
-from lagdsl.report.names import carrier_labels, indexed
-from lagdsl.report.page import Page
-from lagdsl.report.unicode_math import line
+from lagdsl.report.marks import Arrow, Ball, Caption, Figure, Place, Role, Stroke, Style
+from lagdsl.report.names import indexed
 from lagdsl.scene.living import scene_of
-from lagdsl.scene.shapes import Scene, Shape
-from lagdsl.textbook.contributions import AppliedForce
+from lagdsl.scene.shapes import Scene
 
 _WIDTH = 420.0
 _BESIDE, _ABOVE = 62.0, 26.0
 _HIGHEST = 420.0
 _MOST_LABELS = 8
 _MOST_ARROWS = 24
+_MOST_COORDINATES = 8
+_MOST_NAMES = 12
+_LONGEST_NAME = 72.0
 _LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coordinate": 0.25}
 _LINES: dict[str, Style] = {"rod": "rod", "rope": "thin", "spring": "thin", "damper": "thin", "slider": "thin"}
 
@@ -39,6 +43,7 @@ class _Sheet:
     strokes: list[tuple[list[Floats], Style]] = field(default_factory=list)
     balls: list[tuple[Floats, float, bool]] = field(default_factory=list)
     arrows: list[tuple[list[Floats], Role, Box | None, int]] = field(default_factory=list)
+    names: list[tuple[Floats, Box]] = field(default_factory=list)
 
     def stroke(self, points: Sequence[Floats], style: Style) -> None:
         self.strokes.append(([self.project(point) for point in points], style))
@@ -47,27 +52,31 @@ class _Sheet:
         self.arrows.append(([self.project(point) for point in points], role, label, number))
 
 
-def figure(page: Page) -> Figure | None:
+def figure(drawn: DrawnModel) -> Figure | None:
     """None for a model without a mass that a coordinate moves, and where its start is not known."""
-    found = pose(page.flat)
+    flat = drawn.flat
+    found = pose(flat)
     if found is None:
         return None
     places = [place for each in found.carriers if (place := found.vector(each)) is not None]
-    if not places or not any(_moved(found, item.name) for item in page.flat.coordinates):
+    if not places or not any(_moved(found, item.name) for item in flat.coordinates):
         return None
-    scene = scene_of(page.flat)
-    sheet = _Sheet(_projection(page.flat, scene.planar))
+    scene = scene_of(flat)
+    sheet = _Sheet(_projection(flat, scene.planar))
     _parts(sheet, found, scene)
     _masses(sheet, found)
     shown = [point for points, _ in sheet.strokes for point in points] + [place for place, _, _ in sheet.balls]
     spread = np.ptp(np.array(shown), axis=0)
     sheet.size = float(max(spread)) or 1.0
-    _motions(sheet, found, page)
-    for number, item in enumerate(page.flat.coordinates):
-        _coordinate(sheet, found, page, item, number)
-    _loads(sheet, found, page)
-    _weights(sheet, found, page)
-    return _placed(sheet, f"{page.flat.name} where its motion starts")
+    if drawn.in_full:
+        _motions(sheet, found, drawn)
+        _weights(sheet, found, drawn)
+    else:
+        _names(sheet, found, drawn)
+    for number, item in enumerate(flat.coordinates[:_MOST_COORDINATES]):
+        _coordinate(sheet, found, drawn.coordinates[number], item, number)
+    _loads(sheet, found, drawn)
+    return _placed(sheet, f"{flat.name} where its motion starts")
 
 
 def _projection(flat: fm.FlatModel, planar: bool) -> Callable[[Floats], Floats]:
@@ -104,26 +113,24 @@ def _gravity(flat: fm.FlatModel) -> Floats | None:
 
 
 def _parts(sheet: _Sheet, found: Pose, scene: Scene) -> None:
+    def value(column: int, count: int) -> Floats | None:
+        parts = scene.columns[column : column + count]
+        padded = (*parts, *(fx.Number(0.0) for _ in range(3 - count)))
+        return found.vector(fx.Vector(*padded)) if len(padded) == 3 else None
+
     for shape in scene.shapes:
-        place = _place(found, scene, shape, "at")
-        end = _place(found, scene, shape, "to")
+        numbers = dict(shape.numbers)
+        place, end, normal = (value(numbers[r], 3) if r in numbers else None for r in ("at", "to", "normal"))
         if place is None:
             continue
         if end is not None and shape.kind in _LINES:
             sheet.stroke(_zigzag(place, end) if shape.kind == "spring" else [place, end], _LINES[shape.kind])
-        elif shape.kind == "ground":
-            normal = _place(found, scene, shape, "normal")
-            if normal is not None and np.linalg.norm(normal) > 0:
-                along = np.cross(normal / np.linalg.norm(normal), [0.0, 0.0, 1.0])
-                sheet.stroke([place - along, place + along], "ground")
-
-
-def _place(found: Pose, scene: Scene, shape: Shape, role: str) -> Floats | None:
-    column = dict(shape.numbers).get(role)
-    if column is None:
-        return None
-    parts = scene.columns[column : column + 3]
-    return found.vector(fx.Vector(*parts)) if len(parts) == 3 else None
+        elif shape.kind == "ground" and normal is not None and np.linalg.norm(normal) > 0:
+            along = np.cross(normal / np.linalg.norm(normal), [0.0, 0.0, 1.0])
+            sheet.stroke([place - along, place + along], "ground")
+        else:
+            for points in outlines(shape, value):
+                sheet.stroke(points, "outline")
 
 
 def _zigzag(start: Floats, end: Floats) -> list[Floats]:
@@ -159,29 +166,38 @@ def _moved(found: Pose, coordinate: str) -> list[tuple[int, fx.FlatExpression, F
     return [(k, each, rate) for k, each, rate in rates if rate is not None and np.linalg.norm(rate) > 1e-9]
 
 
-def _motions(sheet: _Sheet, found: Pose, page: Page) -> None:
+def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    """The masses and bodies of a machine without admissible motions, if they are few."""
+    if len(found.carriers) > _MOST_NAMES:
+        return
+    for expression, label in zip(found.carriers, drawn.carriers, strict=True):
+        place = found.vector(expression)
+        if place is not None and width(label) <= _LONGEST_NAME:
+            sheet.names.append((sheet.project(place), label))
+
+
+def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """∂r/∂q of every mass that a coordinate moves; arrows of one coordinate have one scale."""
-    moved = [(number, item, _moved(found, item.name)) for number, item in enumerate(page.flat.coordinates)]
+    moved = [(number, item, _moved(found, item.name)) for number, item in enumerate(drawn.flat.coordinates)]
     count = sum(len(each) for _, _, each in moved)
     if count > _MOST_ARROWS:
         return
-    labels = carrier_labels(page.flat)
     for number, item, own in moved:
         longest = max((float(np.linalg.norm(rate)) for _, _, rate in own), default=1.0)
-        q = page.notation.of(page.derivation.symbols.q[number])
+        q = drawn.coordinates[number]
         for k, expression, rate in own:
             place = found.vector(expression)
             if place is None or item.name not in found.values:
                 continue
-            label = Derivative("∂", indexed(page.notation.letter("r"), labels[k]), q) if count <= _MOST_LABELS else None
+            few = count <= _MOST_LABELS
+            label = Derivative("∂", indexed(drawn.letter("r"), drawn.carriers[k]), q) if few else None
             end = place + rate / longest * _LENGTHS["motion"] * sheet.size
             sheet.arrow([place, end], "motion", label, number)
 
 
-def _coordinate(sheet: _Sheet, found: Pose, page: Page, item: fm.Coordinate, number: int) -> None:
+def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, number: int) -> None:
     """The way of the first mass from the zero of the coordinate: an arc about its center, or a line beside it."""
     own = _moved(found, item.name)
-    label = page.notation.of(page.derivation.symbols.q[number])
     value = found.values[item.name]
     if not own:
         _turning(sheet, found, item, label, number)
@@ -240,30 +256,26 @@ def _turning(sheet: _Sheet, found: Pose, item: fm.Coordinate, label: Box, number
         return
 
 
-def _loads(sheet: _Sheet, found: Pose, page: Page) -> None:
-    """Forces that have a place, numbered as in the table of loads."""
-    for number, step in enumerate(page.derivation.actions, start=1):
-        load = page.flat.loads[step.load]
-        if not isinstance(step.action, AppliedForce) or not isinstance(load, fm.PointForce):
-            continue
-        place = load.origin if step.back and load.origin is not None else load.point
-        at, force = found.vector(place), found.vector(load.force)
+def _loads(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    """Forces that have a place; those of a long list without names."""
+    for load in drawn.forces:
+        at, force = found.vector(load.place), found.vector(load.force)
         if at is None or force is None or np.linalg.norm(force) == 0.0:
             continue
-        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size * (-1.0 if step.back else 1.0)
-        sheet.arrow([at, at + way], "load", Subscript(page.notation.letter("F"), Number(str(number))))
+        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size * load.sign
+        sheet.arrow([at, at + way], "load", load.label if len(drawn.forces) <= _MOST_LABELS else None)
 
 
-def _weights(sheet: _Sheet, found: Pose, page: Page) -> None:
-    down = _gravity(page.flat)
+def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    down = _gravity(drawn.flat)
     if down is None:
         return
     few = len(found.carriers) <= _MOST_LABELS
-    for expression, inertial in zip(found.carriers, page.derivation.inertials, strict=True):
+    for expression, label in zip(found.carriers, drawn.weights, strict=True):
         place = found.vector(expression)
         if place is not None:
-            label = Row((page.typeset(inertial.mass), Name("𝐠"))) if few and inertial.mass.is_Symbol else None
-            sheet.arrow([place, place + down * _LENGTHS["weight"] * sheet.size], "weight", label)
+            way = [place, place + down * _LENGTHS["weight"] * sheet.size]
+            sheet.arrow(way, "weight", label if few else None)
 
 
 def _placed(sheet: _Sheet, words: str) -> Figure:
@@ -287,11 +299,12 @@ def _placed(sheet: _Sheet, words: str) -> Figure:
             Stroke(_across(at(points[0]), at(points[1])) if style == "ground" else tuple(map(at, points)), style)
         )
     marks += [Ball(at(place), radius, hollow) for place, radius, hollow in sheet.balls]
+    names = [Caption(place, label, place) for place, label in ((at(place), label) for place, label in sheet.names)]
     pointing = []
     for points, role, label, number in sheet.arrows:
         own = tuple(map(at, points))
         pointing.append(Arrow(own, role, label, own[-1], number))
-    return Figure(_WIDTH, round(height, 1), (*marks, *_label_places(pointing, height)), words)
+    return Figure(_WIDTH, round(height, 1), labelled((*marks, *names, *pointing), _WIDTH, height), words)
 
 
 def _across(a: Place, b: Place) -> tuple[Place, ...]:
@@ -300,38 +313,3 @@ def _across(a: Place, b: Place) -> tuple[Place, ...]:
     size = float(np.linalg.norm(way)) or 1.0
     ends = (np.array(a) + sign * way / size * _WIDTH for sign in (-1.0, 1.0))
     return tuple((round(float(x), 1), round(float(y), 1)) for x, y in ends)
-
-
-def _beside(points: Sequence[Place], role: Role) -> tuple[Floats, Floats]:
-    """Place and direction of a label: beyond the head of an arrow, beside the middle of a coordinate."""
-    if role == "coordinate":
-        k = len(points) // 2
-        a, b = np.array(points[k - 1]), np.array(points[k])
-        middle, beyond = (b if len(points) > 2 else (a + b) / 2), np.array([(b - a)[1], -(b - a)[0]])
-    else:
-        a, middle = np.array(points[0]), np.array(points[-1])
-        beyond = middle - a
-    return middle, beyond / (float(np.linalg.norm(beyond)) or 1.0)
-
-
-def _label_places(arrows: Sequence[Arrow], height: float) -> list[Arrow]:
-    """Labels beyond what they name, apart from each other and inside the picture."""
-    taken: list[tuple[float, float, float]] = []
-    result = []
-    for arrow in arrows:
-        if arrow.label is None:
-            result.append(arrow)
-            continue
-        wide = 3.1 * len(line(arrow.label)) + 3.0
-        place, beyond = _beside(arrow.points, arrow.role)
-        x, y = place + beyond * np.array([wide + 3.0, 11.0])
-        x = min(max(x, wide), _WIDTH - wide)
-        free = (
-            (x, min(max(y + dy, 8.0), height - 8.0))
-            for dy in (0.0, 14.0, -14.0, 28.0, -28.0, 42.0, -42.0)
-            if all(abs(x - a) > wide + w or abs(y + dy - b) > 12.5 for a, b, w in taken)
-        )
-        x, y = next(free, (x, y))
-        taken.append((x, y, wide))
-        result.append(replace(arrow, at=(round(float(x), 1), round(float(y), 1))))
-    return result

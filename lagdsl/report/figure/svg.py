@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from html import escape
 
-from lagdsl.report.marks import Arrow, Ball, Figure, Place, Stroke, color
-from lagdsl.report.unicode_math import line
+from lagdsl.report.boxes import Box
+from lagdsl.report.figure.lettering import pieces
+from lagdsl.report.marks import Arrow, Ball, Caption, Figure, Place, Stroke, color
 
 _STROKES = {
     "rod": 'stroke-width="3" stroke-linecap="round"',
@@ -17,6 +18,7 @@ _STROKES = {
 }
 _WIDTHS = {"coordinate": 1.2, "motion": 1.8, "load": 2.2, "weight": 1.6}
 _HEAD = 7.0
+_DROP = 3.0
 
 
 def svg(figure: Figure, *, alone: bool = False) -> str:
@@ -31,7 +33,9 @@ def svg(figure: Figure, *, alone: bool = False) -> str:
     )
 
 
-def _mark(figure: Figure, mark: Stroke | Ball | Arrow) -> str:
+def _mark(figure: Figure, mark: Stroke | Ball | Arrow | Caption) -> str:
+    if isinstance(mark, Caption):
+        return _label(figure, mark.label, mark.at, "currentColor")
     if isinstance(mark, Stroke):
         return f'<polyline points="{_points(figure, mark.points)}" {_STROKES[mark.style]}/>'
     if isinstance(mark, Ball):
@@ -41,15 +45,21 @@ def _mark(figure: Figure, mark: Stroke | Ball | Arrow) -> str:
     ink = f'stroke="#{color(mark)}"'
     body = f'<polyline points="{_points(figure, mark.points)}" {ink} stroke-width="{_WIDTHS[mark.role]}"/>'
     head = f'<polygon points="{_points(figure, head_of(mark.points, _HEAD))}" {ink} fill="#{color(mark)}"/>'
-    return body + head + _label(figure, mark)
+    return body + head + ("" if mark.label is None else _label(figure, mark.label, mark.at, f"#{color(mark)}"))
 
 
-def _label(figure: Figure, arrow: Arrow) -> str:
-    if arrow.label is None:
-        return ""
-    x, y = arrow.at
-    place = f'x="{x:g}" y="{figure.height - y + 4:g}" text-anchor="middle"'
-    return f'<text {place} fill="#{color(arrow)}" stroke="none">{escape(line(arrow.label))}</text>'
+def _label(figure: Figure, label: Box, at: Place, ink: str) -> str:
+    """An index stands below the line; what follows it goes back up."""
+    spans, down = "", False
+    for text, low in pieces(label):
+        shift = f' dy="{_DROP if low else -_DROP:g}"' if low != down else ""
+        small = ' font-size="10"' if low else ""
+        spans += f"<tspan{shift}{small}>{escape(text)}</tspan>"
+        down = low
+    x, y = at
+    return (
+        f'<text x="{x:g}" y="{figure.height - y + 4:g}" text-anchor="middle" fill="{ink}" stroke="none">{spans}</text>'
+    )
 
 
 def _points(figure: Figure, points: tuple[Place, ...]) -> str:

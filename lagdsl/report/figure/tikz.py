@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.report.latex_math import tex
-from lagdsl.report.marks import COLORS, LOAD, WEIGHT, Arrow, Ball, Figure, Place, Stroke, color
+from lagdsl.report.marks import COLORS, LOAD, WEIGHT, Arrow, Ball, Caption, Figure, Place, Stroke, color
 
 _STROKES = {
     "rod": "line width=2.2pt, line cap=round",
@@ -25,7 +25,10 @@ def tikz(figure: Figure) -> str:
     return f"\\begin{{center}}\n{inside}\n\\end{{center}}"
 
 
-def _mark(mark: Stroke | Ball | Arrow) -> str:
+def _mark(mark: Stroke | Ball | Arrow | Caption) -> str:
+    if isinstance(mark, Caption):
+        x, y = mark.at
+        return f"\\node[inner sep=0pt] at ({x:g},{y:g}) {{${tex(mark.label)}$}};"
     if isinstance(mark, Stroke):
         return rf"\draw[{_STROKES[mark.style]}] {_way(mark.points)};"
     if isinstance(mark, Ball):

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.report.document import Block, Drawing, Heading, text
 from lagdsl.report.figure.draw import figure
+from lagdsl.report.figure.drawn_model import derived, outlined
+from lagdsl.report.notation import Notation
 from lagdsl.report.page import Page
 
 _LEGEND = (
@@ -11,9 +14,19 @@ _LEGEND = (
     "admissible motions ∂r/∂q of the masses that it moves, the others held. Weights are gray, forces red. Arrows of "
     "one color have one scale."
 )
+_LEGEND_OF_A_MACHINE = (
+    "The start of the motion. Full circles are masses, open ones mass centers of bodies. The first coordinates have a "
+    "color each and their positive sense, from their zero. Forces are red."
+)
 
 
 def system(page: Page) -> list[Block]:
     """Nothing for a model that has no mass in space, or no start."""
-    found = figure(page)
+    found = figure(derived(page))
     return [] if found is None else [Heading("The system"), Drawing(found, text(_LEGEND))]
+
+
+def machine(flat: FlatModel, notation: Notation) -> list[Block]:
+    """The same of a machine that is told by chapters."""
+    found = figure(outlined(flat, notation))
+    return [] if found is None else [Heading("The system"), Drawing(found, text(_LEGEND_OF_A_MACHINE))]

@@ -1,0 +1,39 @@
+"""Formulas as letters of two heights in one line, for figures: ∂r₁/∂θ with its indices below the line."""
+
+from __future__ import annotations
+
+import unicodedata
+
+from lagdsl.report.boxes import Box, Derivative, Joined, Row, Subscript
+from lagdsl.report.unicode_math import line
+
+_LETTER, _LOW_LETTER = 7.2, 5.4
+
+
+def pieces(box: Box, *, low: bool = False) -> list[tuple[str, bool]]:
+    """Texts, and whether each stands below the line."""
+    match box:
+        case Subscript(base, index):
+            return [*pieces(base, low=low), (line(index).replace(" , ", ","), True)]
+        case Derivative(letter, of, by):
+            above = [] if of is None else pieces(of, low=low)
+            return [(letter, low), *above, (f"/{letter}", low), *pieces(by, low=low)]
+        case Joined(items):
+            return [piece for item in items for piece in pieces(item, low=low)]
+        case Row((first, *others)):
+            found = pieces(first, low=low)
+            for item in others:
+                found += [("\u2009", low), *pieces(item, low=low)]
+            return found
+        case _:
+            return [(line(box), low)]
+
+
+def width(box: Box) -> float:
+    """In points of the figure, about."""
+    return sum(_letters(text) * (_LOW_LETTER if low else _LETTER) for text, low in pieces(box))
+
+
+def _letters(text: str) -> float:
+    """Dots over a letter take no room, thin blanks little."""
+    return sum(0.3 if each == "\u2009" else 1.0 for each in text if not unicodedata.combining(each))
