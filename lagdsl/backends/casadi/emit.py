@@ -39,4 +39,4 @@ def module(program: Program) -> str:
     """The text of the module."""
     arguments = f"FUNCTIONS, {lengths(program)!r}, {program.kept_rows!r}, REDUNDANT"
     last = [f"functions = Functions({arguments})"]
-    return module_over(program, Path(__file__).parent, _INTRODUCTION, _IMPORTS, last)
+    return module_over(program, [Path(__file__).with_name("support.py")], _INTRODUCTION, _IMPORTS, last)

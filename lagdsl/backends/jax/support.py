@@ -3,63 +3,13 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-import jax
 import jax.numpy as jnp
 
-jax.config.update("jax_enable_x64", True)
+from lagdsl.backends.jax.elementary import Elementary
+from lagdsl.backends.jax.loop import Instructions
 
-Row = tuple[Callable[..., Sequence[Any]], tuple[tuple[str, int | None], ...], tuple[tuple[str, tuple[int, ...]], ...]]
-
-
-class Elementary:
-    """Functions that the bodies of the model's functions call, by name. Conditions are the numbers 0 and 1."""
-
-    sin, cos, tan = jnp.sin, jnp.cos, jnp.tan
-    asin, acos, atan, atan2 = jnp.arcsin, jnp.arccos, jnp.arctan, jnp.arctan2
-    sinh, cosh, tanh = jnp.sinh, jnp.cosh, jnp.tanh
-    exp, log, sqrt, power = jnp.exp, jnp.log, jnp.sqrt, jnp.power
-    absolute, sign, floor, ceil, divide = jnp.abs, jnp.sign, jnp.floor, jnp.ceil, jnp.divide
-
-    @staticmethod
-    def modulo(x: Any, y: Any) -> Any:
-        """x - floor(x/y)*y, with the sign of y."""
-        return x - jnp.floor(jnp.divide(x, y)) * y
-
-    @staticmethod
-    def minimum(x: Any, y: Any) -> Any:
-        return jnp.where(x <= y, x, y)
-
-    @staticmethod
-    def maximum(x: Any, y: Any) -> Any:
-        return jnp.where(x >= y, x, y)
-
-    @staticmethod
-    def less(x: Any, y: Any) -> Any:
-        return jnp.where(x < y, 1.0, 0.0)
-
-    @staticmethod
-    def less_equal(x: Any, y: Any) -> Any:
-        return jnp.where(x <= y, 1.0, 0.0)
-
-    @staticmethod
-    def equal(x: Any, y: Any) -> Any:
-        return jnp.where(x == y, 1.0, 0.0)
-
-    @staticmethod
-    def negation(x: Any) -> Any:
-        return jnp.where(x == 0.0, 1.0, 0.0)
-
-    @staticmethod
-    def both(x: Any, y: Any) -> Any:
-        return jnp.where(jnp.logical_and(x, y), 1.0, 0.0)
-
-    @staticmethod
-    def either(x: Any, y: Any) -> Any:
-        return jnp.where(jnp.logical_or(x, y), 1.0, 0.0)
-
-    @staticmethod
-    def select(condition: Any, value: Any, otherwise: Any) -> Any:
-        return jnp.where(condition != 0.0, value, otherwise)
+Body = Callable[..., Sequence[Any]] | Instructions
+Row = tuple[Body, tuple[tuple[str, int | None], ...], tuple[tuple[str, tuple[int, ...]], ...]]
 
 
 class Functions:
@@ -80,16 +30,17 @@ class Functions:
         """Results of a function of the table. Raises ValueError for an argument of a wrong length."""
         body, signature, results = self._rows[name]
         given = [_array(name, label, length, x) for (label, length), x in zip(signature, arguments, strict=True)]
-        values = body(Elementary, *(x if x.ndim == 0 else jnp.unstack(x) for x in given))
+        if isinstance(body, Instructions):
+            values = body(given)
+        else:
+            found = body(Elementary, *(x if x.ndim == 0 else jnp.unstack(x) for x in given))
+            values = jnp.stack([jnp.asarray(x, dtype=float) for x in found]) if found else jnp.zeros(0)
         blocks, first = [], 0
         for _, shape in results:
             size = 1
             for length in shape:
                 size *= length
-            part = values[first : first + size]
-            blocks.append(
-                jnp.stack([jnp.asarray(x, dtype=float) for x in part]).reshape(shape) if part else jnp.zeros(shape)
-            )
+            blocks.append(values[first : first + size].reshape(shape))
             first += size
         return tuple(blocks)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from lagdsl.backends.python.body import body, body_name
@@ -44,12 +44,19 @@ def signature(program: Program, function: Function) -> tuple[tuple[str, int | No
     )
 
 
-def module_over(program: Program, package: Path, introduction: str, imports: str, last: Sequence[str]) -> str:
-    """The text of a module for a package: bodies over the elementary functions in `package`/support.py, then `last`."""
+def module_over(
+    program: Program,
+    support_files: Sequence[Path],
+    introduction: str,
+    imports: str,
+    last: Sequence[str],
+    definition: Callable[[Program, Function], str] = body,
+) -> str:
+    """The text of a module for a package: tables, files of support code, a definition of each function, then `last`."""
     program = written_out(program)
-    support_code = support(package / "support.py")
-    parts = [introduction, imports, tables(program), support_code, *bodies(program), named_rows(program), *last, ""]
-    return "\n".join(parts)
+    written = [definition(program, function) for function in single(program)]
+    parts = [introduction, imports, tables(program), *map(support, support_files), *written, named_rows(program)]
+    return "\n".join([*parts, *last, ""])
 
 
 def lengths(program: Program) -> tuple[int, ...]:
