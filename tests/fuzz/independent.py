@@ -10,6 +10,7 @@ import numpy as np
 from compiled_programs import program_of
 from fuzz.agreement import FACTOR, INSTANT, SECONDS, HangError, Report, Run, limited, run
 from numpy.typing import NDArray
+from stepping.events import UnsettledError
 from stepping.motion import Motion, motion
 
 import lagdsl
@@ -36,7 +37,7 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
         return Report("hang", engine)
     if found.code == "E0834":  # two mechanisms drawn into each other
         return Report("same", "refused")
-    if found.code not in (None, "E0833"):
+    if found.code not in (None, "E0833", "E0804"):
         return Report("differs", f"ends with {found.code}")
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
@@ -44,6 +45,14 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
             oracle = motion(program_of(text), stop, np.unique(times), known, least)
     except HangError:
         return Report("hang", "oracle")
+    except UnsettledError as unsettled:
+        # A force that reverses at every crossing: there is no motion beyond it, and both say so at one instant.
+        alike = found.code == "E0804" and abs(unsettled.time - found.end) < INSTANT
+        return (
+            Report("same", "refused") if alike else Report("differs", f"{found.code} at {found.end:.9g}: {unsettled}")
+        )
+    if found.code == "E0804":
+        return Report("differs", f"ends with E0804 at {found.end:.9g}")
     if found.code is None:
         return _judged(found, finer, oracle, least)
     # Resets whose times are a geometric series: the model says nothing beyond its sum, and the run ends there.
