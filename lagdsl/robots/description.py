@@ -161,6 +161,51 @@ class Actuator(Part):
     high: float | None = None
 
 
+Way: TypeAlias = tuple[tuple[str, float], ...]
+"""A length, or an angle, as a combination of the coordinates of joints: (joint, factor)."""
+
+Affine: TypeAlias = tuple[float, float, float]
+"""A constant, the factor of a length and that of its rate."""
+
+
+@record(kw_only=True)
+class Bounds:
+    low: float | None = None
+    high: float | None = None
+
+
+@record(kw_only=True)
+class Servo(Part):
+    """An input that acts along `way` with the force (gain, an affine function) x activation + (bias, another one).
+
+    The activation is the input itself, its integral, or the input behind a filter of first order with the time constant
+    `lag` [s]. `control` bounds the input, `force` the force.
+    """
+
+    name: str
+    way: Way
+    gain: Affine
+    bias: Affine
+    control: Bounds
+    force: Bounds
+    activation: Literal["none", "integrator", "filter"]
+    lag: float
+
+
+@record(kw_only=True)
+class Tendon(Part):
+    """Spring, damper and inertia along a combination of coordinates. The spring is without force between both ends of
+    `slack`."""
+
+    name: str
+    way: Way
+    stiffness: float
+    slack: tuple[float, float]
+    damping: float
+    armature: float
+    limits: Bounds
+
+
 @record(kw_only=True)
 class Robot(Part):
     """`root` carries all other links. `actuators` and `gravity` [m/s2] are None where the file does not tell them."""
@@ -172,3 +217,5 @@ class Robot(Part):
     joints: tuple[Joint, ...]
     actuators: tuple[Actuator, ...] | None
     gravity: Vector | None = None
+    servos: tuple[Servo, ...] = ()
+    tendons: tuple[Tendon, ...] = ()

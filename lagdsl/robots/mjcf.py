@@ -9,17 +9,18 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from lagdsl.robots.description import Robot, Vector
+from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
+from lagdsl.robots.mjcf_actuators import actuators_of, tendons_of
 from lagdsl.robots.mjcf_features import tell_features
-from lagdsl.robots.mjcf_parts import Places, actuators_of, joints_of, links_of
+from lagdsl.robots.mjcf_parts import Places, joints_of, links_of
 from lagdsl.robots.tree import MAX_LINKS, weightless_as_rigid
 from lagdsl.robots.visuals import leads_out
 from lagdsl.robots.xml_tree import Element, read_xml
 from lagdsl.source import Span
 
 _MAX_FILES = 100
-_NOT_READ = ("camera", "light", "sensor", "site", "keyframe", "contact", "numeric", "text", "tuple", "fixed", "spatial")
+_NOT_READ = ("camera", "light", "sensor", "site", "keyframe", "contact", "numeric", "text", "tuple", "spatial")
 _GRAVITY_OFF = "mjDSBL_GRAVITY"
 
 
@@ -44,6 +45,7 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
     _tell_left_out(elements, findings)
     links, base = links_of(places, findings), places.body(0)
     joints = weightless_as_rigid(base, links, joints_of(places, findings), findings)
+    tendons = tendons_of(places, joints, findings)
     drives = actuators_of(places, joints, findings)
     if findings.sink.has_errors:
         return None
@@ -56,7 +58,9 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
         root=base,
         links=tuple(links),
         joints=tuple(joints),
-        actuators=tuple(drives),
+        actuators=tuple(drive for drive in drives if isinstance(drive, Actuator)),
+        servos=tuple(drive for drive in drives if isinstance(drive, Servo)),
+        tendons=tuple(tendons),
         gravity=gravity,
         span=root.head,
     )

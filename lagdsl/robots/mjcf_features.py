@@ -16,7 +16,7 @@ _LEFT_OUT = "it is left out"
 
 def tell_features(mujoco: Any, model: Any, places: Places, findings: Findings) -> None:
     """E1016 for each."""
-    for span, what in (*_of_the_whole(mujoco, model, places), *_of_joints(model, places), *_of_tendons(model, places)):
+    for span, what in (*_of_the_whole(mujoco, model, places), *_of_joints(model, places)):
         findings.error("E1016", span, what=what, instead=_LEFT_OUT)
 
 
@@ -54,13 +54,3 @@ def _of_joints(model: Any, places: Places) -> Iterator[tuple[Span, str]]:
             values = (model.dof_damping[dofs], model.dof_frictionloss[dofs], model.dof_armature[dofs])
             if any(np.any(value) for value in values) or np.any(model.jnt_stiffness[index]):
                 yield places.span("joint", name), f"spring, damper, friction or armature of {name}, a joint in space"
-
-
-def _of_tendons(model: Any, places: Places) -> Iterator[tuple[Span, str]]:
-    """A tendon without stiffness, damping, friction, inertia and limit does nothing."""
-    for index in range(model.ntendon):
-        values = [model.tendon_stiffness, model.tendon_damping, model.tendon_frictionloss, model.tendon_limited]
-        values += [getattr(model, name) for name in ("tendon_armature",) if hasattr(model, name)]
-        if any(np.any(value[index]) for value in values):
-            name = str(model.tendon(index).name)
-            yield places.span("fixed", name), f"the tendon {name}"

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from lagdsl.record import record
 from lagdsl.robots.description import (
-    Actuator,
     Box,
     Capsule,
     Cylinder,
@@ -225,46 +224,6 @@ def _mimics(places: Places, findings: Findings) -> dict[int, Mimic]:
         offset = starts[0] + a0 - a1 * starts[1]  # MuJoCo's polynomial is of the distances from the start
         found[one] = Mimic(joint=places.joint(two), multiplier=a1, offset=offset, span=span)
     return found
-
-
-# ---- actuators -------------------------------------------------------------------------------------------------------
-
-
-def actuators_of(places: Places, joints: list[Joint], findings: Findings) -> list[Actuator]:
-    """Motors of joints: their effort is gear times gain times the control. E1016 for other actuators."""
-    model, mujoco, found = places.model, places.mujoco, []
-    moved = {joint.name for joint in joints if joint.kind in ("revolute", "prismatic")}
-    for index in range(model.nu):
-        name = str(model.actuator(index).name)
-        joint = int(model.actuator_trnid[index][0])
-        is_motor = (
-            int(model.actuator_trntype[index]) == int(mujoco.mjtTrn.mjTRN_JOINT)
-            and int(model.actuator_gaintype[index]) == int(mujoco.mjtGain.mjGAIN_FIXED)
-            and int(model.actuator_biastype[index]) == int(mujoco.mjtBias.mjBIAS_NONE)
-            and int(model.actuator_dyntype[index]) == int(mujoco.mjtDyn.mjDYN_NONE)
-        )
-        span = places.span("motor", name)
-        if not is_motor or places.joint(joint) not in moved:
-            what = f"the actuator {name or index + 1}, which is no motor of a joint"
-            findings.error("E1016", span, what=what, instead="it is left out")
-            continue
-        gain = float(model.actuator_gainprm[index][0])
-        low, high = _range(model, index, gain)
-        gear = gain * float(model.actuator_gear[index][0])
-        own = name or f"u_{places.joint(joint)}"
-        found.append(Actuator(name=own, joint=places.joint(joint), gear=gear, low=low, high=high, span=span))
-    return found
-
-
-def _range(model: Any, index: int, gain: float) -> tuple[float | None, float | None]:
-    """Bounds of the control, and those that a bound of the force means for it."""
-    low, high = -math.inf, math.inf
-    if model.actuator_ctrllimited[index]:
-        low, high = map(float, model.actuator_ctrlrange[index])
-    if model.actuator_forcelimited[index] and gain:
-        ends = sorted(float(force) / gain for force in model.actuator_forcerange[index])
-        low, high = max(low, ends[0]), min(high, ends[1])
-    return (low if math.isfinite(low) else None), (high if math.isfinite(high) else None)
 
 
 # ---- turns -----------------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ from typing import Literal, TypeAlias
 
 from lagdsl.record import record
 from lagdsl.robots.actuators import effort_of
-from lagdsl.robots.description import Actuator, Joint, JointKind, Link, Robot
+from lagdsl.robots.description import Actuator, Joint, JointKind, Link, Robot, Servo, Tendon
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.names import Names, model_name
 
@@ -26,9 +26,21 @@ class Style:
 
 
 @record(kw_only=True)
+class NamedServo:
+    """A servo with the names of its input, its activation, its force and the length that it sees."""
+
+    servo: Servo
+    input: str
+    activation: str
+    effort: str
+    length: str
+
+
+@record(kw_only=True)
 class Plan:
     """Names in the text by the original ones. `resting` are the links that no joint moves; `base` is the joint of a
-    root that moves freely, `drives` the actuators with the names of their inputs."""
+    root that moves freely, `drives` the actuators with the names of their inputs, `tendons` have names of their
+    lengths."""
 
     robot: Robot
     style: Style
@@ -37,6 +49,8 @@ class Plan:
     joints: dict[str, str]
     base: str | None
     drives: tuple[tuple[str, Actuator], ...]
+    servos: tuple[NamedServo, ...]
+    tendons: tuple[tuple[str, Tendon], ...]
     resting: frozenset[str]
 
 
@@ -59,6 +73,8 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
         joints=joints,
         base=names.of("floating_base", "joint") if style.floating else None,
         drives=tuple(drives),
+        servos=tuple(_servo(servo, names) for servo in robot.servos) if style.actuators == "file" else (),
+        tendons=tuple((names.of(tendon.name, "tendon", tendon.span), tendon) for tendon in robot.tendons),
         resting=frozenset() if style.floating else _resting(robot),
     )
 
@@ -90,6 +106,12 @@ def _input_name(actuator: Actuator, kind: JointKind) -> str:
     if actuator.gear is not None:
         return actuator.name
     return f"{'tau' if kind == 'revolute' else 'f'}_{actuator.name}"
+
+
+def _servo(servo: Servo, names: Names) -> NamedServo:
+    own = names.of(servo.name, "input", servo.span)
+    others = {role: names.of(f"{own}_{role}", "variable") for role in ("activation", "effort", "length")}
+    return NamedServo(servo=servo, input=own, **others)
 
 
 def _actuators(robot: Robot, style: Style) -> tuple[Actuator, ...]:

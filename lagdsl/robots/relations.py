@@ -52,7 +52,7 @@ def _moments(plan: Plan, link: Link) -> Iterator[str]:
         for (i, j, factor), entry in zip(pairs, inertial.inertia, strict=True)
         if entry
     ]
-    yield f"kinetic {_sum(terms)};"
+    yield f"kinetic {sum_of(terms)};"
 
 
 def _energies(joint: Joint, coordinate: str) -> Iterator[str]:
@@ -60,7 +60,7 @@ def _energies(joint: Joint, coordinate: str) -> Iterator[str]:
     if passive.armature:
         yield f"kinetic 1/2*{quantity(passive.armature, 'kg.m2' if turns else 'kg')}*der({coordinate})^2;"
     if passive.stiffness:
-        way = _difference(coordinate, quantity(passive.rest, "rad" if turns else "m"))
+        way = difference(coordinate, quantity(passive.rest, "rad" if turns else "m"))
         yield f"potential 1/2*{quantity(passive.stiffness, 'N.m/rad' if turns else 'N/m')}*{way}^2;"
     if passive.damping:
         yield f"dissipation 1/2*{quantity(passive.damping, 'N.m.s/rad' if turns else 'N.s/m')}*der({coordinate})^2;"
@@ -78,7 +78,7 @@ def _imitated(plan: Plan, joint: Joint, leader: Joint, mimic: Mimic) -> str:
     terms = [] if mimic.multiplier == 0.0 else [term]
     if mimic.offset or not terms:
         terms.append(quantity(mimic.offset, own))
-    return _sum(terms)
+    return sum_of(terms)
 
 
 def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
@@ -97,19 +97,19 @@ def _stops(joint: Joint, name: str, coordinate: str) -> Iterator[str]:
     """Contacts without bounce at the limits."""
     unit = "rad" if joint.kind == "revolute" else "m"
     if joint.limits.lower is not None:
-        gap = _difference(coordinate, quantity(joint.limits.lower, unit)).strip("()")
+        gap = difference(coordinate, quantity(joint.limits.lower, unit)).strip("()")
         yield f"contact {name}_lower: {gap} >= 0 with restitution = 0;"
     if joint.limits.upper is not None:
-        gap = _sum([quantity(joint.limits.upper, unit), f"-{coordinate}"]) if joint.limits.upper else f"-{coordinate}"
+        gap = sum_of([quantity(joint.limits.upper, unit), f"-{coordinate}"]) if joint.limits.upper else f"-{coordinate}"
         yield f"contact {name}_upper: {gap} >= 0 with restitution = 0;"
 
 
-def _difference(left: str, right: str) -> str:
+def difference(left: str, right: str) -> str:
     """`(left - right)`, or `left` alone."""
-    return left if right == "0" else f"({_sum([left, right[1:] if right.startswith('-') else f'-{right}'])})"
+    return left if right == "0" else f"({sum_of([left, right[1:] if right.startswith('-') else f'-{right}'])})"
 
 
-def _sum(terms: list[str]) -> str:
+def sum_of(terms: list[str]) -> str:
     text = terms[0]
     for term in terms[1:]:
         text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"

@@ -10,6 +10,7 @@ from lagdsl.robots.drawings import drawings
 from lagdsl.robots.numbers import angle, array, number, quantity, vector
 from lagdsl.robots.plan import Plan, is_body
 from lagdsl.robots.relations import acting, energies
+from lagdsl.robots.servos import activations, servo_inputs, servos, tendons
 from lagdsl.syntax.print_expressions import quoted
 
 _DEFAULT_AXES = {"revolute": (0.0, 0.0, 1.0), "prismatic": (1.0, 0.0, 0.0), "planar": (0.0, 0.0, 1.0)}
@@ -22,12 +23,15 @@ def model_text(plan: Plan) -> str:
         ["import Lag.Spatial.*;"],
         ["// Links: mass, mass center, inertia about it", *_links(plan)],
         ["// Joints, and what places them in the axes of the link before", *_joints(plan)] if plan.joints else [],
-        [_input(plan, name) for name, _ in plan.drives],
+        [*(_input(plan, name) for name, _ in plan.drives), *servo_inputs(plan)],
         _connections(plan),
         energies(plan),
         acting(plan),
+        list(tendons(plan)),
+        list(servos(plan)),
         [f"gravity = {'-g_n*world.z' if gravity is None else _acceleration(gravity)};"],
         list(drawings(plan)),
+        activations(plan),
         ["annotation(experiment(StopTime = 1, Tolerance = 1e-8));"],
     ]
     blocks = "\n\n".join("\n".join(part) for part in parts if part)
