@@ -250,5 +250,6 @@ def test_the_page_of_the_module_is_true(build: Build) -> None:
     for block in re.findall(r"^```sh\n(.*?)^```", page, re.MULTILINE | re.DOTALL):  # the last one begins from nothing
         if "clang" in block and shutil.which("clang") is None:
             continue
-        done = subprocess.run(["sh", "-e"], input=block, cwd=module.folder, capture_output=True, text=True, check=False)
+        quick = block.replace("-O2", PLAIN)  # the command is what it is about, not what the compiler makes of it
+        done = subprocess.run(["sh", "-e"], input=quick, cwd=module.folder, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr

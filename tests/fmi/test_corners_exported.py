@@ -10,7 +10,7 @@ import pytest
 from choice import chosen
 from fmpy import simulate_fmu
 
-import lagdsl
+from fmi.texts import export_text
 
 TEXT = """model Exported
   coordinate Real x(der(start = 1));
@@ -25,7 +25,7 @@ end Exported;
 @pytest.mark.parametrize("version", chosen([2, 3], [2]))
 def test_corners_of_time_and_place_in_an_fmu(version: int, tmp_path: Path) -> None:
     path = tmp_path / "corners.fmu"
-    lagdsl.compile(TEXT).export_fmu(path, fmi=version)
+    export_text(TEXT, path, version)
     for kind in ("CoSimulation", "ModelExchange"):
         rows = simulate_fmu(str(path), fmi_type=kind, stop_time=3.0, output_interval=1.5, relative_tolerance=1e-11)
         assert rows["v"][-1] == pytest.approx(sqrt(1 - 2 * 0.1) + 1e-3, abs=1e-8), kind
@@ -43,7 +43,7 @@ end Hill;
 def test_an_importer_is_as_exact_as_its_tolerance(tmp_path: Path) -> None:
     """A potential with three corners, over which the speed comes back."""
     path = tmp_path / "hill.fmu"
-    lagdsl.compile(HILL).export_fmu(path)
+    export_text(HILL, path)
     exact = 3.0 - (2 * 0.02 / (1 + sqrt(0.4)) - 0.02)
     for tolerance in (1e-9, 1e-12):
         rows = simulate_fmu(

@@ -10,7 +10,7 @@ import pytest
 from choice import chosen
 from fmpy import simulate_fmu
 
-import lagdsl
+from fmi.texts import export_text
 
 # At two radians a second an angle is within w of whole turns for w seconds: 19 times from -1 to 119 rad.
 PEAKS = """model Peaks
@@ -52,7 +52,7 @@ def _wheel(time: float) -> float:
 def test_corners_within_steps(version: int, tmp_path: Path) -> None:
     """As exact as the tolerance of the importer; without looking between its states nothing or half of it is felt."""
     path = tmp_path / "peaks.fmu"
-    lagdsl.compile(PEAKS).export_fmu(path, fmi=version)
+    export_text(PEAKS, path, version)
     for interval in (0.06, 6.0, 30.0):
         for tolerance in (1e-8, 1e-10):
             rows = simulate_fmu(
@@ -70,7 +70,7 @@ def test_corners_within_steps(version: int, tmp_path: Path) -> None:
 @pytest.mark.parametrize("version", chosen([2, 3], [3]))
 def test_relations_and_contacts_within_steps(version: int, tmp_path: Path) -> None:
     path = tmp_path / "switches.fmu"
-    lagdsl.compile(SWITCHES).export_fmu(path, fmi=version)
+    export_text(SWITCHES, path, version)
     # sin(5 a) passes zero upward where 5 a is a multiple of 2 pi: from -5 to 595
     teeth = int(595 // (2 * pi)) + 1
     for kind in ("ModelExchange", "CoSimulation"):
@@ -94,7 +94,7 @@ end Flight;
 def test_the_top_of_a_flight_within_a_step(tmp_path: Path) -> None:
     """A stone is above 5.0968 m for 2 sqrt(2 d/g) s, where d is what it rises above that: on average 2/3 d."""
     path = tmp_path / "flight.fmu"
-    lagdsl.compile(FLIGHT).export_fmu(path)
+    export_text(FLIGHT, path)
     d = 100 / (2 * 9.81) - 5.0968
     exact = 1e3 * 2 / 3 * d * 2 * sqrt(2 * d / 9.81)
     for interval in (0.7, 2.0):

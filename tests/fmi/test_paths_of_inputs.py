@@ -14,9 +14,9 @@ import pytest
 from choice import chosen
 from fmpy import simulate_fmu
 
-import lagdsl
 from fmi.exported import VERSIONS, Exported, place
 from fmi.importing import exchanged, slave
+from fmi.texts import export_text
 
 STOP, OMEGA, W = 1.0, 3.0, 7.0
 INPUTS = ("road", "der(road)", "der(road,2)")
@@ -57,7 +57,7 @@ def resting() -> Exported:
 
 def unpacked(text: str, name: str, version: int) -> Exported:
     path = place() / f"{name}.fmu"
-    lagdsl.compile(text).export_fmu(path, fmi=version)
+    export_text(text, path, version)
     folder = path.with_suffix("")
     fmpy.extract(str(path), str(folder))
     return Exported(path, folder)

@@ -51,6 +51,8 @@ def over(names: list[str]) -> pytest.MarkDecorator:
 EVERY = over(MODELS)
 # Models that show a rule of all models.
 SOME = over(chosen(MODELS, OF_EACH_KIND))
+# Every other one, for a rule whose reference takes long.
+HALF = over(chosen(MODELS, OF_EACH_KIND[::2]))
 # Models that show a rule which other tests show of each kind, too.
 FEW = over(chosen(MODELS, OF_EACH_KIND[1::3]))
 

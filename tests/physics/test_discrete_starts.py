@@ -9,6 +9,7 @@ from pathlib import Path
 import fmpy
 import pytest
 from choice import chosen, engines
+from fmi.texts import export_text
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed
@@ -138,7 +139,7 @@ def test_check(case: Case) -> None:
 @pytest.mark.parametrize(("k", "fmi"), chosen(product((0, 5, 7), (2, 3)), [(0, 2), (5, 3)]))
 def test_fmu(k: int, fmi: int, tmp_path: Path) -> None:
     case = CASES[k]
-    lagdsl.compile(_text(case)).export_fmu(tmp_path / "begun.fmu", fmi=fmi)
+    export_text(_text(case), tmp_path / "begun.fmu", fmi)
     names = sorted({*case.first, *case.last})
     for kind in ("CoSimulation", "ModelExchange"):
         motion = fmpy.simulate_fmu(
@@ -179,6 +180,6 @@ def test_assertion_of_a_run(engine: str) -> None:
 
 
 def test_assertion_in_an_fmu(tmp_path: Path) -> None:
-    lagdsl.compile(ASSERTION.format(3)).export_fmu(tmp_path / "counted.fmu")
+    export_text(ASSERTION.format(3), tmp_path / "counted.fmu")
     motion = fmpy.simulate_fmu(str(tmp_path / "counted.fmu"), fmi_type="CoSimulation", stop_time=1.0, output=["n"])
     assert motion["n"][-1] == 3
