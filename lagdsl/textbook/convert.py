@@ -119,7 +119,7 @@ class Converter:
     symbols: Symbols
     release: Release | None = None
     style: Style = field(default_factory=Style)
-    mechanical: Callable[[Mechanical], Expr | Vector] | None = None
+    mechanical: Callable[[Mechanical | flat.Component], Expr | Vector] | None = None
     rates: dict[Symbol, Expr] = field(init=False)
     kinematics: Kinematics = field(init=False)
     _values: dict[str, Expr] = field(init=False)
@@ -217,6 +217,8 @@ class Converter:
                 return self.style.settle(_FUNCTIONS[name](*(self.scalar(argument) for argument in arguments)))
             case flat.Conditional(condition, value, otherwise):
                 return self._select(self.scalar(condition), self._convert(value), self._convert(otherwise))
+            case flat.Component(flat.FrameReaction(), _) if self.mechanical is not None:
+                return self.mechanical(node)
             case flat.Component(vector, axis):
                 return self.vector(vector)[axis]
             case flat.Dot(left, right):

@@ -17,7 +17,7 @@ from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE, Release
-from lagdsl.textbook.symbols import Symbols
+from lagdsl.textbook.symbols import Symbols, replaced
 
 
 @dataclass
@@ -29,15 +29,15 @@ class MechanicalValues:
     parts: Contributions
     energies: Energies
     momenta: Sequence[Expr]
-    _known: dict[Mechanical, Expr | Vector] = field(default_factory=dict)
+    _known: dict[Mechanical | flat.Component, Expr | Vector] = field(default_factory=dict)
 
-    def __call__(self, node: Mechanical) -> Expr | Vector:
-        """A reaction that several outputs read is formed once."""
+    def __call__(self, node: Mechanical | flat.Component) -> Expr | Vector:
+        """A reaction that several outputs read is formed once; of a component the other ones are not."""
         if node not in self._known:
             self._known[node] = self._value(node)
         return self._known[node]
 
-    def _value(self, node: Mechanical) -> Expr | Vector:
+    def _value(self, node: Mechanical | flat.Component) -> Expr | Vector:
         match node:
             case flat.Multiplier(row):
                 rows = [name for constraint in self.model.constraints for name in constraint.rows]
@@ -57,16 +57,18 @@ class MechanicalValues:
             case flat.ReactionAlong(point, direction):
                 along = self.parts.converter.vector(direction)
                 return self._reaction(Release(kind="point", name=point, direction=along))
-            case flat.FrameReaction(frame, kind):
-                x, y, z = (
-                    self._reaction(
-                        Release(kind="displace frame" if kind == "force" else "turn frame", name=frame, axis=axis)
-                    )
-                    for axis in range(3)
-                )
+            case flat.FrameReaction():
+                x, y, z = (self._of_frame(node, axis) for axis in range(3))
                 return (x, y, z)
+            case flat.Component(vector, axis):
+                assert isinstance(vector, flat.FrameReaction)
+                return self._of_frame(vector, axis)
             case _:
                 assert_never(node)
+
+    def _of_frame(self, node: flat.FrameReaction, axis: int) -> Expr:
+        kind: Literal["displace frame", "turn frame"] = "displace frame" if node.kind == "force" else "turn frame"
+        return self._reaction(Release(kind=kind, name=node.frame, axis=axis))
 
     def _energy(self, kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Expr:
         match kind:
@@ -120,7 +122,7 @@ class MechanicalValues:
 
 
 def _unreleased(expression: Expr) -> Expr:
-    return expression.xreplace({RELEASE: Integer(0), RELEASE_RATE: Integer(0)})
+    return replaced(expression, {RELEASE: Integer(0), RELEASE_RATE: Integer(0)})
 
 
 def _vector_sum(vectors: Sequence[Vector]) -> Vector:

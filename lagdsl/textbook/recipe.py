@@ -39,7 +39,7 @@ from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.mechanical import MechanicalValues
 from lagdsl.textbook.provenance import Parents, Source, Term, shares, sources, terms
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Reading, needed, read
-from lagdsl.textbook.symbols import Symbols
+from lagdsl.textbook.symbols import Symbols, occurring, replaced
 from lagdsl.textbook.tidy import size, times
 
 _LARGEST = 1000
@@ -265,8 +265,9 @@ def _coordinate(reading: Reading, lagrangian: Expr, q: Symbol, qd: Symbol) -> Co
 def _by_accelerations(reading: Reading, expression: Expr) -> Expr:
     """Linear in the accelerations: their factors and the rest, each tidied by itself."""
     tidy, qdd = reading.tidy, reading.symbols.qdd
-    rest = expression.xreplace(dict.fromkeys(qdd, geometry.ZERO[0]))
-    return Add(*(times(tidy(partial(expression, x)), x) for x in qdd if x in expression.free_symbols), tidy(rest))
+    present = occurring(expression)
+    rest = replaced(expression, dict.fromkeys(qdd, geometry.ZERO[0]))
+    return Add(*(times(tidy(partial(expression, x)), x) for x in qdd if x in present), tidy(rest))
 
 
 def _numbered(reading: Reading) -> list[tuple[int, bool, Applied]]:

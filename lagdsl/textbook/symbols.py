@@ -7,6 +7,7 @@ independent in partial derivatives, and the total derivative is the chain rule o
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sympy import Expr, Integer, Symbol
@@ -71,3 +72,21 @@ def occurring(expression: Expr) -> set[Symbol]:
             found.add(node)
         stack.extend(node.args)
     return found
+
+
+def replaced(expression: Expr, by: Mapping[Symbol, Expr]) -> Expr:
+    """The expression with symbols replaced; shared parts are made once, which SymPy's `xreplace` does not."""
+    known: dict[Expr, Expr] = dict(by)
+    stack = [expression]
+    while stack:
+        node = stack[-1]
+        waiting = [argument for argument in node.args if argument not in known]
+        if waiting:
+            stack.extend(waiting)
+            continue
+        stack.pop()
+        if node not in known:
+            inner = [known[argument] for argument in node.args]
+            same = all(one is other for one, other in zip(inner, node.args, strict=True))
+            known[node] = node if same else node.func(*inner)
+    return known[expression]

@@ -15,6 +15,7 @@ from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.settle import step
+from lagdsl.textbook.symbols import occurring
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
 _LARGEST_POLYNOMIAL = 800
@@ -249,16 +250,32 @@ class Tidy:
             fixed = tuple(pair for pair in monomial if self._is_constant(pair[0]))
             moving = tuple(pair for pair in monomial if not self._is_constant(pair[0]))
             groups.setdefault(fixed, {})[moving] = coefficient
-        brackets: dict[Expr, list[Expr]] = {}
+        brackets: dict[Expr, list[tuple[Expr, Monomial]]] = {}
         for fixed, moving_part in groups.items():
             content, bracket = self._factor(moving_part)
-            brackets.setdefault(bracket, []).append(content * self.monomial(fixed))
-        return Add(*(_common(factors) * bracket for bracket, factors in brackets.items()))
+            brackets.setdefault(bracket, []).append((content, fixed))
+        return Add(*(self._common(terms) * bracket for bracket, terms in brackets.items()))
+
+    def _common(self, terms: list[tuple[Expr, Monomial]]) -> Expr:
+        """A sum of products of constants, common factors before it. SymPy would look for factors inside of kernels,
+        which are short already, so that those of several nodes are hidden in symbols."""
+        hidden: dict[Expr, Expr] = {}
+        for index in {kernel for _, monomial in terms for kernel, _ in monomial}:
+            kernel = self._kernels[index]
+            if not kernel.is_Atom:
+                hidden[Symbol(f"kernel {index:09d}")] = kernel
+        back = {kernel: symbol for symbol, kernel in hidden.items()}
+        shown = [
+            content * Mul(*(back.get(self._kernels[k], self._kernels[k]) ** power for k, power in monomial))
+            for content, monomial in terms
+        ]
+        total = Add(*shown)
+        return _revealed(sympy.factor_terms(total) if total.is_Add else total, hidden)
 
     def _is_constant(self, index: int) -> bool:
         known = self._constant_kernels.get(index)
         if known is None:
-            known = self._constant_kernels[index] = bool(self._kernels[index].free_symbols <= self.constants)
+            known = self._constant_kernels[index] = occurring(self._kernels[index]) <= self.constants
         return known
 
     def monomial(self, monomial: Monomial) -> Expr:
@@ -294,9 +311,13 @@ def _positive(polynomial: Polynomial) -> Polynomial:
     return {m: -c for m, c in polynomial.items()} if _mostly_negative(polynomial) else polynomial
 
 
-def _common(factors: list[Expr]) -> Expr:
-    total = Add(*factors)
-    return sympy.factor_terms(total) if total.is_Add else total
+def _revealed(expression: Expr, hidden: dict[Expr, Expr]) -> Expr:
+    """Symbols replaced; a number before a sum stays there, which SymPy would multiply out."""
+    if not hidden or expression.is_Atom:
+        return hidden.get(expression, expression)
+    inner = [_revealed(argument, hidden) for argument in expression.args]
+    kept = expression.is_Mul and len(inner) == 2 and inner[0].is_Rational and inner[1].is_Add
+    return Mul(*inner, evaluate=False) if kept else expression.func(*inner)
 
 
 def times(factor: Expr, symbol: Symbol) -> Expr:
