@@ -33,16 +33,16 @@ class Hard:
     text: str
     stop: float
     known: tuple[float, ...]
-    least: float  # the smallest scale of its coordinates
+    scales: dict[str, float]  # of coordinates that have one of their own; of the others 1
 
 
 @dataclass
 class HardDraft(Draft):
-    """With classes before it, instants that are known, and the smallest scale so far."""
+    """With classes before it, instants that are known, and the scales of coordinates that have one of their own."""
 
     classes: list[str] = field(default_factory=list)
     known: list[float] = field(default_factory=list)
-    least: float = 1.0
+    scales: dict[str, float] = field(default_factory=dict)
     stop: float = 2.0
 
     def instant(self) -> float:
@@ -55,7 +55,7 @@ class HardDraft(Draft):
 def scaled_ball(d: HardDraft) -> None:
     """A bounce in another scale of length, in the same time."""
     h, scale = d.name("h"), d.random.choice([1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9])
-    d.least = min(d.least, scale)
+    d.scales[h] = scale
     start, speed, e = scale * float(d.number(0.3, 1.5)), scale * float(d.number(-2, 2)), d.restitution()
     m = d.random.choice(["1", "1e-6", "1e6"])
     d.items.append(f"coordinate Real {h}(start = {start:.6g}, nominal = {scale:g}, der(start = {speed:.6g}));")
@@ -67,7 +67,7 @@ def scaled_ball(d: HardDraft) -> None:
 def stranger(d: HardDraft) -> None:
     x, size = d.name("odo"), d.random.choice(["1e-9", "1e5", "1e7", "1e9"])
     start, rate = d.random.choice([(size, "0"), ("0", size), (size, "1")])
-    d.least = min(d.least, 1e-9) if size == "1e-9" else d.least
+    d.scales |= {x: 1e-9} if size == "1e-9" else {}
     d.items.append(f"coordinate Real {x}(start = {start}, der(start = {rate})); kinetic 1/2*der({x})^2;")
 
 
@@ -220,4 +220,4 @@ def harder_model(seed: int) -> Hard:
     section = f"\nequation{clauses}" if clauses else ""
     end = f'annotation(units = "none", experiment(StopTime = {d.stop}));'
     text = f"{''.join(d.classes)}model Hard{seed}\n  {body}\n  {end}{section}\nend Hard{seed};\n"
-    return Hard(text, d.stop, tuple(sorted(t for t in set(d.known) if 0 < t < d.stop)), d.least)
+    return Hard(text, d.stop, tuple(sorted(t for t in set(d.known) if 0 < t < d.stop)), d.scales)

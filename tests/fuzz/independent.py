@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
@@ -19,6 +20,10 @@ from lagdsl.runtime.engines.engine import EngineName
 Floats = NDArray[np.float64]
 Kind = Literal["impact", "closed", "opened", "tick"]
 
+Scales = Mapping[str, float]
+# Sizes of coordinates by their names; of those that have none here it is 1.
+ONE: Scales = MappingProxyType({})
+
 TOLERANCE = 1e-10
 # Kinds of events that both tell by one name. An oracle that knows of corners only may locate other relations.
 TOLD = ("impact", "closed", "opened", "tick")
@@ -28,8 +33,8 @@ CROWDED = 1e-5
 PART = 1e-7
 
 
-def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = (), least: float = 1.0) -> Report:
-    """`known` are instants at which the integration of the oracle begins anew, `least` is the smallest scale."""
+def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = (), scales: Scales = ONE) -> Report:
+    """`known` are instants at which the integration of the oracle begins anew."""
     model = lagdsl.compile(text, engine=engine)
     try:
         found, finer = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
@@ -42,7 +47,7 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
         with limited(SECONDS):
-            oracle = motion(program_of(text), stop, np.unique(times), known, least)
+            oracle = motion(program_of(text), stop, np.unique(times), known, min([1.0, *scales.values()]))
     except HangError:
         return Report("hang", "oracle")
     except UnsettledError as unsettled:
@@ -54,11 +59,11 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
     if found.code == "E0804":
         return Report("differs", f"ends with E0804 at {found.end:.9g}")
     if found.code is None:
-        return _judged(found, finer, oracle, least)
+        return _judged(found, finer, oracle, scales)
     # Resets whose times are a geometric series: the model says nothing beyond its sum, and the run ends there.
     if not _accumulate(oracle.instants, found.end):
         return Report("differs", f"ends with E0833 at {found.end:.9g}")
-    return _judged(found, finer, _until(oracle, found.end - CROWDED), least)
+    return _judged(found, finer, _until(oracle, found.end - CROWDED), scales)
 
 
 def _accumulate(instants: Sequence[float], end: float) -> bool:
@@ -74,10 +79,10 @@ def _until(oracle: Motion, end: float) -> Motion:
     return replace(oracle, times=oracle.times[:count], states=oracle.states[:count], told=told)
 
 
-def _judged(found: Run, finer: Run, oracle: Motion, least: float) -> Report:
+def _judged(found: Run, finer: Run, oracle: Motion, scales: Scales) -> Report:
     parting, why = _parting(found, [(each.time, each.name, each.kind) for each in oracle.told if each.kind in TOLD])
     own, hinge = _parting(finer, _told(found))
-    times, wrong, value = _wrong(found, finer, oracle, least)
+    times, wrong, value = _wrong(found, finer, oracle, scales)
     first = min(parting, float(times[wrong[0]]) if len(wrong) else np.inf)
     if first == np.inf:
         return Report("same")
@@ -124,7 +129,7 @@ def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
     return sorted([*((name, kind) for name, kind in names if kind == "tick"), *((name, "struck") for name in contacts)])
 
 
-def _wrong(found: Run, finer: Run, oracle: Motion, least: float) -> tuple[Floats, NDArray[np.intp], str]:
+def _wrong(found: Run, finer: Run, oracle: Motion, scales: Scales) -> tuple[Floats, NDArray[np.intp], str]:
     """Rows of the oracle that no event comes near, and which of them differ."""
     names = [c.name for c in found.motion.columns if c.kind in ("coordinate", "rate", "state")]
     happened = np.array([*(each.time for each in found.motion.events), *oracle.instants, np.inf])
@@ -134,10 +139,11 @@ def _wrong(found: Run, finer: Run, oracle: Motion, least: float) -> tuple[Floats
         return times, np.zeros(0, dtype=np.intp), ""
     exact = np.array([oracle.states[k].x for k in keep])
     rows, other = (_columns(each, names, times) for each in (found, finer))
-    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6 * least)
-    departure = np.maximum.accumulate(np.abs(rows - other), axis=0)
     order = _order(found, names)
-    limit = np.maximum(FACTOR * departure, PART * span[order])
+    own = np.array([scales.get(name.removeprefix("der(").removesuffix(")"), 1.0) for name in names])
+    span = np.maximum(np.max(np.abs(exact), axis=0)[order], 1e-6 * own)
+    departure = np.maximum.accumulate(np.abs(rows - other), axis=0)
+    limit = np.maximum(FACTOR * departure, PART * span)
     beyond = np.abs(rows - exact[:, order]) > limit
     wrong = np.flatnonzero(np.any(beyond, axis=1))
     if not len(wrong):

@@ -23,7 +23,7 @@ def of_events(seed: int, engine: str) -> Report:
 
 def of_what_is_hard(seed: int, engine: str) -> Report:
     hard = harder_model(seed)
-    return compare(hard.text, engine, hard.stop, hard.known, hard.least)  # type: ignore[arg-type]
+    return compare(hard.text, engine, hard.stop, hard.known, hard.scales)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("engine", ENGINES)
