@@ -1,0 +1,58 @@
+"""Terms of the equations of imported robots: dM/dt - 2 C is skew, C qd and gravity are the bias, the regressor times
+the inertial parameters are the efforts that the bodies need."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.program.passes.written_out import written_out
+from robots.imported import ARM, FILES
+
+STEP = 1e-30
+STATES = 20
+ROBOTS = [
+    ("arm.urdf", False),
+    ("floater.urdf", False),
+    ("floater.urdf", True),
+    ("kinds.urdf", False),
+    ("slide.urdf", False),
+]
+
+
+def change_of_mass_matrix(model: lagdsl.Model, q: np.ndarray, qd: np.ndarray) -> np.ndarray:
+    """dM/dt by a complex step, which has no truncation: the derivative of M is no part of the program."""
+    program = written_out(model._compilation.program)
+    (block,) = program.function("mass_matrix").results
+    zeros = {group: np.zeros((len(q), program.layout.size(group))) for group in (Group.QD, Group.Z, Group.U, Group.W)}
+    p = np.tile(np.array(program.layout.defaults, dtype=float), (len(q), 1))
+    given = {Group.TIME: np.zeros(len(q)), Group.P: p, Group.Q: q + 1j * STEP * qd, **zeros}
+    entries = [np.broadcast_to(np.imag(x), len(q)) for x in evaluate(program.graph, block.elements, given)]
+    return np.stack(entries, axis=-1).reshape(len(q), *block.shape) / STEP
+
+
+def errors_of_terms(model: lagdsl.Model) -> dict[str, float]:
+    """The three identities at random states, of the size of their terms. Energies beside those of bodies, as of rotors,
+    have no inertial parameters: the regressor is compared where there are none."""
+    q, qd, qdd = np.random.default_rng(3).normal(size=(3, STATES, len(model.coordinates)))
+    coriolis, gravity = np.asarray(model.coriolis_matrix(0.0, q, qd)), np.asarray(model.gravity_forces(0.0, q))
+    bias, mass = np.asarray(model.bias_forces(0.0, q, qd)), np.asarray(model.mass_matrix(0.0, q))
+    skew = change_of_mass_matrix(model, q, qd) - 2 * coriolis
+    terms = np.abs(coriolis) @ np.abs(qd)[..., None]
+    efforts = (mass @ qdd[..., None])[..., 0] + bias
+    product = np.asarray(model.regressor(0.0, q, qd, qdd)) @ np.asarray(model.inertial_parameters())
+    return {
+        "skew": float(np.abs(skew + np.swapaxes(skew, -1, -2)).max() / max(np.abs(coriolis).max(), np.abs(mass).max())),
+        "bias": float(np.abs((coriolis @ qd[..., None])[..., 0] + gravity - bias).max() / max(terms.max(), 1e-300)),
+        "regressor": float(np.abs(product - efforts).max() / np.abs(efforts).max()),
+    }
+
+
+@pytest.mark.parametrize(("name", "floating"), ROBOTS)
+def test_terms_of_imported_robots(name: str, floating: bool) -> None:
+    text = lagdsl.import_robot(FILES / name, lenient=name != ARM.name, floating=floating)
+    worst = errors_of_terms(lagdsl.compile(text, engine="tape"))
+    assert max(worst.values()) < 1e-12, worst
