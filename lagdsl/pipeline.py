@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from lagdsl.program.program import Program
     from lagdsl.structure.structure import Structure
 
+StructureOf: TypeAlias = "Callable[[FlatModel, Mapping[str, str]], dict[str, float]]"
+"""Structural parameters of a model among assignments."""
 Route: TypeAlias = Literal["graph", "textbook"]
 """The derivation of the functions: on the graph, or literally as in a textbook, by SymPy."""
 
@@ -108,19 +110,26 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
     return None if sink.has_errors else flat
 
 
-def _structured(unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
+def _structured(
+    unit: nodes.Unit,
+    sink: Sink,
+    model: str | None,
+    pairs: Mapping[str, str],
+    structure: StructureOf | None = None,
+) -> FlatModel | None:
     """The flat model with the structural parameters of `pairs`, before physics is checked.
 
     The model says which names are structural, and other values of these may bring others: it is flattened anew until
     nothing is left to set. Only the diagnostics of the last one count.
     """
-    from lagdsl.settings.settings import structure_of
+    if structure is None:
+        from lagdsl.settings.settings import structure_of as structure
 
     chosen: dict[str, float] = {}
     for left in range(len(pairs), -1, -1):
         found = Sink()
         flat = flatten(unit, found, model=model, structural=chosen)
-        wanted = structure_of(flat, pairs) if flat is not None else chosen
+        wanted = structure(flat, pairs) if flat is not None else chosen
         if wanted == chosen or left == 0:
             break
         chosen = wanted
@@ -129,12 +138,19 @@ def _structured(unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[
     return flat
 
 
-def flatten_for_runs(file: SourceFile, sink: Sink, *, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
-    """The flat model with the structural parameters of `pairs` only: all other values are for its runs. Raises
-    SettingError for values that do not fit."""
+def flatten_for_runs(
+    file: SourceFile,
+    sink: Sink,
+    *,
+    model: str | None,
+    pairs: Mapping[str, str],
+    structure: StructureOf | None = None,
+) -> FlatModel | None:
+    """The flat model with the structural parameters of `pairs` only, as `structure` reads them (`structure_of` unless
+    given): all other values are for its runs. Raises SettingError for values that do not fit."""
     unit = parse_file(file, sink)
     with deep_recursion():
-        flat = _structured(unit, sink, model, pairs) if unit is not None else None
+        flat = _structured(unit, sink, model, pairs, structure) if unit is not None else None
         if flat is None or sink.has_errors:
             return None
         check_physics(flat, sink)

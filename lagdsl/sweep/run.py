@@ -125,8 +125,12 @@ def failed(index: int, message: str) -> Outcome:
 
 
 def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) -> Floats:
-    """The vector of parameters. Raises ValueError for a value that a parameter may not have."""
+    """The vector of parameters. Raises ValueError for a name that is none of them, and for a value that a parameter may
+    not have."""
     values = {slot.name: value for slot, value in zip(layout.parameters, layout.defaults, strict=True)}
+    for name in chosen:
+        if name not in values:
+            raise ValueError(f"there is no parameter `{name}`")
     for parameter in flat.parameters:
         if parameter.name in chosen:
             require_value(parameter, chosen[parameter.name])

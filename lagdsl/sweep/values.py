@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
@@ -13,14 +13,14 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.numerics.rank import Floats
-from lagdsl.settings.arrays import spread
+from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.axis import note_bare, values_of
 from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.pieces import QUANTITY
 from lagdsl.settings.ranges import CALL, grid_of
 from lagdsl.settings.target import Target, find, targets, value_of
-from lagdsl.sweep.plan import Axis, Plan, require_few
+from lagdsl.sweep.plan import Axis, Plan, require_few, variants
 from lagdsl.units.definition import si_value
 from lagdsl.units.parse import parse_unit
 
@@ -35,19 +35,21 @@ _DISTRIBUTIONS: dict[str, tuple[tuple[str, ...], Draw]] = {
 }
 
 
-def plan(flat: FlatModel, pairs: Mapping[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
-    """The runs that the texts ask for; notes about numbers without unit go to `sink`. Raises SettingError for what is
-    no value, range, list or distribution, ValueError for too many runs."""
+def plan(models: Sequence[FlatModel], pairs: Mapping[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
+    """The runs that the texts ask for, with names that any of the models has; notes about numbers without unit go to
+    `sink`. Raises SettingError for what is no value, range, list or distribution, ValueError for too many runs."""
     axes: list[Axis] = []
     fixed: list[Axis] = []
     samples: list[Axis] = []
     runs = 1 if random is None else random
     require_few(runs)
-    known = targets(flat)
+    known: dict[str, Target] = {}
+    for flat in models:
+        known |= {name: target for name, target in targets(flat).items() if name not in known}
     for number, (name, text) in enumerate(spread(pairs, known).items()):
-        target = find(flat, name, known)
+        target = find(models[0], name, known)
         call = CALL.fullmatch(text)
-        if call is not None and call[1] != "linspace":
+        if call is not None and _is_drawn(text):
             _require_distribution(name, text, call)
             if random is None:
                 raise SettingError(f"{name}={short(text)}: give the number of draws with --random N")
@@ -60,6 +62,20 @@ def plan(flat: FlatModel, pairs: Mapping[str, str], random: int | None, seed: in
     if random is not None and not samples:
         raise SettingError("--random needs a distribution, as in --set 'm=normal(1, 0.1) kg'")
     return Plan(axes=tuple(axes), samples=tuple(samples), fixed=tuple(fixed))
+
+
+def structures(flat: FlatModel, pairs: Mapping[str, str]) -> list[dict[str, float]]:
+    """The different settings of the structural parameters of `flat` that the texts ask for, at least one. Raises as
+    `plan`."""
+    known = targets(flat, ("structural",))
+    named = {name: text for name, text in pairs.items() if name in known or family(name, known)}
+    chosen = {name: text for name, text in named.items() if not _is_drawn(text)}  # `plan` refuses these
+    return variants(plan([flat], chosen, None, 0, Sink()))
+
+
+def _is_drawn(text: str) -> bool:
+    call = CALL.fullmatch(text)
+    return call is not None and call[1] != "linspace"
 
 
 def axis_of(target: Target, text: str, sink: Sink, runs: int = 1) -> Axis:

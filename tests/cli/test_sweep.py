@@ -177,3 +177,37 @@ def test_an_interrupt_leaves_what_can_be_resumed(pendulum: Path, tmp_path: Path)
     assert subprocess.run([*command, "--resume", "--jobs", "1"], check=False).returncode == 0
     assert not kept.exists()
     assert (_read(out)["status"] == "ok").all()
+
+
+_CHAIN = """
+model Chain
+  structural parameter Integer N = 2;
+  parameter Length l[N] = fill(1 m, N);
+  coordinate Angle q[N](each start = 0.1 rad);
+  for i in 1:N loop
+    kinetic 1/2*(1 kg)*l[i]^2*der(q[i])^2;
+    potential 1 kg*g_n*l[i]*(1 - cos(q[i]));
+  end for;
+end Chain;
+"""
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        (("N=4", "q[4].start=1 rad"), "1 run\n"),
+        (("N=3", "l={1, 2, 3} m"), "1 run\n"),
+        (("N=3", "l[3]=1, 2 m"), "2 runs\n"),
+        (("N=2, 4", "q[4].start=1 rad"), "1 of 2 runs failed: E0805: there is no start value `q[4]` (at N = 2)"),
+        (("N=1, 2", "l={1, 2} m"), "1 of 2 runs failed: there is no parameter `l[2]` (at N = 1)"),
+        (("N=0, 2", "l[2]=1 m"), "1 of 2 runs failed: E0334: the size of `l` must be positive, found 0 (at N = 0)"),
+    ],
+)
+def test_names_of_the_structures_that_are_asked_for(
+    invoke: Invoke, tmp_path: Path, settings: tuple[str, ...], words: str
+) -> None:
+    """They were looked up in the structure of the text."""
+    (tmp_path / "chain.lag").write_text(_CHAIN)
+    given = [each for setting in settings for each in ("--set", setting)]
+    found = invoke("sweep", tmp_path / "chain.lag", *given, "--stop", "0.02", "--jobs", "1")
+    assert found.exit_code == 0 and words in found.output + found.stderr

@@ -82,6 +82,34 @@ def test_rows_that_only_look_so(condition: str, start: tuple[float, float, float
     assert not {"E0609", "E0610", "N0605", "N0607"} & found.keys()
 
 
+@pytest.mark.parametrize(
+    ("condition", "fault"),
+    [
+        ("sign(x) = 1", "in jumps only"),
+        ("floor(x/l) = 1", "in jumps only"),
+        ("(if x > 0 then 1 else 2) = 1", "in jumps only"),
+        ("(if noEvent(x > 0) and y < l then l else r) = l", "in jumps only"),
+        ("{x, l*sign(y), l} = {l, l, l}", "in jumps only"),
+        ("sign(der(x)) = 1", "in jumps only"),
+        ("floor(time/(1 s)) = 0", "no coordinate enters it"),
+        ("time = 0", "no coordinate enters it"),
+        ("(if time < 1 s then l else r) = l", "no coordinate enters it"),
+        ("u = 0; input Length u(smooth = 2)", "no coordinate enters it"),
+    ],
+)
+def test_rows_that_change_without_a_gradient(condition: str, fault: str) -> None:
+    """A row that is constant between its jumps was accepted, and left out of the degrees of freedom."""
+    assert fault in told(f"constraint c: {condition};", x=1.0, y=1.0)["E0609"].message
+
+
+@pytest.mark.parametrize(
+    "condition",
+    ["(if n == 1 then x - y else 0) = 0; discrete Integer n(start = 1)", "sign(x)*x = l", "ceil(x/l)*l = y"],
+)
+def test_rows_that_jump_and_move_are_none_of_these(condition: str) -> None:
+    assert "E0609" not in told(f"constraint c: {condition};", x=1.0, y=1.0)
+
+
 def test_zero_everywhere_is_another_thing() -> None:
     assert "N0605" in told("constraint c: sin(a)^2 + cos(a)^2 = 1;", a=1.0)
 

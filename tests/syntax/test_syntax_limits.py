@@ -90,6 +90,35 @@ def test_strings_from_right_to_left_may_say_so(text: str, expected: list[str]) -
     assert codes(model(f'  Real x = 1; // "{text}"')) == (expected or (["E0137"] if text != "\u05d0\u05d1" else []))
 
 
+UNSEEN = [
+    "\x07",
+    "\x1b",
+    "\x7f",
+    "\x9b",
+    "\xad",
+    "\u200b",
+    "\u2060",
+    "\u2064",
+    "\u3164",
+    "\ufeff",
+    "\U000e0041",
+    "\U000e0101",
+]
+
+
+@pytest.mark.parametrize("character", [*UNSEEN, "\u200d", "\ufe0f"])
+def test_what_takes_no_room_hides_no_text(character: str) -> None:
+    for place in ("  // a{} note", "  /* a{}\n */", '  Real x = 1 "a{} doc";'):
+        assert codes(model(place.format(character))) == ["E0137"]
+
+
+@pytest.mark.parametrize(
+    "text", ["\u2764\ufe0f", "\U0001f469\u200d\U0001f52c", "\u0915\u094d\u200d\u0937", "\u0645\u06cc\u200c\u062e"]
+)
+def test_joined_letters_and_pictures_are_texts(text: str) -> None:
+    assert codes(model(f'  Real x = 1 "{text}"; // {text}')) == []
+
+
 def test_the_message_shows_no_such_character() -> None:
     sink = Sink()
     parse(SourceFile("turned.lag", model("  Real x = 1; // \u202e\u2066 text")), sink)

@@ -31,7 +31,7 @@ from lagdsl.cli.sweep_plot import draw_sweep, require_kept
 from lagdsl.cli.text_table import aligned
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import Compilation, compile_flat, flatten_file
+from lagdsl.pipeline import Compilation, compile_flat, flatten_file, flatten_for_runs
 from lagdsl.plot.picture.recording import Wishes
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.literal import seconds
@@ -99,6 +99,7 @@ def command(
     resume: bool,
 ) -> None:
     """Run the model in FILE with every combination of values; without -o, show a summary."""
+    from lagdsl.sweep.plan import variants
     from lagdsl.sweep.run import Options
     from lagdsl.sweep.sweep import Work, options_of
 
@@ -112,12 +113,16 @@ def command(
     source = read_or_leave(file, style)
     given = inputs_or_leave(inputs, style, hold=hold)
     sink = Sink()
-    flat = _front(source, style, model, sink)
-    the_plan = _plan(flat, assignments, random, seed, sink)
+    pairs = split(assignments)
+    flat, known = _front(source, style, model, pairs, sink)
     signals = given.of(flat, sink, style)
     report_missing(flat, signals, sink)
+    subjects = _subjects(source, style, model, known)
+    the_plan = _plan(subjects, pairs, random, seed, sink)
+    if variants(the_plan) != known:  # a setting brings structural parameters that the first one has not
+        known = variants(the_plan)
+        subjects = _subjects(source, style, model, known)
     tell(sink.diagnostics, style)
-    known, subjects = _subjects(source, style, model, the_plan)
     end, step = options_of(flat, stop=seconds("--stop", stop), interval=seconds("--interval", interval))
     models = [swept.flat for swept in subjects if swept.flat is not None]
     kept = columns_of(columns, models)
@@ -188,34 +193,47 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
             raise click.UsageError(str(error)) from error
 
 
-def _plan(flat: FlatModel, assignments: tuple[str, ...], random: int | None, seed: int, sink: Sink) -> Plan:
+def _plan(subjects: list[SweptModel], pairs: dict[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
+    """The runs, with the names of every model."""
     from lagdsl.sweep.plan import require_sound
     from lagdsl.sweep.values import plan
 
     try:
-        made = plan(flat, split(assignments), random, seed, sink)
+        made = plan([swept.flat for swept in subjects if swept.flat is not None], pairs, random, seed, sink)
         require_sound(made)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
     return made
 
 
-def _front(source: SourceFile, style: Format, model: str | None, sink: Sink) -> FlatModel:
-    """The flat model; leaves where it is wrong."""
-    flat = flatten_file(source, sink, model=model)
-    if flat is None:
-        leave_with_errors(sink.diagnostics, style)
-    return flat
+def _front(
+    source: SourceFile, style: Format, model: str | None, pairs: dict[str, str], sink: Sink
+) -> tuple[FlatModel, list[dict[str, float]]]:
+    """A flat model, and all structural settings. It is that of the first one, or of none where the first one is wrong,
+    which then is a run that fails; leaves where both are wrong."""
+    from lagdsl.sweep.values import structures
+
+    found = Sink()
+    try:
+        flat = flatten_for_runs(
+            source, found, model=model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
+        )
+        if flat is not None:
+            for diagnostic in found.diagnostics:
+                sink.add(diagnostic)
+        else:
+            flat = flatten_file(source, sink, model=model)
+        if flat is None:
+            leave_with_errors(found.diagnostics, style)
+        return flat, structures(flat, pairs)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
 
 
-def _subjects(
-    source: SourceFile, style: Format, model: str | None, plan: Plan
-) -> tuple[list[dict[str, float]], list[SweptModel]]:
+def _subjects(source: SourceFile, style: Format, model: str | None, known: list[dict[str, float]]) -> list[SweptModel]:
     """A compiled model for every structural setting; where all are wrong, leaves with what is."""
-    from lagdsl.sweep.plan import variants
     from lagdsl.sweep.run import SweptModel
 
-    known = variants(plan)
     subjects: list[SweptModel] = []
     found: tuple[Diagnostic, ...] = ()
     for structural in known:
@@ -229,7 +247,7 @@ def _subjects(
             subjects.append(SweptModel(flat=compilation.flat, program=compilation.program))
     if all(swept.flat is None for swept in subjects):
         leave_with_errors(found, style)
-    return known, subjects
+    return subjects
 
 
 def _compiled(source: SourceFile, model: str | None, structural: dict[str, float], sink: Sink) -> Compilation | None:

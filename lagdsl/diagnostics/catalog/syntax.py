@@ -100,9 +100,9 @@ ROWS: dict[str, Row] = {
         "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
     ),
     "E0137": error(
-        "the text contains invisible characters that change its direction or break its lines ({codes})",
+        "the text contains characters that are not seen and change what is seen ({codes})",
         label="here, or beside it",
-        help="remove them; they may stand in a string with letters from right to left, each closed in it",
+        help="remove them; marks of direction may stand in a string with letters from right to left, each closed in it",
     ),
     "E0138": error(
         "more than {limit} brackets are open",

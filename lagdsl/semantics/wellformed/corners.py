@@ -8,7 +8,7 @@ the corner, only its impulse acts. Jumps of functions such as `floor` leave the 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from lagdsl.diagnostics import Sink
@@ -17,7 +17,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Corner, Relation
 from lagdsl.flat.quantity import Spans
-from lagdsl.flat.traversal import operands, step_expressions
+from lagdsl.flat.reached import reached
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
 from lagdsl.source import Span
@@ -32,7 +32,7 @@ def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corne
     """Corners of forces, energies, constraints, gaps and rates of states, in the order of the text."""
     if not corners:
         return ()
-    found = {id(x) for x in _reached(flat, _what_moves(flat))}
+    found = {id(x) for x in reached(flat, _what_moves(flat))}
     return tuple(
         Corner(spans=each.spans, distance=each.distance, solved=each.order >= Order.ACCELERATION)
         for each in corners
@@ -69,7 +69,7 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
 
 def over_which_velocities_jump(corners: Sequence[Met], flat: fm.FlatModel) -> frozenset[Spans]:
     """Places of functions with a corner in the way of a mass: their branches are to change at events."""
-    found = {id(x) for x in _reached(flat, _ways(flat))} if corners else set()
+    found = {id(x) for x in reached(flat, _ways(flat))} if corners else set()
     return frozenset(
         each.spans for each in corners if id(each.expression) in found and _bends(each) and not _jumps(each.expression)
     )
@@ -89,7 +89,7 @@ def check_corners(corners: Sequence[Met], flat: fm.FlatModel, dependence: Depend
         ("velocities jump", held, _AT_A_CONSTRAINT, _bends),
         ("an energy jumps", energies, _AT_A_JUMP, lambda each: _jumps(each.expression)),
     ):
-        found = {id(x) for x in _reached(flat, roots)}
+        found = {id(x) for x in reached(flat, roots)}
         told: set[Span] = set()
         for each in corners:
             span = each.spans[0]
@@ -102,7 +102,7 @@ def _ways(flat: fm.FlatModel) -> list[fx.FlatExpression]:
     """Positions of masses, and what the kinetic energy differentiates."""
     places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
     kinetic = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
-    return [*places, *(x.operand for x in _reached(flat, kinetic) if isinstance(x, fx.Derivative))]
+    return [*places, *(x.operand for x in reached(flat, kinetic) if isinstance(x, fx.Derivative))]
 
 
 def _tell(
@@ -114,7 +114,7 @@ def _tell(
     sink: Sink,
 ) -> None:
     """W0520 for the relations of the motion on which these depend."""
-    for name in dict.fromkeys(x.name for x in _reached(flat, roots) if isinstance(x, fx.Variable)):
+    for name in dict.fromkeys(x.name for x in reached(flat, roots) if isinstance(x, fx.Variable)):
         if name in branching:
             span = branching[name].spans[0]
             sink.report("W0520", span, name=span.text, what=what, law=law)
@@ -155,42 +155,3 @@ def _bends(each: Met) -> bool:
 
 def _jumps(expression: fx.FlatExpression) -> bool:
     return isinstance(expression, fx.Function) and expression.name in _JUMPING
-
-
-def _reached(flat: fm.FlatModel, roots: Iterable[fx.FlatExpression]) -> Iterator[fx.FlatExpression]:
-    """Every expression below the roots, also behind names, once."""
-    named = {item.name: item for item in flat.named}
-    seen: set[int] = set()
-    stack = list(roots)
-    while stack:
-        expression = stack.pop()
-        if id(expression) not in seen:
-            seen.add(id(expression))
-            yield expression
-            stack += operands(expression)
-            stack += _behind(expression, named)
-
-
-def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[fx.FlatExpression]:
-    """Expressions that a name stands for."""
-    match expression:
-        case fx.Variable(name) | fx.PointReference(name):
-            item = named.get(name)
-        case fx.OfFrame():
-            item = named.get(expression.frame)
-        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
-            item = None
-        case _:
-            assert_never(expression)
-    match item:
-        case fm.Definition():
-            return [item.value]
-        case fm.Point():
-            return [item.position]
-        case fm.Frame():
-            found: list[fx.FlatExpression] = [x for step in item.steps for x in step_expressions(step)]
-            return [*found, fx.FrameOrigin(item.parent)]
-        case None:
-            return []
-        case _:
-            assert_never(item)
