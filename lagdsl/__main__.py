@@ -1,5 +1,21 @@
-"""`python -m lagdsl` is the command `lag`."""
+"""`python -m lagdsl` is the command `lag`; so is the script of that name."""
 
-from lagdsl.cli.main import main
+import os
+from typing import NoReturn
 
-main()
+from lagdsl.cli.status import INTERRUPTED
+
+
+def main() -> NoReturn:
+    """Run `lag`. An interrupt while its modules are loaded ends it as one while it works does."""
+    try:
+        from lagdsl.cli.main import main as lag
+
+        lag()
+    except KeyboardInterrupt:
+        os.write(2, b"\ninterrupted\n")
+        os._exit(INTERRUPTED)
+
+
+if __name__ == "__main__":
+    main()

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from lagdsl.flat.model import Parameter
 
+# Whole numbers below this size are exact, and each is read as itself.
+EXACT_INTEGERS = 2.0**53
+
 
 def require_value(parameter: Parameter, value: float) -> None:
     """Raise ValueError where `value`, in SI units, is none that the parameter may have."""
     name, unit = parameter.name, "" if parameter.unit in ("", "1") else f" {parameter.unit}"
     if parameter.kind == "Integer" and not value.is_integer():
         raise ValueError(f"`{name}` is a whole number, not {value:g}")
+    if parameter.kind == "Integer" and abs(value) >= EXACT_INTEGERS:
+        raise ValueError(f"`{name}` is exact up to 2^53 - 1 = 9007199254740991, not at {value:.17g}")
     if parameter.kind == "Boolean" and value not in (0.0, 1.0):
         raise ValueError(f"`{name}` is true (1) or false (0), not {value:g}")
     if parameter.minimum is not None and value < parameter.minimum:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+import numpy as np
+
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.events import Limit
@@ -26,6 +28,20 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
         wrong = found_wrong(limit, value)
         if wrong is not None:
             sink.report("E0334", place(limit), *around(limit), what=limit.what, expected=wrong, found=f"{value:g}")
+
+
+def check_clocks(
+    flat: FlatModel, parameters: Mapping[str, float], span: tuple[float, float], most: int, sink: Sink
+) -> None:
+    """E0858 for each clock that ticks more than `most` times in `span` [s]: the run could not end."""
+    evaluator = Evaluator(flat, Values(variables=parameters))
+    for clock in flat.events.clocks:
+        first, period = evaluator.scalar(clock.start), evaluator.scalar(clock.period)
+        length = span[1] - max(span[0], first)
+        if length > most * period:
+            with np.errstate(all="ignore"):
+                ticks = f"{np.float64(length) / period:.3g}"
+            sink.report("E0858", place(clock), *around(clock), name=clock.name, ticks=ticks, most=most)
 
 
 def found_wrong(limit: Limit, value: float) -> str | None:

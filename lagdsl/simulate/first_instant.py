@@ -31,6 +31,6 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
         elif flat.outputs:
             values = run.evaluate("output", initial.t, initial.x, len(flat.outputs))
             outputs = UnknownOutputs(flat)
-            unknown = outputs.first(values[None, :])
+            unknown = outputs.first(values[None, :], np.array([initial.t]))
             if unknown is not None:
                 outputs.report(unknown[1], initial.t, float(values[unknown[1]]), sink)

@@ -9,7 +9,9 @@ from typing import NoReturn
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.admissible import EXACT_INTEGERS
 from lagdsl.flat.model import FlatModel
+from lagdsl.flat.spans import place as where
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engines.auto_engine import AutoEngine
@@ -85,7 +87,17 @@ class Motion:
         self._ended(run.end())
         found = self._so_far()
         self._check_outputs(found)
+        self._tell_rounded(found)
         return found
+
+    def _tell_rounded(self, found: Trajectory) -> None:
+        """W0859 for each discrete Integer that is beyond the whole numbers that are exact."""
+        for discrete in self._asked.flat.events.discretes:
+            values = found[discrete.name] if discrete.kind == "Integer" else np.zeros(0)
+            rows = np.flatnonzero(np.abs(values) >= EXACT_INTEGERS)
+            if len(rows):
+                value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
+                self._task.sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)
 
     def _check_outputs(self, found: Trajectory) -> None:
         """E0857 for the first output that is no number, with all rows."""
@@ -93,7 +105,7 @@ class Motion:
         if not columns:
             return
         outputs = UnknownOutputs(self._asked.flat)
-        unknown = outputs.first(np.column_stack(columns))
+        unknown = outputs.first(np.column_stack(columns), found.time)
         if unknown is not None:
             row, which = unknown
             sink, t = Sink(), float(found.time[row])

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.limits import check_limits
+from lagdsl.flat.limits import check_clocks, check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.runtime.engines.engine import Engine
@@ -63,8 +63,10 @@ def simulate(
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     names = (slot.name for slot in engine.layout.parameters)
     with np.errstate(all="ignore"):
-        check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
+        values = dict(zip(names, parameters.tolist(), strict=True))
+        check_limits(flat, values, own)
         own.raise_if_errors()
+        check_clocks(flat, values, (t0, end), max_steps, own)
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()

@@ -23,7 +23,8 @@ class UnknownOutputs:
     """Finds outputs that are infinite or not a number.
 
     Where constraints lose rank there are no accelerations and no multipliers for an instant: all outputs that read them
-    are nan there, and none is at fault. They are where there are more rows, and they are so in all.
+    are nan there, and none is at fault. They are where they are nan in rows that
+    follow each other.
     """
 
     def __init__(self, flat: FlatModel) -> None:
@@ -31,12 +32,12 @@ class UnknownOutputs:
         held = bool(flat.constraints or flat.events.contacts)
         self._solved = np.array([held and reads for reads in _reading(flat)], dtype=np.bool_)
 
-    def first(self, values: Floats) -> tuple[int, int] | None:
-        """Row and column of the first one in `values` (rows, outputs)."""
+    def first(self, values: Floats, times: Floats) -> tuple[int, int] | None:
+        """Row and column of the first one in `values` (rows, outputs) at `times` (rows,)."""
         wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
             lost = np.asarray(np.isnan(values[:, self._solved]).all(axis=1))
-            wrong[:, self._solved] &= ~lost[:, None] | (len(values) > 1 and lost.all())
+            wrong[:, self._solved] &= ~_instants(lost, times)[:, None]
         rows = np.flatnonzero(wrong.any(axis=1))
         return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None
 
@@ -48,6 +49,15 @@ class UnknownOutputs:
         found = "not a number" if np.isnan(value) else "infinite"
         sink.report("E0857", label, name=output.name, time=time_text(time), found=found)
         return output.name
+
+
+def _instants(lost: Flags, times: Floats) -> Flags:
+    """Those of `lost` (rows,) whose neighbors at other times are not."""
+    longer = lost[1:] & lost[:-1] & (times[1:] > times[:-1])
+    result = lost.copy()
+    result[1:] &= ~longer
+    result[:-1] &= ~longer
+    return result
 
 
 def _reading(flat: FlatModel) -> list[bool]:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.limits import check_limits
+from lagdsl.flat.limits import check_clocks, check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.runtime.engines.auto_engine import AutoEngine
@@ -91,7 +91,11 @@ class Ensemble:
             return None
         sink = Sink()
         names = (slot.name for slot in self._engine.layout.parameters)
-        check_limits(self._flat, dict(zip(names, p.tolist(), strict=True)), sink)
+        values = dict(zip(names, p.tolist(), strict=True))
+        check_limits(self._flat, values, sink)
+        if not sink.diagnostics:
+            span = (self._flat.experiment.start_time, self._options.stop)
+            check_clocks(self._flat, values, span, MOST_STEPS, sink)
         return None if sink.diagnostics else p
 
     def _settings(
@@ -144,10 +148,10 @@ class Ensemble:
     def _unknown_output(self, rows: Floats) -> str | None:
         """Words for the first output that is no number; the motion itself goes on."""
         values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
-        unknown = self._unknown.first(values)
+        times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)[: len(values)]
+        unknown = self._unknown.first(values, times)
         if unknown is None:
             return None
-        times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)
         self._unknown.report(unknown[1], float(times[unknown[0]]), float(values[unknown]), sink)
         return first_error(sink.diagnostics)
 

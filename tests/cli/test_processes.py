@@ -54,6 +54,40 @@ def test_a_standard_output_that_is_full_is_status_2(pendulum: Path) -> None:
     assert done.stderr == "cannot write standard output: No space left on device\n"
 
 
+@pytest.mark.parametrize("moment", [0.05, 0.2])
+@pytest.mark.skipif(os.name != "posix", reason="signals of Unix")
+def test_an_interrupt_while_modules_are_loaded(tmp_path: Path, moment: float) -> None:
+    """There was a traceback of the import machinery."""
+    (tmp_path / "sitecustomize.py").write_text(
+        "import signal\nsignal.signal(signal.SIGALRM, signal.default_int_handler)\n"
+        "class Watch:\n    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'lagdsl.cli.main':\n"
+        f"            signal.setitimer(signal.ITIMER_REAL, {moment})\n"
+        "import sys\nsys.meta_path.insert(0, Watch())\n"
+    )
+    path = os.pathsep.join([str(tmp_path), str(Path(__file__).parents[2])])
+    done = subprocess.run(
+        [*LAG, "check", "-"],
+        capture_output=True,
+        text=True,
+        check=False,
+        stdin=subprocess.PIPE,
+        env={**os.environ, "PYTHONPATH": path},
+    )
+    assert done.returncode in (0, 130) and "Traceback" not in done.stderr
+
+
+def test_a_full_disk_leaves_no_part_of_a_new_model(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(SystemExit) as left:
+        main(["new", "Arm"])
+    assert left.value.code == 2 and not list(tmp_path.iterdir())
+
+
 @pytest.mark.skipif(not Path("/dev/stdout").exists(), reason="devices of Unix")
 def test_standard_output_may_be_a_file(pendulum: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.txt"

@@ -53,10 +53,24 @@ def test_rows_without_accelerations_are_left_alone() -> None:
     assert pendulum is not None
     outputs = UnknownOutputs(pendulum)
     lost = np.array([[1.0, 2.0, 3.0], [1.0, np.nan, np.nan], [1.0, np.inf, 1.0], [np.nan, 1.0, 1.0]])
-    assert outputs.first(lost[:2]) is None
-    assert outputs.first(lost) == (2, 1)
-    assert outputs.first(lost[[0, 1, 3]]) == (2, 0)
-    assert outputs.first(lost[[1, 1]]) == (0, 1)
+    times = np.arange(4.0)
+    assert outputs.first(lost[:2], times[:2]) is None
+    assert outputs.first(lost, times) == (2, 1)
+    assert outputs.first(lost[[0, 1, 3]], times[:3]) == (2, 0)
+    assert outputs.first(lost[[0, 1, 1]], times[:3]) == (1, 1)
+    assert outputs.first(lost[[0, 1, 1]], np.array([0.0, 1.0, 1.0])) is None  # before and after an event
+
+
+def test_the_only_output_that_reads_a_multiplier() -> None:
+    text = """model P
+      coordinate Length x(start = 1 m), y;
+      gravity = {0, -9.81 m/s2};
+      mass 1 kg at {x, y};
+      constraint rod: x^2 + y^2 = 1 m2;
+      output Real root = sqrt(10 + multiplier(rod)/(1 N/m));
+    end P;"""
+    with pytest.raises(lagdsl.SimulationFailed, match="output `root` is not a number at t = 0"):
+        lagdsl.compile(text, engine="tape").simulate(stop=1.0, interval=0.05)
 
 
 HELD = """model H

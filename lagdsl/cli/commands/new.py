@@ -8,7 +8,7 @@ from shlex import quote
 
 import click
 
-from lagdsl.cli.output import Unwritable
+from lagdsl.cli.output import Unwritable, write_text
 
 _TEMPLATE = """\
 model {name} "Point mass on a massless rod"
@@ -44,12 +44,16 @@ def command(name: str | None, origin: str | None, listed: bool) -> None:
     path = _path(str(origin).rpartition("/")[2] if name is None else name)
     text = _text(origin, None if name is None else _model_name(path.stem))
     try:
-        with path.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        path.touch(exist_ok=False)
     except FileExistsError as error:
         raise click.UsageError(f"{path} exists already; choose another name") from error
     except OSError as error:
         raise Unwritable(path, error) from error
+    try:
+        write_text(text, path)
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
     click.echo(f"wrote {path}; next: lag run {quote(str(path))}")
 
 

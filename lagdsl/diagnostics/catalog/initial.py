@@ -228,6 +228,16 @@ ROWS: dict[str, Row] = {
         "look for a division by zero, or a root or logarithm outside its domain; an `if` or `max(x, 1e-9)` keeps away "
         "from it",
     ),
+    "E0858": error(
+        "the clock `{name}` ticks {ticks} times in this simulation, which has at most {most} steps",
+        "its period is too short",
+        "use a longer period, or simulate for a shorter time",
+    ),
+    "W0859": warning(
+        "`{name}` becomes {value} at t = {time} s: Integers are exact up to 2^53 - 1 = 9007199254740991",
+        "loses digits there",
+        "keep it smaller, with `mod` or by counting in larger parts",
+    ),
     "E0885": error(
         "input `{name}` cannot be {value}{when}: it takes {allowed}",
         "declared here",

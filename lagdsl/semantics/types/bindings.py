@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.flat import expression as flat
+from lagdsl.flat.admissible import EXACT_INTEGERS
 from lagdsl.record import record
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import an, kind_of, row_in_braces
@@ -96,7 +97,16 @@ def _kind_fits(ctx: Context, node: nodes.Node, value: Scalar | Array, expected: 
         if expected.base == "Integer" and isinstance(node, nodes.Number | nodes.Quantity):
             found = f"`{node.span.text}`"
         ctx.sink.report("E0334", node.span, what=expected.what, expected=an(expected.base), found=found)
+    elif expected.base == "Integer" and any(map(_is_rounded, value.elements if isinstance(value, Array) else [value])):
+        ctx.sink.report("E0326", node.span, what=expected.what, most="2^53 - 1", help="use a smaller number")
+        return False
     return fitting
+
+
+def _is_rounded(value: Scalar | flat.FlatExpression) -> bool:
+    """True for a whole number that may stand for its neighbors, too."""
+    expression = value.expression if isinstance(value, Scalar) else value
+    return isinstance(expression, flat.Number) and abs(expression.value) >= EXACT_INTEGERS
 
 
 def _in_hertz(node: nodes.Node) -> nodes.Node | None:
