@@ -1,6 +1,7 @@
 """`python -m lagdsl` is the command `lag`; so is the script of that name."""
 
 import os
+import sys
 from typing import NoReturn
 
 from lagdsl.cli.status import INTERRUPTED
@@ -14,7 +15,7 @@ def main() -> NoReturn:
         lag()
     except KeyboardInterrupt:
         os.write(2, b"\ninterrupted\n")
-        os._exit(INTERRUPTED)
+        sys.exit(INTERRUPTED)
 
 
 if __name__ == "__main__":
