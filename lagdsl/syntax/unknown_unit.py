@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Edit, Sink
-from lagdsl.diagnostics.catalog.syntax import unit_help
+from lagdsl.diagnostics.catalog.syntax import foreign_unit, unit_help
 from lagdsl.source import Span
 
 
@@ -12,11 +12,30 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
 
     With `called` a bracket follows: a function was meant.
     """
+    quantity = None if called else foreign_unit(number, unit) or _joined(number, unit)
+    if quantity is not None:
+        same = quantity.removeprefix(f"{number} ")
+        edit = Edit(span, same) if same != quantity else None
+        sink.report("E0105", span, help=f"write `{quantity}`", edit=edit, unit=unit)
+        return
     suggestion = None if called else _suggestion(unit)
     edit = None if suggestion is None else Edit(span, suggestion)
     if len(unit) == 1:  # more likely a factor
         edit = Edit(Span(span.file, span.start, span.start), "*")
     sink.report("E0105", span, help=unit_help(suggestion, number, unit), edit=edit, unit=unit)
+
+
+def _joined(number: str, unit: str) -> str | None:
+    """`1 N.m` for `1_N.m`."""
+    from lagdsl.units.parse import UnknownUnit, parse_unit
+
+    if unit[0] != "_":
+        return None
+    try:
+        parse_unit(unit.strip("_"))
+    except UnknownUnit:
+        return None
+    return f"{number} {unit.strip('_')}"
 
 
 def _suggestion(unit: str) -> str | None:

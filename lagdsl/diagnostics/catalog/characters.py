@@ -23,7 +23,7 @@ _HELP = {
     "?": "write `if condition then a else b`",
     "'": 'text stands in double quotes: "..."; the rate of x is `der(x)`',
     "\\": 'write text as it is meant; `\\` has a meaning inside of "..." only',
-    "@": "delete it; a function is applied by its name: `sin(x)`",
+    "@": "a place stands behind `at`: `mass m at {x, y};`",
     "$": "names consist of the letters a to z, digits and `_`",
     "`": "write names without quotes",
     "“": 'text stands in straight double quotes: "..."',
@@ -64,9 +64,14 @@ _HELP = {
 _OTHERWISE = "delete it; operators are `+ - * / ^`, relations `< <= > >= == <>`"
 _LONGEST = 40  # characters of a text that is shown rewritten
 _PRIMES = re.compile(r"['′’´`]+|″")
-_QUOTED = re.compile(r"'([^'\n]*)'|[“„«]([^\n]*)[”“»]")
+_QUOTED = re.compile(r"'([^'\n]*)'|[“„«”]([^\n]*)[”“»]|‘([^\n]*)’")
 _BARS = re.compile(r"\|([^|\n;]+)\|")
 _PERCENT = re.compile(r"%([A-Za-z]\w*)")
+_NUMBER_BEFORE = re.compile(r"([0-9]+(?:\.[0-9]+)?)[ \t]*$")
+_LATEX = re.compile(r"\\([A-Za-z]+)(?:\{([^{}]*)\}|\\([A-Za-z]+))?(?:\{([^{}]*)\})?")
+_LATEX_DOTS = {"dot": 1, "ddot": 2}
+_LATEX_MARKS = {"cdot": "*", "times": "*", "le": "<=", "leq": "<=", "ge": ">=", "geq": ">=", "ne": "<>", "neq": "<>"}
+_LATEX_MARKS |= {"varphi": "phi", "vartheta": "theta", "infty": "inf", "left": "(", "right": ")", "circ": " deg"}
 
 
 def character_help(text: str, before: str) -> str:
@@ -76,20 +81,38 @@ def character_help(text: str, before: str) -> str:
     """
     if len(text) > _LONGEST:
         return _HELP.get(text[0]) or _OTHERWISE
+    if match := _LATEX.fullmatch(text):
+        return _latex(match)
     if not text.isprintable():
         return _HELP.get(text) or _letters(text) or _OTHERWISE
     operand = re.search(r"[A-Za-z_][A-Za-z0-9_.]*(?:\[[^\]]*\])?$|der\([^()]*\)$", before)
     if _PRIMES.fullmatch(text) and operand is not None:
         return f"write `{_rate(operand[0], 2 if text == '″' else len(text))}`"
     if match := _QUOTED.fullmatch(text):
-        return f'text stands in straight double quotes: "{match[1] or match[2] or ""}"'
+        return f'text stands in straight double quotes: "{match[1] or match[2] or match[3] or ""}"'
     if match := _BARS.fullmatch(text):
         return f"write `abs({match[1].strip()})` for the amount of a number, `norm(v)` for that of a vector"
     if match := _PERCENT.fullmatch(text):
         return f"write `{match[1]}`"
-    if text == "%" and (number := re.search(r"([0-9]+(?:\.[0-9]+)?)[ \t]*$", before)):
+    if text == "°" and (number := _NUMBER_BEFORE.search(before)):
+        return f"write the unit `deg`: `{number[1]} deg`"
+    if text == "'" and _NUMBER_BEFORE.search(before):
+        return "digits are not grouped: write the number without marks"
+    if text == "%" and (number := _NUMBER_BEFORE.search(before)):
         return f"write the percentage as a number: `{float(number[1]) / 100:g}`"
     return _HELP.get(text) or _HELP.get(text[0]) or _letters(text) or _OTHERWISE
+
+
+def _latex(match: re.Match[str]) -> str:
+    r"""`\theta`, `\dot{x}`, `\frac{a}{b}`."""
+    word, argument, second = match[1], match[2] or match[3] or "x", match[4] or "y"
+    if word in _LATEX_DOTS:
+        return f"write `{_rate(argument, _LATEX_DOTS[word])}`"
+    if word in ("frac", "tfrac", "dfrac"):
+        return f"write a quotient: `({argument})/({second})`"
+    if word == "sqrt":
+        return f"write `sqrt({argument})`"
+    return f"names and functions stand without `\\`: write `{_LATEX_MARKS.get(word, word)}`"
 
 
 def _rate(operand: str, times: int) -> str:

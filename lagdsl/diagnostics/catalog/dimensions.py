@@ -1,6 +1,6 @@
 """Family 04: dimensions and units."""
 
-from lagdsl.diagnostics.catalog.row import Row, error
+from lagdsl.diagnostics.catalog.row import Row, error, note
 
 # Help of E0401 where a factor made of parameters is what is missing.
 MISSING_FACTOR = "the {which} term is short by `{unit}`; a factor `{factor}` would make it {words}"
@@ -89,5 +89,10 @@ ROWS: dict[str, Row] = {
         "`{literal}` is a point on a scale whose zero is not 0 K, and {where} needs an amount",
         label="a point, not an amount",
         help="write `{number} K` for a difference, `{kelvin} K` for the temperature",
+    ),
+    "N0419": note(
+        "angles are in radians: `{number}` is {turns} turns",
+        label="a number without a unit",
+        help="write `{number} deg` if degrees are meant, `{number} rad` if not",
     ),
 }

@@ -10,11 +10,12 @@ _SOLVED = "nothing is solved by hand: the compiler forms and solves the equation
 
 # Functions by name; {0}, {1} are the texts of the arguments.
 _FUNCTIONS = {
-    **dict.fromkeys(("diff", "ddt", "D", "Derivative", "deriv", "derivative", "d", "dot", "rate"), _RATE),
+    **dict.fromkeys(("diff", "ddt", "D", "Derivative", "deriv", "derivative", "d", "dt", "dot", "rate"), _RATE),
     **dict.fromkeys(("ddot", "der2", "diff2"), "the second derivative is `der(der({0}))`"),
-    **dict.fromkeys(("deg2rad", "radians", "from_deg", "to_rad", "toRad"), _ANGLE),
+    **dict.fromkeys(("deg", "deg2rad", "radians", "from_deg", "to_rad", "toRad"), _ANGLE),
     **dict.fromkeys(("rad2deg", "degrees", "to_deg"), "results are shown in degrees by `displayUnit`"),
     **dict.fromkeys(("sind", "cosd", "tand"), "the unit makes an angle of the number: `{function}({0} deg)`"),
+    "rad": "angles are in radians: write `{0} rad`",
     "ln": "the natural logarithm is `log({0})`",
     **dict.fromkeys(("pow", "power"), "a power is written `{0}^{1}`"),
     **dict.fromkeys(("square", "sqr"), "a power is written `{0}^2`"),
@@ -42,7 +43,7 @@ _NAMES = {
     "Inf": "write `inf`",
     "oo": "write `inf`",
     "infinity": "write `inf`",
-    "dt": "the rate of x is `der(x)`",
+    **dict.fromkeys(("d", "dt"), "the rate of x is `der(x)`"),
     **{
         name: f"the unit vectors are `world.x`, `world.y` and `world.z`: write `world.{axis}`"
         for axis, names in {"x": ("i", "ex", "e_x"), "y": ("j", "ey", "e_y"), "z": ("k", "ez", "e_z")}.items()
@@ -131,6 +132,12 @@ _RATES = {"_ddot": 2, "ddot": 2, "_dot": 1, "dot": 1, "Dot": 1, "_p": 1, "_d": 1
 def function_help(name: str, arguments: tuple[str, ...]) -> str | None:
     """Help: the text to write for a call of a function of another language, with the texts of its arguments."""
     found = _FUNCTIONS.get(name)
+    if found == _RATE and arguments[-1:] == ("2",):
+        found = _FUNCTIONS["der2"]
+    if found is None and arguments in (("t",), ("time",)):
+        return (
+            f"quantities depend on time by themselves: `input Torque {name};` declares one, and `{name}` is its value"
+        )
     arguments = tuple(text if text.isalnum() else f"({text})" for text in arguments) if name in _POWERS else arguments
     return None if found is None else found.format(*arguments, "x", "y", function=name.rstrip("d"))
 

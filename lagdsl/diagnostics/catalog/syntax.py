@@ -1,5 +1,9 @@
 """Family 01: reading the text."""
 
+from __future__ import annotations
+
+import re
+
 from lagdsl.diagnostics.catalog.habits import is_called
 from lagdsl.diagnostics.catalog.row import Row, error, note
 
@@ -115,6 +119,39 @@ ROWS: dict[str, Row] = {
 
 
 _LONGEST = 40  # characters of a number that is shown rewritten
+_GROUP = re.compile(r"\d{3}(?:\.\d+)?(?: .*)?")
+_ATTRIBUTES = ("start", "fixed", "min", "max", "nominal")
+_FOREIGN_UNITS = {
+    **dict.fromkeys(("kp", "kgf"), (9.80665, "N")),
+    **dict.fromkeys(("lb", "lbs", "lbm"), (0.45359237, "kg")),
+    "lbf": (4.4482216152605, "N"),
+    **dict.fromkeys(("ft", "feet"), (0.3048, "m")),
+    "yd": (0.9144, "m"),
+    "mi": (1.609344, "km"),
+    "mph": (0.44704, "m/s"),
+    "kn": (0.5144444444, "m/s"),
+    "psi": (6894.757293, "Pa"),
+    "atm": (101325.0, "Pa"),
+    "PS": (735.49875, "W"),
+    "hp": (745.6998716, "W"),
+    "kWh": (3.6, "MJ"),
+    "Wh": (3.6, "kJ"),
+    "cal": (4.184, "J"),
+    "kcal": (4.184, "kJ"),
+    "dyn": (1e-5, "N"),
+    "gon": (0.9, "deg"),
+    **dict.fromkeys(("U/min", "1/min", "rev/min", "RPM", "upm"), (1.0, "rpm")),
+    **dict.fromkeys(("sec", "secs", "second", "seconds"), (1.0, "s")),
+}
+"""Units that the language has not, with what they are."""
+
+
+def foreign_unit(number: str, word: str) -> str | None:
+    """The quantity in a unit of the language for a number with another one: `98.0665 N` for `10 kp`."""
+    if word not in _FOREIGN_UNITS or len(number) > _LONGEST:
+        return None
+    size, unit = _FOREIGN_UNITS[word]
+    return f"{float(number) * size:.10g} {unit}"
 
 
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
@@ -137,6 +174,11 @@ def unexpected_help(before: str, found: str, after: str, expected: str) -> str |
         return f"a power is written `^`: `{before}^{after}`" if _short(before, after) else "a power is written `^`"
     if found == "." and "expression" in expected:
         return f"digits stand before the decimal point: `0.{after if after[:1].isdigit() else 5}`"
+    if before.isdigit() and _GROUP.fullmatch(found) and len(before) <= 3:
+        return f"digits are not grouped: `{before}{found}`"
+    if found in _ATTRIBUTES and before.isidentifier():
+        value = after if after and len(after) <= _LONGEST and after.isprintable() else "..."
+        return f"attributes stand in brackets: `{before}({found} = {value})`"
     if is_called(before) and after != ")":
         return f"call it: `{before}({found})`"
     return _equals_help(before, found, after, expected) or _missing_mark(before, found, after, expected)
@@ -150,6 +192,10 @@ def _equals_help(before: str, found: str, after: str, expected: str) -> str | No
             labels = whole and after != "="
             ending = "; labels stand in `constraint` and `contact` only" if labels else ""
             return f"an equation or binding is written with `=`{ending}"
+        case ("==", "="):
+            return "equality of two values is written `==`"
+        case ("^", "^"):
+            return "a power has one `^`"
         case (("=" | "<" | ">"), "="):
             return "an equation or binding has one `=`; relations are `<=`, `>=`, `==` and `<>`"
         case (("+" | "-" | "*" | "/"), "="):
@@ -158,6 +204,8 @@ def _equals_help(before: str, found: str, after: str, expected: str) -> str | No
             return "an equation has one `=`: write two equations"
         case ("{", "}"):
             return "an array has elements; delete what needs none"
+        case (_, "{") if before[-1:] == "_" and after.isalnum():
+            return f"write the index as a part of the name: `{before}{after}`"
         case (_, "<") if "expression" in expected:
             return "components stand in braces: `{x, y}`"
         case (_, ";") if expected.startswith("`else`"):

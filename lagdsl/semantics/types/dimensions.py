@@ -23,6 +23,10 @@ from lagdsl.units.naming import base_text, describe, unit_text
 from lagdsl.units.parse import parse_unit
 from lagdsl.units.written import literal_of
 
+_LONGEST = 40  # characters of a literal before an exponent
+_POWER = re.compile(r"(?<![A-Za-z0-9_.])([0-9]+(?:\.[0-9]+)?)d([-+])$")
+_EXPONENT = re.compile(r"(?<![A-Za-z0-9_.])[0-9]+(?:\.[0-9]+)?[ \t]*[A-Za-z][A-Za-z./0-9^]*-$")
+
 
 def fits(left: AnyDimension, right: AnyDimension) -> bool:
     return left is None or right is None or left == right
@@ -52,6 +56,19 @@ def bare_number(node: nodes.Node) -> str | None:
     return f"{sign}{node.text}" if isinstance(node, nodes.Number) else None
 
 
+def _report_bare(ctx: Context, node: nodes.Node, what: str, words: str, unit: str) -> None:
+    """E0405; right behind a unit and a sign the number is an exponent: `1d-3`, `9.81 ms-2`."""
+    before = node.span.file.text[max(node.span.start - _LONGEST, 0) : node.span.start]
+    values = {"number": bare_number(node), "preposition": what, "words": words, "unit": unit}
+    if (power := _POWER.search(before)) and (tens := f"{power[1]}e{power[2]}{node.span.text}"):
+        ctx.sink.report("E0405", node.span, help=f"powers of ten are written with `e`: `{tens}`", edit=None, **values)
+    elif exponent := _EXPONENT.search(before):
+        way = f"a negative exponent stands behind `^`: `{exponent[0][:-1]}^-{node.span.text}`"
+        ctx.sink.report("E0405", node.span, help=way, edit=None, **values)
+    else:
+        ctx.sink.report("E0405", node.span, **values)
+
+
 def report_unequal(
     ctx: Context,
     verb: str,
@@ -66,7 +83,7 @@ def report_unequal(
             what = BESIDE.get(verb, BESIDE[""])
             unit = unit_text(other)
             words = describe(other)
-            ctx.sink.report("E0405", node.span, number=bare, preposition=what, words=words, unit=unit)
+            _report_bare(ctx, node, what, words, unit)
             return
     first, second = left[1] or DIMENSIONLESS, right[1] or DIMENSIONLESS
     ctx.sink.report(

@@ -22,6 +22,7 @@ from lagdsl.syntax.faults.habits import (
     unexpected,
 )
 from lagdsl.syntax.faults.literals import open_string, unit_after_number
+from lagdsl.syntax.faults.notations import foreign_comment, foreign_function, foreign_number
 from lagdsl.syntax.faults.statements import (
     array_size_after_type,
     bare_equation,
@@ -39,6 +40,9 @@ from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
 RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     open_string,
     decimal_comma,
+    foreign_number,
+    foreign_comment,
+    foreign_function,
     unit_after_number,
     semicolon_in_brackets,
     wrong_bracket,

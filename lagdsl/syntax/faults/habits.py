@@ -12,11 +12,13 @@ from lagdsl.source import Span
 from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.faults.statements import statement_before
 from lagdsl.syntax.session import CLOSING, Session
-from lagdsl.syntax.tokens import end_of, plain_tokens, start_of, unit_of
+from lagdsl.syntax.tokens import end_of, plain_tokens, start_of
 from lagdsl.syntax.vocabulary import pattern, vocabulary
 
 _NUMBERS = ("NUMBER", "QUANTITY")
 _GROUPED = re.compile(r"\d{1,3}(?:\.\d{3})+")
+_PER = re.compile(r"1[ \t]*/[ \t]*([A-Za-z]+[1-9]?)(?![A-Za-z0-9_])")
+_FACTORS = re.compile(r"[A-Za-z]+(?:\^-?[1-9]|[1-9])?(?:[ \t]+[A-Za-z]+(?:\^-?[1-9]|[1-9])?)*(?=[ \t]*[;,)}\]\n])")
 _POWERS = {("*", "*"): "**", (".", "^"): ".^"}
 
 
@@ -140,23 +142,33 @@ def unexpected(session: Session, token: Token) -> bool:
 
 
 def _unit_help(session: Session, token: Token) -> str | None:
-    """`5 N m`: a unit after a quantity."""
+    """`5 N m`, `100 1/min`: a unit after a quantity, or after a number."""
     from lagdsl.units.parse import UnknownUnit, parse_unit
 
-    before = session.previous
-    if before.type != "QUANTITY" or token.type != "IDENT":
+    before, text = session.previous, session.file.text
+    if before.type == "NUMBER" and (per := _PER.match(text, start_of(token))):
+        joined = f"{before.value} /{per[1]}"
+    elif before.type == "QUANTITY" and (rest := _FACTORS.match(text, start_of(token))):
+        joined = f"{before.value}.{'.'.join(rest[0].split())}"
+    else:
         return None
     try:
-        parse_unit(f"{unit_of(before.value)}.{token.value}")
+        parse_unit(joined.lstrip("0123456789.eE+- "))
     except UnknownUnit:
         return None
-    return f"units are joined by `.`: `{before.value}.{token.value}`"
+    return f"units are joined by `.`: `{joined}`" if before.type == "QUANTITY" else f"a unit is written `{joined}`"
 
 
 def _form(session: Session, token: Token) -> str | None:
     """Help for a statement whose keyword is right and whose parts are not."""
     statement = [*statement_before(session, token), token]
     first = statement[0]
+    left = session.file.text[end_of(first) : start_of(token)].strip()
+    short = len(left) <= 60 and left.isprintable()
+    if first.value == "constraint" and token.type == "SEMICOLON" and short:
+        return f"an equation has two sides: `constraint {left} = 0;`"
+    if first.value in ("coordinate", "state") and session.previous.value == "(" and token.type in _NUMBERS:
+        return f"a start has its name: `{left.rpartition('(')[0].split()[-1]}(start = {token.value})`"
     if first.value == "mass" and token.value == ",":
         return "components of a point stand in braces: `{x, y}`"
     if first.value in ("force", "torque") and token.type == "SEMICOLON":

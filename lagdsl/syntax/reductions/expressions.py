@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, NamedTuple
 
 from lagdsl.diagnostics import Sink
@@ -13,6 +14,7 @@ from lagdsl.syntax.unknown_unit import report_unknown_unit
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^"}
 _OPERATORS |= {"or_": "or", "and_": "and"}
+_POWER = re.compile(r"[eE][0-9]+")
 _LONGEST = 60  # characters of a text that a message shows
 _SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
 
@@ -26,7 +28,8 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             rest = span.text[function.span.end - span.start :].strip()
             product = f"{function.span.text}*{rest}"
             short = len(product) <= _LONGEST and product.isprintable()
-            sink.report("E0121", function.span, help=f"for a product write `{product}`" if short else None)
+            way = _unit_in_brackets(function, rest) or f"for a product write `{product}`"
+            sink.report("E0121", function.span, help=way if short else None)
         if isinstance(arguments, _Reduced):
             return nodes.Reduction(span=span, function=function, body=arguments.body, iterators=arguments.iterators)
         return nodes.Call(span=span, function=function, arguments=arguments or ())
@@ -37,13 +40,30 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             start = target.span.end - len(target.unit)
             report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.value}")
         elif isinstance(target, nodes.Number):
-            way = f"digits must follow the decimal point: `{target.text}.0`" if len(target.text) <= _LONGEST else None
+            power = name.value if _POWER.fullmatch(name.value) else ""
+            short = len(target.text + power) <= _LONGEST
+            way = f"digits must follow the decimal point: `{target.text}.0{power}`" if short else None
             sink.report("E0127", token_span(name, span), help=way)
         return nodes.Member(span=span, target=target, name=name.value, name_span=token_span(name, span))
 
     binary = {rule: _binary(operator) for rule, operator in _OPERATORS.items()}
     unary = {rule: _unary(operator) for rule, operator in _SIGNS.items()}
     return {**_PLAIN, **binary, **unary, "call": call, "member": member}
+
+
+def _unit_in_brackets(number: nodes.Expression, brackets: str) -> str | None:
+    """`1 (N.m)`."""
+    from lagdsl.units.parse import UnknownUnit, parse_unit
+
+    unit = brackets.strip("() ")
+    if not unit[:1].isalpha():
+        return None
+    try:
+        parse_unit(unit)
+    except UnknownUnit:
+        return None
+    is_number = isinstance(number, nodes.Number)
+    return f"a unit stands behind its number without brackets: `{number.span.text} {unit}`" if is_number else None
 
 
 class _Reduced(NamedTuple):
