@@ -56,17 +56,19 @@ def bare_number(node: nodes.Node) -> str | None:
     return f"{sign}{node.text}" if isinstance(node, nodes.Number) else None
 
 
-def _report_bare(ctx: Context, node: nodes.Node, what: str, words: str, unit: str) -> None:
+def _report_bare(ctx: Context, node: nodes.Node, bare: str, what: str, words: str, unit: str) -> None:
     """E0405; right behind a unit and a sign the number is an exponent: `1d-3`, `9.81 ms-2`."""
     before = node.span.file.text[max(node.span.start - _LONGEST, 0) : node.span.start]
-    values = {"number": bare_number(node), "preposition": what, "words": words, "unit": unit}
-    if (power := _POWER.search(before)) and (tens := f"{power[1]}e{power[2]}{node.span.text}"):
-        ctx.sink.report("E0405", node.span, help=f"powers of ten are written with `e`: `{tens}`", edit=None, **values)
+    way = None
+    if power := _POWER.search(before):
+        way = f"powers of ten are written with `e`: `{power[1]}e{power[2]}{node.span.text}`"
     elif exponent := _EXPONENT.search(before):
         way = f"a negative exponent stands behind `^`: `{exponent[0][:-1]}^-{node.span.text}`"
-        ctx.sink.report("E0405", node.span, help=way, edit=None, **values)
+    if way is None:
+        ctx.sink.report("E0405", node.span, number=bare, preposition=what, words=words, unit=unit)
     else:
-        ctx.sink.report("E0405", node.span, **values)
+        texts = {"number": bare, "preposition": what, "words": words, "unit": unit}
+        ctx.sink.report("E0405", node.span, help=way, edit=None, notes=(), **texts)
 
 
 def report_unequal(
@@ -83,7 +85,7 @@ def report_unequal(
             what = BESIDE.get(verb, BESIDE[""])
             unit = unit_text(other)
             words = describe(other)
-            _report_bare(ctx, node, what, words, unit)
+            _report_bare(ctx, node, bare, what, words, unit)
             return
     first, second = left[1] or DIMENSIONLESS, right[1] or DIMENSIONLESS
     ctx.sink.report(
