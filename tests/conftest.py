@@ -8,7 +8,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from _pytest.runner import runtestprotocol
 from choice import EXPLORE, examples
+from costs import Costs
 from hypothesis import settings
 
 # The same examples in every run, so that a failure belongs to the change at hand; LAGDSL_EXPLORE=1 looks for new ones.
@@ -21,9 +23,31 @@ ROOT = Path(__file__).parents[1]
 UNTRACED = ("attack", "benchmarks", "fuzz", "models", "oracle", "packaging", "physics", "properties")
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--cpu", action="store_true", help="list the CPU seconds of test files")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("cpu"):
+        config.pluginmanager.register(Costs())
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
+    """Processes of pytest-xdist send five messages for each test, which take as long as many a test does. One is enough
+    where nothing fails: how it ended."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        return None
+    for report in runtestprotocol(item, nextitem=nextitem, log=False):
+        if report.when == "call" or not report.passed or report.user_properties:
+            item.ihook.pytest_runtest_logreport(report=report)
+    return True
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    folders = tuple(f"tests/{name}/" for name in UNTRACED)
     for item in items:
-        if item.path.relative_to(ROOT / "tests").parts[0] in UNTRACED:
+        if item.nodeid.startswith(folders):
             item.add_marker(pytest.mark.no_cover)
 
 

@@ -90,8 +90,11 @@ def test_every_form_gives_the_same_bits_and_means_the_graph(name: str, monkeypat
                     assert abs(value - meaning) <= 1e-12 * size + 1e-300, function.name
 
 
-@pytest.mark.parametrize("form", ["straight", "rolled"])
-@pytest.mark.parametrize("name", ["pendulum", "chain", "closed_chain", "quaternion_body"])
+NAMES = ("pendulum", "chain", "closed_chain", "quaternion_body")
+LANES = ("straight", "rolled")
+
+
+@pytest.mark.parametrize(("name", "form"), chosen(product(NAMES, LANES), list(zip(NAMES, LANES * 2, strict=True))))
 def test_lanes_give_the_bits_of_single_states(name: str, form: str, monkeypatch: pytest.MonkeyPatch) -> None:
     program = PROGRAMS[name]()
     engine = CEngine(program)
@@ -112,9 +115,7 @@ BY = ("state", "input", "parameter")
 EACH = [("chain", "state"), ("closed_chain", "parameter"), *(("pendulum", by) for by in BY)]
 
 
-@pytest.mark.parametrize(
-    ("name", "by"), chosen(product(("pendulum", "chain", "closed_chain", "quaternion_body"), BY), EACH)
-)
+@pytest.mark.parametrize(("name", "by"), chosen(product(NAMES, BY), EACH))
 def test_directions_in_lanes_are_those_one_after_the_other(name: str, by: str, monkeypatch: pytest.MonkeyPatch) -> None:
     program = PROGRAMS[name]()
     given = [_arguments(program, seed) for seed in range(3)]

@@ -49,11 +49,10 @@ def test_no_number_is_used_twice():
     assert len(numbers) == len(set(numbers))
 
 
-@pytest.mark.parametrize("code", ROWS)
-def test_words_of_a_row(code):
-    row = ROWS[code]
-    for text in (row.message, row.label, row.help, row.secondary):
-        assert all(name.isidentifier() for name in fields(text))
+def test_fields_of_the_words_are_names():
+    for code, row in ROWS.items():
+        for text in (row.message, row.label, row.help, row.secondary):
+            assert all(name.isidentifier() for name in fields(text)), code
         assert text is None or (text == text.strip() and not text.endswith("."))
     assert row.message[0].islower() or row.message[0] in "{`" or row.message[:2].isupper()
 

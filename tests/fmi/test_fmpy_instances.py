@@ -54,7 +54,7 @@ def begun(instance: Slave, name: str, tolerance: float = 1e-8) -> tuple[tuple[st
     return signals(motion(name)), times
 
 
-@in_versions(EVERY)
+@in_versions(chosen(EVERY, SAMPLE[::2]))
 def test_a_state_taken_back_goes_on_with_the_same_bits(name: str, version: int) -> None:
     """In the same instance, and in another one that was somewhere else."""
     with slave(exported(name, version)) as one, slave(exported(name, version)) as other:
@@ -96,7 +96,7 @@ def test_a_state_goes_on_in_another_process_with_the_same_bits(name: str, versio
     np.testing.assert_array_equal(np.array(found), expected)
 
 
-@in_versions(SAMPLE)
+@in_versions(chosen(SAMPLE, SAMPLE[1::2]))
 def test_reset_is_a_new_instance(name: str, version: int) -> None:
     with slave(exported(name, version)) as one:
         names, times = begun(one, name)
@@ -110,7 +110,7 @@ def test_reset_is_a_new_instance(name: str, version: int) -> None:
         np.testing.assert_array_equal(one.rows(names, times), fresh)
 
 
-@in_versions(SAMPLE)
+@in_versions(chosen(SAMPLE, SAMPLE[::2]))
 def test_instances_in_threads_do_not_know_of_each_other(name: str, version: int) -> None:
     """fmpy loads libraries in one thread only: it changes the folder of the process meanwhile."""
     fmu = exported(name, version)
@@ -121,8 +121,7 @@ def test_instances_in_threads_do_not_know_of_each_other(name: str, version: int)
             np.testing.assert_array_equal(rows, expected)
 
 
-@BOTH
-@pytest.mark.parametrize("name", ["double_pendulum", "four_bar", "bouncing_ball_modelica", "newtons_cradle"])
+@in_versions(["double_pendulum", "four_bar", "bouncing_ball_modelica", "newtons_cradle"])
 def test_what_does_not_know_the_time_does_the_same_at_another(name: str, version: int) -> None:
     later = 3.0
     with slave(exported(name, version)) as one:
@@ -143,8 +142,7 @@ def test_clocks_tick_at_their_own_times_when_one_starts_later(version: int) -> N
         assert one.update() == pytest.approx(0.015, abs=1e-12)
 
 
-@BOTH
-@pytest.mark.parametrize("name", ["double_pendulum", "four_bar", "clutch", "chain"])
+@in_versions(["double_pendulum", "four_bar", "clutch", "chain"])
 def test_lengths_of_communication_steps_do_not_matter(name: str, version: int) -> None:
     """A thousand short ones or a dozen long ones: the integrator keeps its own steps."""
     reference = motion(name)
