@@ -245,7 +245,8 @@ class Instant:
         s = self._driven_in(s, b)
         while True:
             closed = [int(i) for i in np.flatnonzero(s.w[system.contacts] > 0)]
-            apart = self._apart(s, b, closed) or self._soon_apart(s, b, closed)
+            begins = self._begins(s, b, closed)
+            apart = [i for i in self._apart(s, b, closed) if i not in begins] or self._soon_apart(s, b, closed, begins)
             if not apart:
                 return s
             w = s.w.copy()
@@ -264,14 +265,23 @@ class Instant:
         acceleration, terms = pushed(found, rows, 2 * none[closed])
         return [i for i, a, size in zip(closed, acceleration, terms, strict=True) if a > _NO_ACCELERATION * size]
 
-    def _soon_apart(self, s: State, b: list[float], closed: list[int]) -> list[int]:
-        """A force that begins here is zero but for the round-off of the time: those that part a moment later."""
+    def _begins(self, s: State, b: list[float], closed: list[int]) -> list[int]:
+        """Of the closed contacts those whose force begins here: it is zero but for the round-off of the time."""
+        system = self._system
+        if not closed:
+            return []
+        then = system.later(s, b, AHEAD)
+        now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
+        return [closed[k] for k in np.flatnonzero(np.abs(now) < NOW / AHEAD * np.abs(later - now))]
+
+    def _soon_apart(self, s: State, b: list[float], closed: list[int], begins: list[int]) -> list[int]:
+        """Those without a force here, up to round-off of the time, that part a moment later."""
         system = self._system
         if not closed:
             return []
         none, then = system.no_forces(s, b)[closed], system.later(s, b, AHEAD)
         now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
-        zero = np.abs(now) <= np.maximum(2 * none, NOW / AHEAD * np.abs(later - now))
+        zero = (np.abs(now) <= 2 * none) | np.isin(closed, begins)
         pulling = zero & (later < -2 * none)
         return [i for i in self._apart(then, b, closed) if pulling[closed.index(i)]]
 
