@@ -26,6 +26,7 @@ _MODELS = sorted(
     for path in (_ROOT / "models" / folder).glob("*.lag")
 )
 _SOME = ["bead_on_hoop", "coupled_oscillators", "double_pendulum", "elastic_pendulum", "three_masses"]
+_CONSTRAINED = ["bead_on_circular_wire_redundant", "pendulum_two_dependent_constraints"]
 EQUAL_PENDULA = """
 model EqualPendula
   parameter Mass m = 2 kg;
@@ -142,7 +143,7 @@ REASONS = [
         "Time occurs",
     ),
     ("coordinate Length x; mass 1 kg at {x, 0}; gravity = -g_n*world.y; force -sign(der(x))*(1 N) on x;", "corners"),
-    ("coordinate Length x, y; mass 1 kg at {x, y}; gravity = -g_n*world.y; constraint c: y = x;", "constraint rows"),
+    ("coordinate Length x, y; mass 1 kg at {x, y}; gravity = -g_n*world.y; constraint c: der(y) = 0;", "of rates"),
     ("coordinate Angle x; kinetic (1 kg.m2)*der(x)^2; potential (1 J)*(x*sin(x) + cos(2*x));", "short roots"),
 ]
 
@@ -153,6 +154,57 @@ def test_what_is_not_looked_for_has_a_reason(body: str, words: str) -> None:
     assert found.reason is not None
     assert words in found.reason
     assert not found.equilibria
+
+
+def test_a_bead_on_a_circle_rests_in_the_direction_of_its_loads() -> None:
+    """On x² + y² = R² under (F, -m g): at ±R (F, -m g)/√(F² + m² g²)."""
+    found = studied(_ROOT / "models/bead_on_circular_wire_redundant.lag")
+    v = {"m": 0.3, "R": 0.7, "F": -2.0, "g_n": 9.81}
+    size = sqrt(v["F"] ** 2 + (v["m"] * v["g_n"]) ** 2)
+    along = np.array([v["F"], -v["m"] * v["g_n"]]) / size
+    places = [[number(value, v) for _, value in each.at] for each in found.equilibria]
+    # the wire's force λ ∂(x² + y² - R²)/∂r balances the loads: 2 λ r = -(F, -m g)
+    expected = [[*(sign * v["R"] * along), -sign * size / (2 * v["R"])] for sign in (1, -1)]
+    np.testing.assert_allclose(sorted(places), sorted(expected), rtol=1e-12)
+    assert not any(each.conditions for each in found.equilibria)
+
+
+def test_a_ladder_between_wall_and_ground_rests_upright_only() -> None:
+    """Its ends slide on wall and ground: x = l/2 cos θ, y = l/2 sin θ. It stands up or hangs down, its weight on the
+    ground and no force at the wall."""
+    found = studied(_ROOT / "models/sliding_ladder.lag")
+    v = {"m": 3.0, "l": 2.0, "g_n": 9.81}
+    places = sorted([number(value, v) for _, value in each.at] for each in found.equilibria)
+    weight = v["m"] * v["g_n"]
+    np.testing.assert_allclose(places, [[0, -1, -pi / 2, 0, weight], [0, 1, pi / 2, 0, weight]], atol=1e-12)
+
+
+@pytest.mark.parametrize("name", chosen(_MODELS, _CONSTRAINED))
+def test_at_equilibria_under_constraints_nothing_accelerates(name: str) -> None:
+    """In the other derivation: the constraints hold and f + J' λ = 0, whatever value a free multiplier has."""
+    model, compared = lagdsl.compile(_ROOT / "models" / f"{name}.lag"), 0
+    derivation = model.derive()
+    if not any(each.level == "position" and not each.contact for each in model._compilation.flat.constraints):
+        return
+    names = [item.name for item in model._compilation.flat.coordinates]
+    rows = [f"multiplier({row})" for each in model._compilation.flat.constraints for row in each.rows]
+    for each in derivation.equilibria:
+        if not each.exists:
+            continue
+        free = {symbol: Float(0.3, 17) for symbol in each.arbitrary}
+        values = {symbol.name: model_number(model, value.xreplace(free)) for symbol, value in each.at}
+        values |= {symbol.name: 0.3 for symbol in each.arbitrary}
+        engine, p = model._engine, np.array(model._engine.layout.defaults, dtype=np.float64)
+        _, _, z, u = engine.evaluate("start", 0.0, p)[:4]
+        q, lam = np.array([values[x] for x in names]), np.array([values.get(x, 0.0) for x in rows])
+        w = np.zeros(len(engine.layout.discretes))
+        _, force, jacobian, _ = engine.evaluate("dynamics", 0.0, q, 0 * q, z, u, w, p)
+        upheld = np.reshape(jacobian, (len(lam), len(q))).T @ lam
+        np.testing.assert_allclose(force + upheld, 0.0, atol=1e-9 * (1 + np.abs(force).max()))
+        residual = engine.evaluate("position_constraint", 0.0, q, 0 * q, z, u, w, p)[0]
+        np.testing.assert_allclose(residual, 0.0, atol=1e-9)
+        compared += 1
+    assert compared or name not in _CONSTRAINED
 
 
 def test_nowhere_at_rest() -> None:

@@ -51,6 +51,8 @@ _ZERO = Number("0")
 _LONGEST_ROOT = 40
 _LONGEST_FRACTION = 76
 _REST = "At rest, with all rates and accelerations zero, the equations of motion are:"
+_REST_CONSTRAINED = "At rest, with all rates and accelerations zero, the equations of motion and the constraints are:"
+_OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` finds them."
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
@@ -98,18 +100,19 @@ def small_motions(page: Page) -> list[Block]:
     if found.held:
         held = [Row((page.notation.of(u), EQUALS, page.typeset(value))) for u, value in found.held]
         blocks.append(Paragraph((Text("Inputs are held at their defaults: "), *listed(held), Text("."))))
+    count = len(page.derivation.symbols.q)
     lines = tuple(
-        Equation(page.typeset(value), _ZERO, unit=page.unit(Units.force, j))
+        Equation(page.typeset(value), _ZERO, unit=page.unit(Units.force, j) if j < count else None)
         for j, value in enumerate(found.statics)
         if value != 0
     )
     if not lines:
         return [*blocks, Paragraph(text(_EVERYWHERE))]
-    blocks += [Paragraph(text(_REST)), Equations(lines)]
+    blocks += [Paragraph(text(_REST_CONSTRAINED if found.constrained else _REST)), Equations(lines)]
     if not found.equilibria:
         return [*blocks, Paragraph(text(_NOWHERE))]
     for group in _alike(found.equilibria):
-        blocks += _equilibrium(page, group)
+        blocks += _equilibrium(page, group, constrained=found.constrained)
     return blocks
 
 
@@ -126,7 +129,7 @@ def _alike(equilibria: Sequence[Equilibrium]) -> list[list[Equilibrium]]:
     return result
 
 
-def _equilibrium(page: Page, group: Sequence[Equilibrium]) -> list[Block]:
+def _equilibrium(page: Page, group: Sequence[Equilibrium], *, constrained: bool) -> list[Block]:
     first = group[0]
     opening: list[Strong | Text | Math] = [Strong("Equilibrium"), Text(" ")]
     for number, place in enumerate(_places(page, group)):
@@ -135,6 +138,8 @@ def _equilibrium(page: Page, group: Sequence[Equilibrium]) -> list[Block]:
         opening += [Text(", where "), Math(_condition(page, condition))]
     if first.conditions and not first.exists:
         opening.append(Text(", which is not so for the values above"))
+    if constrained:
+        return [Paragraph((*opening, *with_code(_OF_CONSTRAINED)))]
     if first.linear is None:
         return [Paragraph((*opening, Text(". Its linear equations are too long to print.")))]
     blocks: list[Block] = [Paragraph((*opening, Text(". For small deviations δ:")))]

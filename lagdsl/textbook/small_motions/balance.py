@@ -12,7 +12,7 @@ from lagdsl.flat.expression import Number
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, readable_number, whole_sums
-from lagdsl.textbook.recipe import Derivation
+from lagdsl.textbook.recipe import ConstraintRow, Derivation
 from lagdsl.textbook.tidy import Tidy, size
 
 LONGEST = 400
@@ -25,12 +25,14 @@ class Balance:
     """Equations of motion as residuals, left-hand side less right-hand side, one per coordinate, then the constraint
     rows as accelerations; `unknowns` are the accelerations, then the multipliers of these rows.
 
-    Contacts are open, so that their multipliers are zero. `numbers` are the values of all that is constant.
+    Contacts are open, so that their multipliers are zero; `rows` are the other constraint rows. `numbers` are the
+    values of all that is constant.
     """
 
     flat: FlatModel
     derivation: Derivation
     residuals: tuple[Expr, ...]
+    rows: tuple[ConstraintRow, ...]
     unknowns: tuple[Symbol, ...]
     tidy: Tidy
     numbers: Mapping[Symbol, float]
@@ -62,6 +64,7 @@ def balance(flat: FlatModel, derivation: Derivation) -> Balance:
         flat=flat,
         derivation=derivation,
         residuals=tuple(e.xreplace(open_) for e in (*equations, *(row.acceleration for row in lasting))),
+        rows=lasting,
         unknowns=(*table.qdd, *(row.multiplier for row in lasting)),
         tidy=tidy,
         numbers=numbers,

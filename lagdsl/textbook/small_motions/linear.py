@@ -66,9 +66,7 @@ def linear(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr], 
         values = ((balance.tidy(partial(each, x).xreplace(rest)) for x in by) for each in residuals)
         return tuple(tuple(balance.tidy(value.xreplace(at)) for value in row) for row in values)
 
-    mass = derivatives(table.qdd)
-    if balance.tidy.is_zero(determinant(mass)):
-        raise SingularError
+    mass = regular(balance, residuals, at)
     damping, stiffness = derivatives(table.qd), derivatives(table.q)
     for entry in chain.from_iterable((*mass, *damping, *stiffness)):
         if size(entry) > _LONGEST_ENTRY or entry.free_symbols & {*table.q}:
@@ -76,6 +74,17 @@ def linear(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr], 
         if real and not math.isfinite(balance.number(entry)):
             raise NotLinearError
     return _with_frequencies(balance, mass, damping, stiffness)
+
+
+def regular(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr]) -> Square:
+    """The mass matrix at a place; raises SingularError where it has no inverse. Constraint rows have no part in it."""
+    table = balance.derivation.symbols
+    rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
+    rows = ((partial(each, x).xreplace(rest).xreplace(at) for x in table.qdd) for each in residuals[: len(table.q)])
+    mass = tuple(tuple(balance.tidy(value) for value in row) for row in rows)
+    if balance.tidy.is_zero(determinant(mass)):
+        raise SingularError
+    return mass
 
 
 def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness: Square) -> Linear:

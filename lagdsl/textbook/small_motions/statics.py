@@ -113,7 +113,14 @@ def _settled(balance: Balance, place: Place, unknowns: Sequence[Symbol]) -> Plac
     """In the order of the coordinates, angles without whole turns, conditions in constants alone."""
     at = {x: _without_turns(place.at[x]) for x in unknowns if x in place.at}
     conditions = (Condition(c.kind, balance.tidy(c.value.xreplace(at))) for c in place.conditions)
-    return Place(at, tuple(dict.fromkeys(conditions)))
+    return Place(at, tuple(dict.fromkeys(c for c in conditions if not _is_certain(balance, c))))
+
+
+def _is_certain(balance: Balance, condition: Condition) -> bool:
+    """True if SymPy sees that it holds for all real values of the parameters, positive ones where they are so."""
+    present, positive = condition.value.free_symbols, balance.tidy.positive
+    known = {s: Symbol(s.name, positive=True) if s in positive else Symbol(s.name, real=True) for s in present}
+    return condition.kind == "nonnegative" and bool(condition.value.xreplace(known).is_nonnegative)
 
 
 def _without_turns(value: Expr) -> Expr:

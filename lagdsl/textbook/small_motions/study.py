@@ -17,7 +17,7 @@ from lagdsl.textbook import functions
 from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.accelerations import Accelerations, accelerations
 from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, defaults, written_out
-from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, linear
+from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, linear, regular
 from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
 from lagdsl.textbook.small_motions.statics import Place, places
 from lagdsl.textbook.tidy import TooLargeError, size
@@ -27,8 +27,8 @@ _POLES = (zoo, oo, -oo, nan)
 _TOO_LONG = (
     "The equations of equilibrium are too long for roots in symbols; `lag trim` finds an equilibrium in numbers."
 )
-_CONSTRAINED = (
-    "Equilibria of a system with constraint rows are found in numbers by `lag trim`, their modes by `lag modes`."
+_ROLLING = (
+    "Constraints of rates leave configurations free: `lag trim` finds an equilibrium in numbers, `lag modes` its modes."
 )
 _STATES = "First-order states occur in the equations: `lag trim` and `lag modes` look at both together."
 _TIME = "Time occurs in the equations, so that no equilibrium lasts."
@@ -38,8 +38,9 @@ _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` find
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Equilibrium:
-    """`at` are values of coordinates; those that are not in it are `arbitrary`. `exists` tells whether the `conditions`
-    hold for the parameters of the model. `linear` is None where the linear equations are not short."""
+    """`at` are values of coordinates and multipliers; those that are not in it are `arbitrary`. `exists` tells whether
+    the `conditions` hold for the parameters of the model. `linear` is None where the linear equations are not short,
+    and under constraints."""
 
     at: tuple[tuple[Symbol, Expr], ...]
     arbitrary: tuple[Symbol, ...]
@@ -52,13 +53,15 @@ class Equilibrium:
 class Study:
     """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why.
 
-    `statics` are the residuals at rest, one per coordinate, with the inputs `held` at their default."""
+    `statics` are the residuals at rest, one per coordinate, then the constraint rows, if the system is `constrained`,
+    with the inputs `held` at their default."""
 
     accelerations: Accelerations
     statics: tuple[Expr, ...]
     held: tuple[tuple[Symbol, Expr], ...]
     equilibria: tuple[Equilibrium, ...]
     reason: str | None
+    constrained: bool = False
 
 
 def study(flat: FlatModel, derivation: Derivation) -> Study:
@@ -66,7 +69,9 @@ def study(flat: FlatModel, derivation: Derivation) -> Study:
     found = balance(flat, derivation)
     solved = accelerations(found)
     held = defaults(found)
-    residuals = written_out(derivation, found.residuals)
+    rows = tuple(row.residual for row in found.rows)
+    count = len(derivation.symbols.q)
+    residuals = written_out(derivation, (*found.residuals[:count], *rows))
     reason = _reason(found, residuals)
     used = tuple((u, value) for u, value in held.items() if any(u in each.free_symbols for each in residuals))
     if reason is None:
@@ -74,14 +79,21 @@ def study(flat: FlatModel, derivation: Derivation) -> Study:
         statics, equilibria, reason = _equilibria(found, residuals)
     if reason is not None:
         return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
-    return Study(accelerations=solved, statics=statics, held=used, equilibria=equilibria, reason=None)
+    return Study(
+        accelerations=solved,
+        statics=statics,
+        held=used,
+        equilibria=equilibria,
+        reason=None,
+        constrained=bool(rows),
+    )
 
 
 def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     """None where the form of the equations lets equilibria be looked for."""
     table = balance.derivation.symbols
-    if len(balance.unknowns) > len(table.q):
-        return _CONSTRAINED
+    if any(row.level != "position" for row in balance.rows):
+        return _ROLLING
     if any(size(each) > LONGEST for each in residuals):
         return _TOO_LONG
     present = {symbol for each in residuals for symbol in each.free_symbols}
@@ -90,7 +102,7 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     if table.time in present:
         return _TIME
     moving = {*table.q, *table.qd, *table.qdd}
-    known = {*moving, *table.u, *balance.numbers}
+    known = {*moving, *balance.unknowns, *table.u, *balance.numbers}
     switches = {n for each in residuals for n in each.atoms(Function) if type(n).__module__ == functions.__name__}
     if any(node.free_symbols & moving for node in switches) or not present <= known:
         return _SWITCHES
@@ -104,12 +116,17 @@ def _equilibria(
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
     statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
     try:
-        found = places(balance, statics, table.q)
+        found = places(balance, statics, _unknowns(balance))
         lasting = [each for each in found if _holds(balance, statics, each)]
         equilibria = tuple(e for each in lasting if (e := _equilibrium(balance, residuals, each)) is not None)
     except (NotSolvedError, TooLargeError):
         return statics, (), _NOT_SOLVED
     return statics, equilibria, None
+
+
+def _unknowns(balance: Balance) -> tuple[Symbol, ...]:
+    """Coordinates, then multipliers."""
+    return (*balance.derivation.symbols.q, *(row.multiplier for row in balance.rows))
 
 
 def _holds(balance: Balance, statics: Sequence[Expr], place: Place) -> bool:
@@ -118,9 +135,7 @@ def _holds(balance: Balance, statics: Sequence[Expr], place: Place) -> bool:
     if any(value.has(*_POLES) for value in values):
         return False
     if _real(balance, place):
-        numbers = [
-            balance.number(value) for value in values if not value.free_symbols & {*balance.derivation.symbols.q}
-        ]
+        numbers = [balance.number(value) for value in values if not value.free_symbols & {*_unknowns(balance)}]
         if any(not abs(number) < _ROUNDING * (1 + _scale(balance)) for number in numbers):
             raise NotSolvedError
     return True
@@ -141,9 +156,12 @@ def _fulfilled(balance: Balance, condition: Condition) -> bool:
 
 def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> Equilibrium | None:
     """None where the mass matrix is singular: a place of the coordinates alone, as the origin of polar ones."""
-    arbitrary = tuple(q for q in balance.derivation.symbols.q if q not in place.at)
+    arbitrary = tuple(x for x in _unknowns(balance) if x not in place.at)
     exists = _real(balance, place)
     try:
+        if balance.rows:
+            regular(balance, residuals, place.at)
+            raise NotLinearError
         about = linear(balance, residuals, place.at, real=exists)
     except SingularError:
         return None
