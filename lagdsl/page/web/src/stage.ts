@@ -297,6 +297,16 @@ function round(value: number, step: number): number {
   return Math.round(value / step) * step;
 }
 
+/** How far a thing of a size of its own reaches from its place, where the motion begins. */
+function reach(head: Head, shape: Shape, motion: Motion): number {
+  const number = (role: string, k = 0): number => (role in shape.numbers ? motion.at(0, head.scene.first + shape.numbers[role] + k) : 0);
+  if (motion.count === 0) return 0;
+  if (shape.kind !== "body") return Math.max(number("radius"), 0.5 * number("length"), 0.5 * number("height"));
+  // Of an ellipsoid a² + b² + c² = 5 (I_xx + I_yy + I_zz)/(2 m).
+  const square = (2.5 * (number("inertia") + number("inertia", 1) + number("inertia", 2))) / number("mass");
+  return square > 0 && Number.isFinite(square) ? 0.6 * Math.sqrt(square) : 0;
+}
+
 /** All places of the scene along the motion. */
 function extent(head: Head, motion: Motion): Box3 {
   const box = new Box3();
@@ -307,7 +317,7 @@ function extent(head: Head, motion: Motion): Box3 {
     for (const role of ["at", "to"]) {
       if (!(role in shape.numbers)) continue;
       const first = head.scene.first + shape.numbers[role];
-      const radius = "radius" in shape.numbers ? motion.at(0, head.scene.first + shape.numbers.radius) : 0;
+      const radius = reach(head, shape, motion);
       for (let row = 0; row < motion.count; row += stride) {
         point.set(motion.at(row, first), motion.at(row, first + 1), motion.at(row, first + 2));
         if (!Number.isFinite(point.x + point.y + point.z)) continue;
