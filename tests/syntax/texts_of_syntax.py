@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+from choice import spread
+
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -12,7 +14,8 @@ from lagdsl.syntax.parser import parse, parse_expression
 
 CORPUS = Path(__file__).parents[1] / "corpus" / "syntax"
 MODELS = Path(__file__).parents[2] / "models"
-TEXTS = sorted(CORPUS.glob("*.lag")) + sorted(MODELS.glob("*.lag"))
+# The format of every model is compared in tests/models.
+TEXTS = sorted(CORPUS.glob("*.lag")) + spread(sorted(MODELS.glob("*.lag")), 12)
 
 
 def parsed(text: str) -> tuple[nodes.Unit | None, tuple[Diagnostic, ...]]:
