@@ -181,6 +181,10 @@ def test_a_page_prints_all_panels(browser: Any, tmp_path: Path) -> None:
         assert opened.page.locator(f"#{name}-panel").is_visible()
     for name in ("tools", "player"):
         assert not opened.page.locator(f"#{name}").is_visible()
+    assert opened.page.locator("#values tr", has_text="deg").first.inner_text().split() == ["a", "30", "deg"]
+    canvas, stage = (opened.page.locator(place).bounding_box() for place in ("#stage canvas", "#stage"))
+    assert canvas is not None and stage is not None
+    assert canvas["width"] <= stage["width"] and canvas["height"] <= stage["height"]
     assert len(opened.page.pdf()) > 20_000
     opened.page.close()
 

@@ -72,6 +72,8 @@ class Page {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.stage.theme());
     this.say(head.said);
     this.pose(head.start);
+    this.tell();
+    window.addEventListener("beforeprint", () => this.tell());
     if (head.modes !== undefined) place("sliders-tab").textContent = "Modes";
     new Runs(head, place("sliders"), (run) => this.choose(run));
     if (motions.length > 1 && head.modes === undefined) this.curves.behind(motions);
