@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 from compiled_programs import program_of
-from fuzz.agreement import FACTOR, INSTANT, SECONDS, HangError, Report, Run, limited, run
+from fuzz.agreement import FACTOR, INSTANT, HangError, Report, Run, limited, run
 from numpy.typing import NDArray
 from stepping.events import UnsettledError
 from stepping.motion import Motion, motion
@@ -31,6 +31,8 @@ TOLD = ("impact", "closed", "opened", "tick")
 CROWDED = 1e-5
 # States may differ by so many times what the engine differs from itself, or by this part of the range.
 PART = 1e-7
+# Seconds of the processor for the oracle: 340 bounces of a plank that comes to rest take it half of them.
+PATIENCE = 60
 
 
 def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = (), scales: Scales = ONE) -> Report:
@@ -46,7 +48,7 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
         return Report("differs", f"ends with {found.code}")
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
-        with limited(SECONDS):
+        with limited(PATIENCE):
             oracle = motion(program_of(text), stop, np.unique(times), known, min([1.0, *scales.values()]))
     except HangError:
         return Report("hang", "oracle")
