@@ -36,8 +36,8 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-# The jobs of this make are none of those that tests start.
-ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
+# The jobs of this make are none of those that tests start. Every core has a process: threads of OpenBLAS would wait for work on it.
+ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL OPENBLAS_NUM_THREADS=1
 
 # Tests of a file share what they compile. In the order of their names many small ones come last: all processes end together.
 # A process that crashes ends the run: pytest-xdist would wait for the rest of its files for ever.
