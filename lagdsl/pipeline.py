@@ -122,14 +122,14 @@ def _structured(
     The model says which names are structural, and other values of these may bring others: it is flattened anew until
     nothing is left to set. Only the diagnostics of the last one count.
     """
-    if structure is None:
-        from lagdsl.settings.settings import structure_of as structure
+    from lagdsl.settings.settings import structure_of
 
+    read = structure_of if structure is None else structure
     chosen: dict[str, float] = {}
     for left in range(len(pairs), -1, -1):
         found = Sink()
         flat = flatten(unit, found, model=model, structural=chosen)
-        wanted = structure(flat, pairs) if flat is not None else chosen
+        wanted = read(flat, pairs) if flat is not None else chosen
         if wanted == chosen or left == 0:
             break
         chosen = wanted

@@ -24,8 +24,8 @@ def check_constraints(flat: fm.FlatModel, sink: Sink) -> None:
     """E0609 for each row that changes, but not continuously with the coordinates."""
     coordinates = {item.name for item in flat.coordinates}
     events = flat.events
-    steps = (*events.relations, *events.discretes, *events.timed)
-    changing = {item.name for item in (*flat.states, *flat.inputs, *steps)} | coordinates | {"time"}
+    changing = coordinates | {"time"} | {item.name for item in (*flat.states, *flat.inputs, *events.discretes)}
+    changing |= {each.name for each in events.relations} | {each.name for each in events.timed}
     for constraint in flat.constraints:
         if constraint.contact or constraint.closure is not None:
             continue
