@@ -399,3 +399,10 @@ def test_names_that_other_structure_brings(invoke: Invoke, tmp_path: Path) -> No
         assert result.exit_code == 2 and "has no parameter `m[2]`; did you mean `m[1]`" in words(result)
     result = invoke("check", path, "--set", "N=30", "--set", "wrong=5 kg")
     assert "and 79 more" in words(result)
+
+
+@pytest.mark.parametrize("given", [("--set", "gain=0:0.1:3"), ("--set", "gain=1, 2"), ("--input", "tau=1, 2 N.m")])
+def test_one_value_where_one_is_meant(invoke: Invoke, tmp_path: Path, given: tuple[str, str]) -> None:
+    (tmp_path / "two.lag").write_text(TWO)
+    found = invoke("run", tmp_path / "two.lag", *given, *SHORT)
+    assert found.exit_code == 2 and "one value stands here, as in 2 kg; `lag sweep --set` takes ranges" in found.stderr

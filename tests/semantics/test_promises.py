@@ -69,6 +69,9 @@ def test_a_number_takes_both_words(word: str, declaration: str) -> None:
         ("type Bend = Angle; coordinate Bend y", "force 2 N.m on y", ["E0412"]),
         ("coordinate Length y", "torque 2 N on y", ["E0412"]),
         ("coordinate Length y", "force 2 N on y", []),
+        ("coordinate Real y(start = 1)", "force 2 J on y^2", []),
+        ("coordinate Real y", "torque 2 J on (-2*y)", []),
+        ("coordinate Angle y", "force 2 J on 2*y", ["E0412"]),
     ],
 )
 def test_angles_and_lengths_take_one_word(declaration: str, load: str, codes: list[str]) -> None:

@@ -248,7 +248,15 @@ def _with_unit(node: nodes.Expression, wanted: Dimension, found: AnyDimension) -
 
 
 def _is_plain_number(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
-    """True if the target is declared without a unit: no angle, so that what acts on it is a force or a torque alike."""
+    """True if the target is declared without a unit, or an expression of such: no angle, so that what acts on it is a
+    force or a torque alike."""
+    if isinstance(node, nodes.Parenthesized):
+        return _is_plain_number(ctx, scope, node.inner)
+    if isinstance(node, nodes.Unary):
+        return _is_plain_number(ctx, scope, node.operand)
+    if isinstance(node, nodes.Binary):
+        numbers = [side for side in (node.left, node.right) if not isinstance(side, nodes.Number)]
+        return bool(numbers) and all(_is_plain_number(ctx, scope, side) for side in numbers)
     found = named_element(ctx, scope, node)
     info = found[0].info if found is not None else None
     return info is not None and info.unit == "1" and (info.dimension or DIMENSIONLESS).is_dimensionless
