@@ -50,9 +50,6 @@ def literal(name: str, text: str, example: str = "2 kg") -> Literal:
     for fault in sink.diagnostics:
         if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
             raise SettingError(f"{where}: {fault.message}; {fault.help}")
-    if any(mark in text for mark in (":", ",", "(")):
-        many = "`lag sweep --set` takes ranges and lists"
-        raise SettingError(f"{where}: one value stands here, as in {example}; {many}")
     raise SettingError(f"{where}: expected a number with or without a unit, as in {example}")
 
 

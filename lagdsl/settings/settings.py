@@ -43,6 +43,7 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     known = targets(flat)
     for name, text in spread(pairs, known).items():
         target = find(flat, name, known)
+        _require_one(name, text)
         given = value_of(target, text)
         if lacks_unit(target, given):
             note_lacking_unit(target, text, given.value, sink)
@@ -68,8 +69,15 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
         if name not in known:
             hint = did_you_mean(name, known, f"inputs: {listing(name, known)}")
             raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
+        _require_one(name, text)
         given = value_of(known[name], text)
         if lacks_unit(known[name], given):
             note_lacking_unit(known[name], text, given.value, sink)
         values[name] = given.value
     return values
+
+
+def _require_one(name: str, text: str) -> None:
+    if ":" in text or "," in text:
+        hint = "`lag sweep --set` takes ranges and lists"
+        raise SettingError(f"{name}={short(text)}: one value stands here, as in 2 kg; {hint}")
