@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from lagdsl.highlight import tree_sitter
 from lagdsl.highlight.textmate import textmate
 from lagdsl.resources import grammar_file
 
 TEXTMATE = "editors/vscode/syntaxes/lag.tmLanguage.json"
+TREE_SITTER = "editors/tree-sitter-lagdsl"
 
 
 def files() -> dict[str, str]:
     """Texts of the generated files by their paths in the source tree."""
-    return {TEXTMATE: textmate()}
+    return {
+        TEXTMATE: textmate(),
+        f"{TREE_SITTER}/grammar.js": tree_sitter.grammar(),
+        f"{TREE_SITTER}/queries/highlights.scm": tree_sitter.highlights(),
+        f"{TREE_SITTER}/src/units.h": tree_sitter.units(),
+    }
 
 
 def write(root: Path) -> None:
