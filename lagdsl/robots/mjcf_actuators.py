@@ -16,6 +16,7 @@ from lagdsl.source import Span
 _MOTIONS = ("revolute", "prismatic")
 _TAGS = ("motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "general")
 _LEFT_OUT = "it is left out"
+_FILTER: Literal["filter"] = "filter"
 
 
 def tendons_of(places: Places, joints: list[Joint], findings: Findings) -> list[Tendon]:
@@ -93,13 +94,13 @@ def _actuator(places: Places, index: int, name: str, way: Way, force: Bounds, sp
     bias = _affine(model.actuator_biasprm[index], 3 if has_bias else 0)
     control = Bounds()
     if model.actuator_ctrllimited[index]:
-        low, high = map(float, model.actuator_ctrlrange[index])
-        control = Bounds(low=low, high=high)
-    kinds: dict[int, Literal["none", "integrator"]] = {
+        least, most = map(float, model.actuator_ctrlrange[index])
+        control = Bounds(low=least, high=most)
+    kinds: dict[int, Literal["none", "integrator", "filter"]] = {
         int(mujoco.mjtDyn.mjDYN_NONE): "none",
         int(mujoco.mjtDyn.mjDYN_INTEGRATOR): "integrator",
     }
-    activation = kinds.get(int(model.actuator_dyntype[index]), "filter")
+    activation = kinds.get(int(model.actuator_dyntype[index]), _FILTER)
     is_motor = activation == "none" and len(way) == 1 and not any((*bias, *gain[1:]))
     if is_motor:
         low, high = _narrowed(control, force, gain[0])
