@@ -17,12 +17,13 @@ def reached(
 ) -> Iterator[fx.FlatExpression]:
     """Every expression below the roots, also behind names, once; `below` gives the operands that are followed."""
     named = {item.name: item for item in flat.named}
-    seen: set[int] = set()
+    # Keeps what it has seen: the identity of an expression that nobody holds is given to the next one.
+    seen: dict[int, fx.FlatExpression] = {}
     stack = list(roots)
     while stack:
         expression = stack.pop()
         if id(expression) not in seen:
-            seen.add(id(expression))
+            seen[id(expression)] = expression
             yield expression
             stack += below(expression)
             stack += _behind(expression, named)
