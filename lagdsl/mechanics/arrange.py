@@ -9,7 +9,7 @@ from lagdsl.flat.quantity import Item
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints
 from lagdsl.mechanics.equations import Equations
-from lagdsl.mechanics.events import corner_functions, event_functions
+from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
@@ -45,7 +45,11 @@ def arrange(equations: Equations, *, dense: bool | None = None) -> Program:
         for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    functions += event_functions(equations.lowering, flat) + corner_functions(equations.lowering, flat)
+    functions += (
+        event_functions(equations.lowering, flat)
+        + corner_functions(equations.lowering, flat)
+        + way_functions(equations.lowering, flat)
+    )
     program = with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
     return program if flat.constraints else solve(equations, program)
 

@@ -15,6 +15,7 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
 from lagdsl.flat.model import Experiment, FlatModel
+from lagdsl.flat.ways import positions, turns
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
@@ -57,6 +58,19 @@ def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...
     solved = Block(name="solved", shape=(), elements=(graph.constant(float(any(moving.values()))),))
     blocks = (_vector("far", list(moving)), solved)
     return (Function(name="corner", arguments=OPTIONAL["corner"], results=blocks),)
+
+
+def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """`way` of a model in which ways of masses depend on discretes; none for others."""
+    if not entries(flat.events):
+        return ()
+    graph = lowering.graph
+    found = [
+        *(node for vector in positions(flat) for node in lowering.vector(vector)),
+        *map(lowering.scalar, turns(flat)),
+    ]
+    ways = [node for node in dict.fromkeys(found) if graph.depends(node, Group.W)]
+    return (Function(name="way", arguments=OPTIONAL["way"], results=(_vector("way", ways),)),) if ways else ()
 
 
 def _vector(name: str, nodes: Sequence[int]) -> Block:

@@ -13,8 +13,9 @@ WORDS = {
     Status.EVENT_ITERATION_FAILED: "The clauses trigger each other and never come to rest.",
     Status.CONFLICT: "Two clauses set one quantity to different values at one instant.",
     Status.ASSERTION_FAILED: "An assertion of a clause failed.",
-    Status.PENETRATION: "Two bodies that touch are inside each other at the start.",
+    Status.PENETRATION: "Two bodies that touch are inside each other.",
     Status.POSITION_JUMP: "A constraint that an event switches on asks for other positions than there are.",
+    Status.WAY_JUMP: "The position of a mass would jump.",
     Status.BRANCH_POINT: "Branches of the motion meet here; the equations do not tell which one it takes.",
     Status.BAD_CLOCK: "A clock has no positive period.",
 }

@@ -55,6 +55,7 @@ class Presence(Enum):
     ELIMINATED = "Only where the equations are solved while they are expressions"
     DISCRETES = "Only in models with discretes"
     CORNERS = "Only in models with corners"
+    WAYS = "Only in models in which ways of masses depend on discretes"
     NAMED = "Only in programs that tell every named value"
     TERMS = "Only in programs that tell the terms of their equations"
     KINEMATICS = "Only in programs that tell how chosen frames and points move"
@@ -188,6 +189,14 @@ FUNCTIONS: tuple[Signature, ...] = (
         "reads accelerations or multipliers",
         Presence.CORNERS,
     ),
+    _function(
+        "way",
+        STATE,
+        "way[nway]",
+        "positions of masses and bodies, rotation matrices of bodies, and cosines and sines of what else the kinetic "
+        "energy differentiates, as far as they depend on discretes: all of that is continuous in a motion",
+        Presence.WAYS,
+    ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
     _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
     _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
@@ -262,7 +271,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 # Lengths that a program tells by its results only.
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
-    *("ntimed", "ndistance", "ncorner"),
+    *("ntimed", "ndistance", "ncorner", "nway"),
     *("ninertial", "nplace", "naxes", "ntwist"),
 )
 

@@ -52,6 +52,7 @@ class Status(IntEnum):
     BRANCH_POINT = 17
     BAD_STATE_DATA = 18
     BAD_CLOCK = 19
+    WAY_JUMP = 20
 
 
 class InitialFault(IntEnum):
@@ -115,7 +116,7 @@ class Model(Structure):
         *_all(_evaluated(2), "clock"),
         *_all(_evaluated(7), "event time_event"),
         *_all(_evaluated(2), "corner"),
-        *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
+        *_all(_evaluated(1), "way momentum_tangent definition definition_tangent"),
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),
         *_all(_evaluated(11), "time_tangent"),
@@ -126,7 +127,7 @@ class Model(Structure):
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
-        *_all(c_size_t, "ncorner"),
+        *_all(c_size_t, "ncorner nway"),
         *_all(c_void_p, "kinds strict contact_rows"),
         *_all(c_size_t, "nswitched"),
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),

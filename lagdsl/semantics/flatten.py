@@ -66,7 +66,7 @@ def flatten(
     conventions = Conventions(unit.span.file, structural or {})
     flat, found, branches = _attempt(unit, model, conventions, incomplete)
     while not branches <= conventions.branches:
-        # a corner in the way of a mass is an event, which is known only once the way is
+        # a corner in the way of a mass or in a constraint is an event, which is known only once these are
         conventions = Conventions(unit.span.file, structural or {}, branches=branches | conventions.branches)
         flat, found, branches = _attempt(unit, model, conventions, incomplete)
     for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
@@ -227,7 +227,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     warn_unused(ctx, contents.symbols)
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
-    check_corners(ctx.product.corners, flat, dependence, ctx.sink)
+    check_corners(flat, dependence, ctx.sink)
     flat = replace(flat, events=replace(flat.events, corners=corners_of_motion(ctx.product.corners, flat)))
     check_changing_inertia(flat, dependence, ctx.sink)
     if ctx.reports.jump is not None:

@@ -26,8 +26,14 @@ _EventStatus: TypeAlias = Literal[
     Status.CONFLICT,
     Status.ASSERTION_FAILED,
     Status.POSITION_JUMP,
+    Status.WAY_JUMP,
 ]
-_BLAMED = {Status.EVENT_ITERATION_FAILED: "E0804", Status.CHATTER: "E0833", Status.PENETRATION: "E0834"}
+_BLAMED = {
+    Status.EVENT_ITERATION_FAILED: "E0804",
+    Status.CHATTER: "E0833",
+    Status.PENETRATION: "E0834",
+    Status.WAY_JUMP: "E0836",
+}
 
 
 @record()
@@ -74,6 +80,7 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.CONFLICT
             | Status.ASSERTION_FAILED
             | Status.POSITION_JUMP
+            | Status.WAY_JUMP
         ):
             code, item, text = _of_event(course, status, fault)
             return _told(course, code, fault, item, sink, text=text)
@@ -164,7 +171,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, 
     resets = [action for action in actions if isinstance(action, Reset)]
     checks = [action for action in actions if isinstance(action, Check)]
     match status:
-        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION:
+        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
             items = [entry.item for entry in changing if entry.item is not None]

@@ -26,6 +26,27 @@ STEPS = {
     "min_max": "min(1, max(0, x))",
     "table": "table(x, {-9, 0, 1, 9}, {0, 0, 1, 1})",
 }
+# after 2 s the corner is below the mass, which moves at 1/2 beside it, before and after
+MOVED = {"x": 1.0 + (0.5 + 0.5 * sqrt(0.5)) * 2.0, "der(x)": 0.5 + 0.5 * sqrt(0.5)}
+# down a slope of 45 degrees with x' = 1 + t/2
+SLIDING = (
+    "coordinate Real x(start = -1, der(start = 1)), y(start = 1, der(start = -1)); "
+    "gravity = {0, -1, 0}; mass 1 at {x, y}; "
+)
+DOWN = 2 * sqrt(2) - 2
+UP = 1 + DOWN / 2
+# up the slope with x' = 2 - t/2 to the top, where it is sqrt(3)
+OFF = 2 - (4 - 2 * sqrt(3))
+JUMPS = {
+    "floor": "floor(x)",
+    "ceil": "ceil(x)",
+    "mod": "mod(x, 1)",
+    "wrap": "wrap(3*x)",
+    "if": "(if x > 0.5 then 1 else 0)",
+    "time": "(if time > 0.5 then 1 else 0)",
+    "stairs": "floor(2*time)",
+    "clause": "n",
+}
 TRACKS = [
     *(
         Attack(f"{how}_{name}", model(START + text.format(track)), 3.0, {"x": sqrt(2), "der(x)": sqrt(0.5)})
@@ -56,15 +77,124 @@ TRACKS = [
         )
         for name, track in {"abs": "abs(x)", "if": "(if x < 0 then -x else x)", "max": "max(x, -x)"}.items()
     ),
-    # the impulse of a constraint is normal to the new direction: half of the speed in x is left
+    # the constraint does no work: the speed along the track is one, as on a track by a coordinate
     *(
         Attack(
             f"constraint_{name}",
             model(START + f"coordinate Real y; kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: y = {track};"),
             3.0,
-            {"x": 1.0, "y": 1.0, "der(x)": 0.5, "der(y)": 0.5},
+            {"x": sqrt(2), "y": sqrt(2), "der(x)": sqrt(0.5), "der(y)": sqrt(0.5)},
         )
         for name, track in RAMPS.items()
+    ),
+    *(
+        Attack(
+            f"{how}_of_a_saw",
+            # slopes 1/2, -1, 1/2 with the speed sqrt(5/4) along: corners at 2 and at 3, where `mod` jumps
+            model(text.format("min(mod(x, 3)/2, mod(-x, 3))")),
+            4.0,
+            {"x": 3 + (4 - 1.8 - sqrt(1.6)), "der(x)": 1.0},
+        )
+        for how, text in {
+            "mass_on": "coordinate Real x(start = 0.2, der(start = 1)); gravity = 0; mass 1 at {{x, {}}};",
+            "constraint": "coordinate Real x(start = 0.2, der(start = 1)), y(start = 0.1, der(start = 0.5)); "
+            "kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: y = {};",
+            "rates": "coordinate Real x(start = 0.2, der(start = 1)), y(start = 0.1, der(start = 0.5)); "
+            "kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: der(y) = "
+            "(if mod(x, 3) < 2 then 1/2 else -1)*der(x);",
+        }.items()
+    ),
+    *(
+        Attack(
+            f"{how}_that_moves",
+            # beside the corner, which moves at 1/2, the mass moves at 1/2 along the track
+            model(START + text.format("(if x > time/2 then x - time/2 else 0)")),
+            4.0,
+            MOVED,
+        )
+        for how, text in {
+            "mass_on": "gravity = 0; mass 1 at {{x, {}}};",
+            "constraint": "coordinate Real y; kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: y = {};",
+        }.items()
+    ),
+    # a gap with a corner: down the left side, and thrown back along it by the right side with half of the speed
+    *(
+        Attack(
+            f"valley_of_a_gap_{name}",
+            model(SLIDING + f"contact c: {text};"),
+            2.0,
+            {"x": -(0.5 * UP * (2 - DOWN) - (2 - DOWN) ** 2 / 4), "der(x)": -(0.5 * UP - (2 - DOWN) / 2)},
+        )
+        for name, text in {
+            "abs": "y - abs(x) >= 0 with restitution = 0.5",
+            "if": "y - (if x > 0 then x else -x) >= 0 with restitution = 0.5",
+            "two": "y - x >= 0 with restitution = 0.5; contact d: y + x >= 0 with restitution = 0.5",
+        }.items()
+    ),
+    *(
+        Attack(
+            f"roof_of_a_gap_{name}",
+            # up to the top, with 3 = 4 - 1 along x and y there, and free from there on
+            model(
+                "coordinate Real x(start = -1, der(start = 2)), y(start = -1, der(start = 2)); gravity = {0, -1, 0}; "
+                f"mass 1 at {{x, y}}; contact c: y + {text} >= 0 with restitution = 0;"
+            ),
+            2.0,
+            {"x": sqrt(3) * OFF, "y": sqrt(3) * OFF - OFF**2 / 2, "der(x)": sqrt(3)},
+        )
+        for name, text in {"abs": "abs(x)", "if": "(if x > 0 then x else -x)"}.items()
+    ),
+    *(
+        Attack(
+            f"stairs_of_energy_{name}",
+            # 9, 7, 5, 3, 1 are twice the kinetic energies
+            model(f"coordinate Real x(der(start = 3)); kinetic 1/2*der(x)^2; potential {text};"),
+            2.0,
+            {"der(x)": 1.0, "x": 4 + 2 - 1 / 3 - 1 / sqrt(7) - 1 / sqrt(5) - 1 / sqrt(3)},
+        )
+        for name, text in {
+            "floor": "floor(x)",
+            "mod": "x - mod(x, 1)",
+            "ceil": "ceil(x - 1)",
+            "if": "(if x < 1 then 0 elseif x < 2 then 1 elseif x < 3 then 2 elseif x < 4 then 3 else 4)",
+        }.items()
+    ),
+    *(
+        Attack(
+            f"step_on_a_moving_line_{name}",
+            # beside the line, which moves at 2, the speed is 5: 25 - 3 = 22
+            model(text),
+            2.0,
+            {"der(x)": sqrt(22) - 2, "x": 0.6 + 1.8 * (sqrt(22) - 2)},
+        )
+        for name, text in {
+            "place": "coordinate Real x(der(start = 3)); kinetic 1/2*der(x)^2; "
+            "potential if x + 2*time < 1 then 0 else 1.5;",
+            "constraint": "coordinate Real x(der(start = 3)), y; kinetic 1/2*(der(x)^2 + der(y)^2); "
+            "constraint c: y = 2*time; potential if x + y < 1 then 0 else 1.5;",
+        }.items()
+    ),
+    Attack(
+        "driven_over_a_step",
+        model("coordinate Real x; kinetic 1/2*der(x)^2; constraint c: x = time; potential if x < 1 then 0 else 1.5;"),
+        2.0,
+        {"der(x)": 1.0, "x": 2.0},
+    ),
+    Attack(
+        "angle_that_wraps",
+        model("coordinate Real a(der(start = 2)); Real b = wrap(a); kinetic 1/2*der(b)^2;"),
+        9.0,
+        {"der(a)": 2.0, "a": 18.0},
+    ),
+    # the gap of stairs that lead down jumps up: the ball falls from each
+    Attack(
+        "stairs_down",
+        model(
+            "coordinate Real x(der(start = 1)), y(start = 1); gravity = {0, -8, 0}; mass 1 at {x, y}; "
+            "contact c: y + floor(x) >= 1 with restitution = 0;"
+        ),
+        2.25,
+        {"x": 2.25, "y": -0.25, "der(y)": -2.0},
     ),
 ]
 
@@ -91,3 +221,38 @@ def test_a_rope_that_becomes_taut_is_no_corner() -> None:
     body = "coordinate Real l(start = 0.5, der(start = 1)); kinetic 1/2*der(l)^2; "
     told = lagdsl.compile(model(body + "constraint rope: (if l > 1 then l - 1 else 0) = 0;")).diagnostics
     assert "W0520" not in {each.code for each in told}
+
+
+@pytest.mark.parametrize("name", JUMPS)
+@pytest.mark.parametrize(
+    ("way", "code"),
+    [
+        ("gravity = 0; mass 1 at {{x, {}}};", "E0836"),
+        ("gravity = 0; frame A = world.move({{x, {}, 0}}); body B(m = 1, Izz = 1) on A;", "E0836"),
+        ("coordinate Real y; kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: y = {};", "E0835"),
+    ],
+    ids=["mass", "body", "constraint"],
+)
+def test_positions_do_not_jump(way: str, code: str, name: str) -> None:
+    start = "discrete Real n(start = 0); coordinate Real x(start = 0.1, der(start = 1)); "
+    attacked = lagdsl.compile(model(start + way.format(JUMPS[name]), "when time > 0.5 then n = 1; end when;"))
+    with pytest.raises(lagdsl.SimulationFailed) as failed:
+        attacked.simulate(stop=3.0)
+    assert failed.value.diagnostic.code == code
+
+
+@pytest.mark.parametrize("y", [0.0, 0.5])
+def test_a_gap_does_not_jump_into_the_ground(y: float) -> None:
+    body = f"coordinate Real x(der(start = 1)), y(start = {y}); gravity = {{0, -1, 0}}; mass 1 at {{x, y}}; "
+    attacked = lagdsl.compile(model(body + "contact c: y >= floor(x) with restitution = 0;"))
+    with pytest.raises(lagdsl.SimulationFailed) as failed:
+        attacked.simulate(stop=3.0)
+    assert failed.value.diagnostic.code == "E0834"
+    assert failed.value.diagnostic.labels
+
+
+def test_a_mass_at_the_bottom_of_one_gap_ends_with_an_error() -> None:
+    attacked = lagdsl.compile(model(SLIDING + "contact c: y - abs(x) >= 0 with restitution = 0;"))
+    with pytest.raises(lagdsl.SimulationFailed) as failed:
+        attacked.simulate(stop=3.0)
+    assert failed.value.diagnostic.code == "E0833"

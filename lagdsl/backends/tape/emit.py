@@ -20,7 +20,7 @@ from lagdsl.program.passes.along import Along, along, elements, shared
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 
-VERSION: Final = 5
+VERSION: Final = 6
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
@@ -31,7 +31,19 @@ FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if functi
 # The lengths that a tape starts with, and where the name of the model stands, as lag_tape_size counts them.
 SIZES: Final = (
     *("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "nd", "ne", "rank", "nk", "nindicator", "ncontact"),
-    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "ncorner", "nswitched"),
+    *(
+        "ngap",
+        "nclock",
+        "nreset",
+        "ncollision",
+        "nstop",
+        "nfail",
+        "ntimed",
+        "ndistance",
+        "ncorner",
+        "nway",
+        "nswitched",
+    ),
     *("ninertial", "nplace", "naxes", "ntwist"),
     *("row", "prepared", "shared", "along_row", "parameter_shared", "parameter_along_row", "name"),
 )

@@ -173,14 +173,19 @@ ROWS: dict[str, Row] = {
         help="use a `contact`, which comes to rest, a smooth force, or a condition with a margin",
     ),
     "E0834": error(
-        "the gap of {text} is negative at the start",
-        label="starts inside",
-        help="give starts at which every gap is positive or zero",
+        "the gap of {text} is negative at t = {time} s",
+        label="inside",
+        help="give starts at which every gap is positive or zero; write the side of a step as a contact of its own",
     ),
     "E0835": error(
-        "{text} becomes active at t = {time} s, but the current position violates it",
+        "{text} becomes active or jumps at t = {time} s, but the current position violates it",
         label="positions cannot jump",
-        help="activate it where it is satisfied, or write it for rates: `der(...) = ...`",
+        help="activate it where it is satisfied, let its branches meet, or write it for rates: `der(...) = ...`",
+    ),
+    "E0836": error(
+        "the position of a mass jumps with {text} at t = {time} s",
+        label="positions cannot jump",
+        help="write branches that meet, `if x < a then 0 m else x - a`, or a steep ramp, `limit(k*(x - a), 0 m, h)`",
     ),
     "E0837": error(
         "no initial equation determines the free parameter `{name}`",

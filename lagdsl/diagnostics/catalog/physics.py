@@ -99,7 +99,8 @@ ROWS: dict[str, Row] = {
         help="this is correct for a force that a guide or a rod balances; `lag derive` shows F.dr/dq for each load",
     ),
     "W0520": warning(
-        "{what} where `{name}` has a corner; {law}",
+        "{what} jump where `{name}` has a corner; the simulation takes the limit of a rounded corner, which conserves "
+        "energy",
         label="not smooth along the motion",
         help="write branches that meet smoothly, or define the jump with a `contact`, or with `reinit` in a `when`; "
         "`smooth(1, ...)` declares that both sides have one slope",

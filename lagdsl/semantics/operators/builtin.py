@@ -76,16 +76,22 @@ def _note_degrees(ctx: Context, node: nodes.Node) -> None:
 
 
 def _rounded(call: Application, x: Scalar) -> Scalar:
-    """`floor` and `ceil`: of time alone a number that is constant between events."""
-    if not corners.has_corner(call.ctx, x):
-        _note_jumps(call)
-        rounded = _function(call, call.name, (x.expression,), DIMENSIONLESS)
-        return _with_corner(call, rounded, corners.at_whole_numbers(x.expression))
-    if call.name == "floor":
-        below: FlatExpression = corners.whole(call.ctx, call.scope, call.node, x.expression)
-    else:
-        below = negative(corners.whole(call.ctx, call.scope, call.node, negative(x.expression)))
-    return Scalar(below, DIMENSIONLESS, Variability.DISCRETE)
+    """`floor` and `ceil`: a number that is constant between events where time alone or an event changes it."""
+    below = _whole(call, x.expression if call.name == "floor" else negative(x.expression), x)
+    if below is not None:
+        return Scalar(below if call.name == "floor" else negative(below), DIMENSIONLESS, Variability.DISCRETE)
+    _note_jumps(call)
+    rounded = _function(call, call.name, (x.expression,), DIMENSIONLESS)
+    return _with_corner(call, rounded, corners.at_whole_numbers(x.expression))
+
+
+def _whole(call: Application, x: FlatExpression, *values: Scalar) -> FlatExpression | None:
+    """floor(x) where its changes are events; None where it is taken as it stands."""
+    if corners.has_corner(call.ctx, *values):
+        return corners.whole(call.ctx, call.scope, call.node, x)
+    if corners.is_branch(call.ctx, call.scope, call.node, *values):
+        return corners.whole_by_parity(call.ctx, call.scope, call.node, x)
+    return None
 
 
 def _with_corner(call: Application, value: Scalar, distance: FlatExpression) -> Scalar:
@@ -153,18 +159,14 @@ def _pair(call: Application, *values: Scalar) -> Value:
     if call.name == "atan2":
         return _function(call, call.name, arguments, DIMENSIONLESS)
     dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(*values)
-    if corners.has_corner(call.ctx, *values):
-        return Scalar(_remainder(call, *arguments), dimension, latest(*values), highest(*values), kind)
-    _note_jumps(call)
     turns = flat.Binary("/", *arguments)
+    whole = _whole(call, turns, *values)
+    if whole is not None:
+        between = flat.Binary("-", arguments[0], flat.Binary("*", whole, arguments[1]))
+        return Scalar(between, dimension, latest(*values), highest(*values), kind)
+    _note_jumps(call)
     remainder = _function(call, call.name, arguments, dimension, kind)
     return _with_corner(call, remainder, corners.at_whole_numbers(turns))
-
-
-def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatExpression:
-    """x - floor(x/y)*y, of time alone."""
-    turns = corners.whole(call.ctx, call.scope, call.node, flat.Binary("/", x, y))
-    return flat.Binary("-", x, flat.Binary("*", turns, y))
 
 
 def _log10(call: Application, x: Scalar) -> Value:
@@ -194,10 +196,13 @@ def _wrap(call: Application, x: Scalar) -> Value:
         return POISON
     turned = flat.Binary("+", x.expression, flat.Number(pi))
     turn = flat.Number(2 * pi)
-    timed = corners.has_corner(call.ctx, x)
-    wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
     turns = flat.Binary("/", turned, turn)
-    corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), x)
+    whole = _whole(call, turns, x)
+    if whole is not None:
+        wrapped: FlatExpression = flat.Binary("-", turned, flat.Binary("*", whole, turn))
+    else:
+        wrapped = flat.Function("mod", (turned, turn))
+        corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), x)
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
     return Scalar(shifted, DIMENSIONLESS, x.variability, x.order)
 

@@ -5,8 +5,8 @@ interval. All of that is constant between events, so the equations are smooth th
 the present piece. Nothing is stepped over: the instants are computed ahead.
 
 An argument that depends on the motion or on inputs is evaluated as it is (`sqrt(max(x, 0))` must not see a negative
-number); for each such corner there is a distance that passes zero there, at which steps end. A corner over which
-velocities of masses jump is an event instead: its branch is a relation, as if it were written by an `if`.
+number); for each such corner there is a distance that passes zero there, at which steps end. A corner or jump over
+which velocities or energies jump is an event instead: its branch is a relation, as if it were written by an `if`.
 """
 
 from __future__ import annotations
@@ -25,6 +25,9 @@ from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import Numeric, Order, Scalar, highest, latest
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
+
+# What makes zero negative.
+_LEAST = 1e-300
 
 
 def is_timed(ctx: Context, *values: Numeric) -> bool:
@@ -136,6 +139,22 @@ def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> fl
         )
 
     return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
+
+
+def whole_by_parity(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> FlatExpression:
+    """floor(x) where it is an event: the nearest even or odd number, by a relation that turns at each whole number.
+    Near such a number neither of them jumps."""
+    text, spans = _place(scope, node, "branch of ")
+    half, two = flat.Binary("/", x, flat.Number(2.0)), flat.Number(2.0)
+    odd_now = flat.Function("mod", (flat.Function("floor", (x,)), two))
+    even = flat.Binary("-", at_whole_numbers(x), flat.Binary("*", flat.Number(_LEAST), odd_now))
+    name = ctx.product.occurrences.relation(text, spans, even, DIMENSIONLESS, strict=False)
+
+    def nearest(shift: float) -> FlatExpression:
+        return flat.Binary("*", two, flat.Function("floor", (flat.Binary("+", half, flat.Number(shift)),)))
+
+    odd = flat.Binary("+", nearest(-0.25), flat.ONE)
+    return flat.Conditional(flat.Variable(name), nearest(0.25), odd)
 
 
 def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borders: Sequence[float]) -> flat.Variable:

@@ -1,9 +1,9 @@
-"""W0520: corners and jumps along the motion in positions of masses and in energies.
+"""W0520: corners along the motion in positions of masses, in constraints and in rates of the kinetic energy.
 
 A bead on a track `y = abs(x)` meets a corner at which its velocity jumps. The balance of momenta does not determine the
-jump: it depends on the materials of bead and track. The simulation takes the limit of a steep smooth Lagrangian
-(`docs/adr/0071`), at functions such as `abs` as at relations: their branches become relations. Where a constraint has
-the corner, only its impulse acts. Jumps of functions such as `floor` leave the rates of coordinates (`docs/adr/0070`).
+jump: it depends on the materials of bead and track. The simulation takes the limit of a rounded corner, which conserves
+the energy (`docs/adr/0133`), at functions such as `abs` as at relations, in ways of coordinates as in constraints:
+their branches become relations.
 """
 
 from __future__ import annotations
@@ -18,14 +18,12 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Corner, Relation
 from lagdsl.flat.quantity import Spans
 from lagdsl.flat.reached import reached
+from lagdsl.flat.traversal import operands
+from lagdsl.flat.ways import ways
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
-from lagdsl.source import Span
 
 _JUMPING = ("floor", "ceil", "mod")
-_AT_A_JUMP = "the simulation keeps the rates of the coordinates there"
-_AT_A_RELATION = "the simulation takes the limit of a steep smooth change there"
-_AT_A_CONSTRAINT = "only the impulse of the constraint acts there, as in an inelastic blow"
 
 
 def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
@@ -68,56 +66,58 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
 
 
 def over_which_velocities_jump(corners: Sequence[Met], flat: fm.FlatModel) -> frozenset[Spans]:
-    """Places of functions with a corner in the way of a mass: their branches are to change at events."""
-    found = {id(x) for x in reached(flat, _ways(flat))} if corners else set()
+    """Places of functions with a corner in the way of a mass, in a constraint or in a gap, or with a jump in these, in
+    a row of velocity level, in an energy or in a relation of these: their branches are to change at events."""
+    if not corners:
+        return frozenset()
+    bending = {id(x) for x in reached(flat, [*ways(flat), *(c.gap for c in flat.events.contacts)])}
+    bending |= {id(each.expression) for row in _held(flat) for each in corners if _bends_row(flat, row, each)}
+    energies = [term.value for term in flat.energies if term.kind != "dissipation"]
+    rows = [x for each in flat.constraints for x in each.residuals]
+    deciding = [*ways(flat), *(c.gap for c in flat.events.contacts), *energies, *rows]
+    names = {x.name for x in reached(flat, deciding) if isinstance(x, fx.Variable)}
+    deciding += [each.difference for each in flat.events.relations if each.name in names]
+    jumping = {id(x) for x in reached(flat, deciding)}
     return frozenset(
-        each.spans for each in corners if id(each.expression) in found and _bends(each) and not _jumps(each.expression)
+        each.spans
+        for each in corners
+        if each.order >= Order.CONFIGURATION
+        and (
+            (id(each.expression) in bending and each.sharp)
+            or (id(each.expression) in jumping and _jumps(each.expression))
+        )
     )
 
 
-def check_corners(corners: Sequence[Met], flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
-    """W0520 for each text with a corner over which velocities or energies jump; `corners` are those that move."""
+def check_corners(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """W0520 for each relation of the motion, written or of a function, over which velocities jump."""
     branching = _relations_of_the_motion(flat, dependence)
-    if not corners and not branching:
+    if not branching:
         return
-    energies = [term.value for term in flat.energies if term.kind != "dissipation"]
-    held = [x for each in flat.constraints if each.level == "position" and not each.contact for x in each.residuals]
-    _tell(_ways(flat), "velocities of masses jump", branching, _AT_A_RELATION, flat, sink)
-    _tell(held, "velocities jump", _without_switches(held, branching), _AT_A_CONSTRAINT, flat, sink)
-    for what, roots, law, tells in (
-        ("velocities of masses jump", _ways(flat), _AT_A_JUMP, _bends),
-        ("velocities jump", held, _AT_A_CONSTRAINT, _bends),
-        ("an energy jumps", energies, _AT_A_JUMP, lambda each: _jumps(each.expression)),
+    held = _held(flat)
+    for what, roots, relations in (
+        ("velocities of masses", ways(flat), branching),
+        ("velocities", held, _without_switches(held, branching)),
     ):
-        found = {id(x) for x in reached(flat, roots)}
-        told: set[Span] = set()
-        for each in corners:
-            span = each.spans[0]
-            if id(each.expression) in found and span not in told and tells(each):
-                told.add(span)
-                sink.report("W0520", span, name=span.text, what=what, law=law)
+        for name in dict.fromkeys(x.name for x in reached(flat, roots) if isinstance(x, fx.Variable)):
+            if name in relations:
+                span = relations[name].spans[0]
+                sink.report("W0520", span, name=span.text, what=what)
 
 
-def _ways(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    """Positions of masses, and what the kinetic energy differentiates."""
-    places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
-    kinetic = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
-    return [*places, *(x.operand for x in reached(flat, kinetic) if isinstance(x, fx.Derivative))]
+def _held(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Residuals of constraints of position level, without those of contacts."""
+    return [x for each in flat.constraints if each.level == "position" and not each.contact for x in each.residuals]
 
 
-def _tell(
-    roots: Sequence[fx.FlatExpression],
-    what: str,
-    branching: dict[str, Relation],
-    law: str,
-    flat: fm.FlatModel,
-    sink: Sink,
-) -> None:
-    """W0520 for the relations of the motion on which these depend."""
-    for name in dict.fromkeys(x.name for x in reached(flat, roots) if isinstance(x, fx.Variable)):
-        if name in branching:
-            span = branching[name].spans[0]
-            sink.report("W0520", span, name=span.text, what=what, law=law)
+def _bends_row(flat: fm.FlatModel, row: fx.FlatExpression, each: Met) -> bool:
+    """True if the row has this corner beside other quantities that move, as a track has; where there is nothing else,
+    `max(l - l0, 0) = 0`, the row has no gradient on one side."""
+    moving = {item.name for item in (*flat.coordinates, *flat.states)}
+    if all(x is not each.expression for x in reached(flat, [row])):
+        return False
+    beside = reached(flat, [row], lambda x: () if x is each.expression else operands(x))
+    return any(isinstance(x, fx.Variable) and x.name in moving for x in beside)
 
 
 def _without_switches(roots: Sequence[fx.FlatExpression], branching: dict[str, Relation]) -> dict[str, Relation]:
@@ -147,10 +147,6 @@ def _relations_of_the_motion(flat: fm.FlatModel, dependence: Dependence) -> dict
         for each in flat.events.relations
         if each.spans and not moving.isdisjoint(dependence.of(each.difference))
     }
-
-
-def _bends(each: Met) -> bool:
-    return each.sharp and each.order >= Order.CONFIGURATION
 
 
 def _jumps(expression: fx.FlatExpression) -> bool:

@@ -34,6 +34,7 @@ typedef enum lag_function {
     LAG_EVENT,
     LAG_TIME_EVENT,
     LAG_CORNER,
+    LAG_WAY,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

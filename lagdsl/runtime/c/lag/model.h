@@ -200,6 +200,12 @@ typedef struct lag_model {
      * the motion; 1 where one of them reads accelerations or multipliers. Only in models with corners
      */
     lag_status (*corner)(const lag_arguments *at, double *far, double *solved);
+    /*
+     * t q qd z u w p -> way (nway): positions of masses and bodies, rotation matrices of bodies, and cosines and sines of what else
+     * the kinetic energy differentiates, as far as they depend on discretes: all of that is continuous in a motion. Only in models
+     * in which ways of masses depend on discretes
+     */
+    lag_status (*way)(const lag_arguments *at, double *way);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -266,6 +272,7 @@ typedef struct lag_model {
     /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
     size_t ncorner; /* of models with corners along the motion */
+    size_t nway;    /* of models in which ways of masses depend on discretes */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */

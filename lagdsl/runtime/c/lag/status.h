@@ -20,11 +20,12 @@ typedef enum lag_status {
     LAG_EVENT_ITERATION_FAILED = 12,  /* clauses trigger each other and never come to rest */
     LAG_CONFLICT = 13,   /* clauses reset one quantity to different values at one instant */
     LAG_ASSERTION_FAILED = 14,    /* an assertion of a clause failed */
-    LAG_PENETRATION = 15,    /* a gap is negative at the start */
+    LAG_PENETRATION = 15,    /* a gap is negative at the start, or jumps to that */
     LAG_POSITION_JUMP = 16,       /* a constraint that discretes switch asks for other positions than there are */
     LAG_BRANCH_POINT = 17,     /* branches of the motion meet here, and which one it takes cannot be told */
     LAG_BAD_STATE_DATA = 18,    /* bytes that were not saved by this, or were changed since */
-    LAG_BAD_CLOCK = 19    /* a clock has no positive period, or no first instant */
+    LAG_BAD_CLOCK = 19,    /* a clock has no positive period, or no first instant */
+    LAG_WAY_JUMP = 20    /* the position of a mass would jump with what changes */
 } lag_status;
 
 #endif

@@ -107,7 +107,9 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: %s", t,
             run->instants.iteration.fault < model->nfail ? model->failures[run->instants.iteration.fault] : "an assertion failed");
     case LAG_PENETRATION:
-        return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
+        return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative", t, guilty(instance));
+    case LAG_WAY_JUMP:
+        return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, guilty(instance));
     default:
         break;
     }

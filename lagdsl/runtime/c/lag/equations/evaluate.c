@@ -199,6 +199,11 @@ static lag_status evaluate_corner(const lag_model *model, const lag_arguments *a
     return model->corner == NULL ? LAG_MISSING : model->corner(at, far, solved);
 }
 
+static lag_status evaluate_way(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->way == NULL ? LAG_MISSING : model->way(at, results);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -343,6 +348,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_time_event(model, at, results);
     case LAG_CORNER:
         return evaluate_corner(model, at, results);
+    case LAG_WAY:
+        return evaluate_way(model, at, results);
     case LAG_MOMENTUM_TANGENT:
         return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:

@@ -21,4 +21,16 @@ double lag_clock_instant(const lag_clock *clock, unsigned long long k);
 /* Lets the next instant be the first that is not before t. */
 void lag_clock_seek(lag_clock *clock, double t);
 
+/* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
+typedef struct lag_crowd {
+    double last, interval, first; /* time of the last event, time since the one before, and that where they began to shrink */
+    double ratio;                 /* of that time to the one before it */
+    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; events at one time */
+    unsigned dense;               /* so many events in a row, each a moment of the experiment after the one before */
+    unsigned regular;             /* so many ratios in a row, each like the one before: a geometric series, which has a sum */
+} lag_crowd;
+
+/* True if events crowd: the event at t, of relations or of contacts only, is one too many. Contacts close if theirs crowd. */
+int lag_crowds(lag_crowd *crowd, double t, double length, int relations);
+
 #endif

@@ -6,6 +6,9 @@
 
 #include "lag/linalg/arena.h"
 
+/* A gap that is negative by this part of its size after a jump is pierced. */
+static const double INSIDE = 1e-6;
+
 /* A force below this part of the others is none: what only touches hands a blow on, what carries takes part as it is. */
 static const double NOTHING = 1e-9;
 
@@ -204,4 +207,26 @@ double lag_contacts_next(const lag_contacts *contacts)
         next = fmin(next, contacts->until[i]);
     }
     return next;
+}
+
+lag_status lag_contacts_apart(lag_contacts *contacts, double t, const double *x, const double *before, double *gap, double *pierced)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    if (count == 0) {
+        return LAG_OK;
+    }
+    contacts->motion->at.w = before;
+    lag_status status = lag_contacts_look(contacts, t, x);
+    contacts->motion->at.w = contacts->motion->w;
+    memcpy(gap, contacts->gap, count * sizeof(double));
+    status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
+    if (status != LAG_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double inside = INSIDE * contacts->scale[i];
+        pierced[i] = contacts->gap[i] < -inside && gap[i] - contacts->gap[i] > inside;
+        status = pierced[i] != 0.0 ? LAG_PENETRATION : status;
+    }
+    return status;
 }

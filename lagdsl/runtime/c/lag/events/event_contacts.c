@@ -40,6 +40,31 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
 }
 
+lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which)
+{
+    lag_contacts *contacts = iteration->contacts;
+    const size_t count = iteration->motion->model->ncontact;
+    double *closed = iteration->motion->w + iteration->places.contact;
+    double *truth = iteration->motion->w + iteration->places.relation + which;
+    int bends = 0;
+    if (!lag_any(count, closed)) {
+        return LAG_OK;
+    }
+    *truth = 1.0 - *truth;
+    lag_status status = lag_contacts_look(contacts, t, x);
+    memcpy(iteration->pulling, contacts->speed, count * sizeof(double));
+    *truth = 1.0 - *truth;
+    status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const double creep = lag_contacts_creep(contacts, i);
+        if (closed[i] != 0.0 && fabs(contacts->speed[i] - iteration->pulling[i]) > creep) {
+            bends = 1;
+            closed[i] = contacts->speed[i] >= -creep;
+        }
+    }
+    return status == LAG_OK && bends ? lag_event_iteration_part(iteration, t, x) : status;
+}
+
 /* Multipliers a moment later, with contacts as they are now. */
 static void look_ahead(lag_event_iteration *iteration, double t, const double *x)
 {

@@ -54,6 +54,12 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 /* Closed contacts that rates of now move apart open. */
 lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x);
 
+/*
+ * Relation `which` has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
+ * side by the law of impact where it does not.
+ */
+lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
+
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
 

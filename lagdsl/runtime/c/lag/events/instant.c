@@ -11,15 +11,6 @@ static const double SAME_TICK = 1e-9;
 /* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
 static const double ULPS = 4096.0;
-/* So many intervals in a row, each shorter than the one before, down to this part of the first, */
-enum { MANY = 20, SAME = 100 };
-static const double PART = 1e-6;
-/* or so many ratios of them in a row that differ by less than this part: bounces by resets that lose much are over after fewer; */
-enum { REGULAR = 3 };
-static const double ALIKE = 0.1;
-/* or so many events at times that are the same but for round-off. */
-static const double ROUNDING = 1e-14;
-
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
@@ -48,26 +39,6 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->w_before = lag_take(&memory, model->nw);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
-}
-
-/* True if events crowd: the event at t, of relations or of contacts only, is one too many. Contacts close if theirs crowd. */
-static int crowds(lag_crowd *crowd, double t, int relations)
-{
-    const double interval = t - crowd->last;
-    const double ratio = interval / crowd->interval;
-    crowd->regular = relations && fabs(ratio - crowd->ratio) <= ALIKE * crowd->ratio ? crowd->regular + 1 : 0;
-    crowd->ratio = ratio;
-    if (relations && crowd->interval < (double)INFINITY && interval < crowd->interval) {
-        ++crowd->shrinking;
-    } else {
-        crowd->first = interval;
-        crowd->shrinking = 1;
-    }
-    crowd->still = interval <= ROUNDING * fabs(t) ? crowd->still + 1 : 0;
-    crowd->last = t;
-    crowd->interval = interval;
-    const int many = crowd->shrinking > MANY || (crowd->regular >= REGULAR && crowd->shrinking > REGULAR);
-    return (many && interval < PART * crowd->first) || crowd->still > SAME;
 }
 
 /* ---- clocks ---- */
@@ -261,6 +232,31 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
     return status;
 }
 
+/* The discretes and the state before an instant. */
+static void remember(lag_instants *instants, const double *x)
+{
+    memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
+    memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
+}
+
+/* Ways of masses are the same with the discretes of now: LAG_WAY_JUMP, and flags of what has changed, if not. */
+static lag_status follow(lag_instants *instants, double t, const double *x)
+{
+    lag_motion *motion = instants->motion;
+    const lag_model *model = motion->model;
+    const double moment = ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
+    lag_status status = lag_contacts_apart(
+        &instants->contacts, t, x, instants->w_before, instants->iteration.pulling, instants->iteration.guilty + instants->places.contact);
+    if (status != LAG_OK || model->nway == 0) {
+        return status;
+    }
+    status = lag_momentum_ways(&instants->momentum, t, x, instants->w_before, moment, instants->noise.peak);
+    for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
+        instants->iteration.guilty[i] = motion->w[i] != instants->w_before[i];
+    }
+    return status;
+}
+
 lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)
 {
     const lag_model *model = instants->motion->model;
@@ -274,8 +270,7 @@ lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int
     if (lag_contacts_next(&instants->contacts) <= t) {
         return LAG_OK;
     }
-    memcpy(instants->x_before, x, lag_motion_size(model) * sizeof(double));
-    memcpy(instants->w_before, instants->motion->w, model->nw * sizeof(double));
+    remember(instants, x);
     lag_status status = turn(instants, t, x, &jumped);
     *quiet = !jumped && !lag_timed_told(&instants->timed);
     if (!*quiet) {
@@ -321,12 +316,14 @@ static lag_status turn_relations(lag_instants *instants, double t, const double 
 
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 {
+    remember(instants, x);
     lag_status status = strike(instants, t, x);
     if (status == LAG_OK) {
         status = turn_relations(instants, t, x);
     }
     instants->timed.next = (double)INFINITY;
-    return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
+    status = status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
+    return status == LAG_OK ? follow(instants, t, x) : status;
 }
 
 /* A relation changes, with what an energy that jumps there does; or the motion turns back before it does. */
@@ -341,17 +338,29 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     if (status == LAG_OK && refracted) {
         status = lag_event_iteration_settled(&instants->iteration, t, x);
     }
-    return status == LAG_OK && !back ? lag_event_iteration_tell(&instants->iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i) : status;
+    if (status == LAG_OK && !back) {
+        status = lag_event_iteration_bend(&instants->iteration, t, x, i);
+    }
+    for (size_t k = 0; k < instants->motion->model->nindicator && status == LAG_OK && !back; ++k) {
+        if (k == i || (refracted && truth[k] != instants->refraction.truth[k])) {
+            status = lag_event_iteration_tell(&instants->iteration, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
+        }
+    }
+    return status;
 }
 
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->places.relation;
+    remember(instants, x);
     lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     int any = 0;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
+        }
+        if (changed[i] != 0.0 && truth[i] == instants->w_before[instants->places.relation + i]) {
             status = turn_relation(instants, t, x, i);
         }
     }
@@ -359,7 +368,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
         instants->iteration.turned = any || ticks;
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
-    if (!crowds(&instants->crowd, t, any) || (status != LAG_OK && status != LAG_STOPPED)) {
+    status = status == LAG_OK ? follow(instants, t, x) : status;
+    if (!lag_crowds(&instants->crowd, t, instants->contacts.length, any) || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
     memcpy(instants->iteration.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));

@@ -10,14 +10,6 @@
 #include "lag/events/refraction.h"
 #include "lag/events/timed.h"
 
-/* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
-typedef struct lag_crowd {
-    double last, interval, first; /* time of the last event, time since the one before, and that where they began to shrink */
-    double ratio;                 /* of that time to the one before it */
-    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; events at one time */
-    unsigned regular;             /* so many ratios in a row, each like the one before: a geometric series, which has a sum */
-} lag_crowd;
-
 typedef struct lag_instants {
     lag_motion *motion;
     lag_places places;

@@ -1,5 +1,6 @@
 #include "lag/events/momentum.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -11,6 +12,9 @@ enum { MOST_STEPS = 20 };
 static const double ROUNDING = 1e-13;
 /* A residual of a row below this part of its terms is no jump: projection leaves more. */
 static const double LEFT = 1e-9;
+/* A way changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
+static const double CONTINUOUS = 1e-9;
+static const double FEW = 16.0;
 
 static size_t most_held(const lag_model *model)
 {
@@ -21,7 +25,8 @@ size_t lag_momentum_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t rows = model->nc + most_held(model);
-    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + lag_system_memory(n, rows);
+    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 3 * model->nway + lag_motion_size(model) +
+           lag_system_memory(n, rows);
 }
 
 void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memory)
@@ -44,6 +49,8 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
     momentum->force = lag_take(&memory, n);
     momentum->change = lag_take(&memory, n);
     momentum->lam = lag_take(&memory, rows);
+    momentum->way = lag_take(&memory, 3 * model->nway);
+    momentum->point = lag_take(&memory, lag_motion_size(model));
     momentum->system = memory;
 }
 
@@ -214,4 +221,38 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
         }
     }
     return LAG_OK;
+}
+
+/* Ways of masses at x with discretes w. */
+static lag_status look_at_ways(lag_motion *motion, double t, const double *x, const double *w, double *way)
+{
+    lag_motion_look(motion, t, x);
+    motion->at.w = w;
+    const lag_status status = motion->model->way(&motion->at, way);
+    motion->at.w = motion->w;
+    return status;
+}
+
+lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, const double *before, double moment, const double *peak)
+{
+    lag_motion *motion = momentum->motion;
+    const lag_model *model = motion->model;
+    double *was = momentum->way;
+    double *now = was + model->nway;
+    double *later = now + model->nway;
+    double size = 0.0;
+    memcpy(momentum->point, x, lag_motion_size(model) * sizeof(double));
+    for (size_t j = 0; j < model->nq; ++j) {
+        size = fmax(size, fmax(peak[j], fabs(x[j])));
+        momentum->point[j] += moment * x[model->nq + j];
+    }
+    lag_status status = look_at_ways(motion, t, x, before, was);
+    status = status == LAG_OK ? look_at_ways(motion, t, x, motion->w, now) : status;
+    status = status == LAG_OK ? look_at_ways(motion, t + moment, momentum->point, before, later) : status;
+    for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
+        const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
+        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]));
+        status = fabs(now[i] - was[i]) > own + noise ? LAG_WAY_JUMP : LAG_OK;
+    }
+    return status;
 }

@@ -27,6 +27,7 @@ typedef struct lag_momentum {
     double *chosen, *right;    /* (nc + most held, nq) (nc + most held) */
     double *force, *change;    /* (nq) */
     double *lam;               /* (nc + most held) */
+    double *way, *point;       /* (3 nway) (2 nq + nz) */
     double *system;
 } lag_momentum;
 
@@ -47,5 +48,11 @@ lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
  * the others can do it. *jumped: rates changed by more than round-off.
  */
 lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped);
+
+/*
+ * Ways of masses are continuous: LAG_WAY_JUMP if one is elsewhere at x with the discretes of now than with `before` (nw). Round-off is what the
+ * motion changes in a `moment` [s], as the instant is not known better, and that of numbers of the size `peak` (2 nq + nz).
+ */
+lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, const double *before, double moment, const double *peak);
 
 #endif

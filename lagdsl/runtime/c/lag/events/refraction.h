@@ -1,11 +1,15 @@
 /*
- * Steps of energy in place: rates behind a place at which the Lagrangian jumps, as behind the step of a potential energy.
+ * Steps of energy in place, and corners of ways and constraints: rates behind a place at which the Lagrangian or the direction of a constraint
+ * jumps, as behind the step of a potential energy or the corner of a track.
  *
  * The step is the limit of a steep smooth one that depends on the position by the indicator g(q, t) of the relation alone.
  * Across it Lagrange's equations leave p+ - p- = grad g mu + J' P with p = dL/dqd: momenta change along the gradient of g
- * only, and by impulses of the constraints; and the energy h = qd p - L changes by -mu dg/dt, so not at all where the place
- * rests. That is refraction. If h does not suffice for the other side, the motion turns back: the rate of g is reflected
+ * only, and by impulses of the constraints; and the energy h = qd p - L changes by -mu dg/dt - b' P, so not at all where place and
+ * constraints rest. That is refraction. If h does not suffice for the other side, the motion turns back: the rate of g is reflected
  * elastically.
+ *
+ * The rows of a constraint that is continuous differ by a multiple of grad g on both sides, so J' P may be that of either side. Where grad g
+ * is a combination of the rows, as where a rope becomes taut, impulses of the constraints determine the rates, and the blow is plastic.
  *
  * Source: L. D. Landau, E. M. Lifshitz, Mechanics (3rd ed., 1976), section 7, problem (refraction at a step of the potential energy);
  * L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV (impulses).
@@ -24,8 +28,11 @@ typedef struct lag_refraction {
     double length;          /* of the experiment [s] */
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
+    double *before;         /* (nq) momenta on this side */
+    double *rows, *speeds;  /* (nc, nq) (nc) of the constraints on this side: J, J qd + b */
     double *point, *rate;   /* (2 nq + nz) */
-    double *g;              /* (nindicator) */
+    double *g, *own;        /* (nindicator) (nindicator) */
+    double *truth;          /* (nindicator) relations on this side */
 } lag_refraction;
 
 /* Doubles for it. */
@@ -35,8 +42,9 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_mo
 
 /*
  * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. If the
- * Lagrangian jumps with the relation and the relation depends on positions: sets the rates behind it and *refracted to 1;
- * sets *back to 1 if the motion turns back and the relation stays. Otherwise changes nothing.
+ * Lagrangian or the direction of a constraint jumps with the relation and the relation depends on positions: sets the rates behind it and *refracted to 1;
+ * sets *back to 1 if the motion turns back and the relation stays. Otherwise changes nothing. Other relations between quantities that
+ * jump with it, abs(mod(x, 2) - 1), have turned where it is refracted and not thrown back.
  */
 lag_status lag_refraction_cross(
     lag_refraction *refraction, double t, double *x, size_t which, double lookahead, int *refracted, int *back);

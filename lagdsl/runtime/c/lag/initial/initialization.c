@@ -310,8 +310,10 @@ static lag_status find_discretes(lag_initialization *b, const double *q, const d
     at.z = z;
     at.qdd = b->still;
     at.lam = b->still + model->nq;
-    if (status == LAG_OK && model->standing != NULL) {
+    int settled = model->standing == NULL;
+    for (size_t k = 0; k <= model->nindicator && status == LAG_OK && !settled; ++k) { /* relations may be between what others decide */
         status = model->standing(&at, b->w);
+        settled = memcmp(motion->w, b->w, model->nw * sizeof(double)) == 0;
         memcpy(motion->w, b->w, model->nw * sizeof(double));
     }
     return status;

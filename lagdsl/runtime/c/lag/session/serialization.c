@@ -110,6 +110,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->crowd.first);
     RECORD(instants->crowd.shrinking);
     RECORD(instants->crowd.still);
+    RECORD(instants->crowd.dense);
 }
 
 static void record_rest(lag_run *run, lag_record *record)

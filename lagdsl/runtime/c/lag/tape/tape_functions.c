@@ -187,6 +187,12 @@ static lag_status corner(const lag_arguments *at, double *far, double *solved)
     return run(at, 1 + LAG_CORNER, results);
 }
 
+static lag_status way(const lag_arguments *at, double *way)
+{
+    double *const results[] = {way};
+    return run(at, 1 + LAG_WAY, results);
+}
+
 static lag_status momentum_tangent(const lag_arguments *at, double *momentum)
 {
     double *const results[] = {momentum};
@@ -285,6 +291,7 @@ static void give(lag_tape *tape)
     tape->model.event = lag_tape_has(tape, LAG_EVENT) ? event : NULL;
     tape->model.time_event = lag_tape_has(tape, LAG_TIME_EVENT) ? time_event : NULL;
     tape->model.corner = lag_tape_has(tape, LAG_CORNER) ? corner : NULL;
+    tape->model.way = lag_tape_has(tape, LAG_WAY) ? way : NULL;
     tape->model.momentum_tangent = lag_tape_has(tape, LAG_MOMENTUM_TANGENT) ? momentum_tangent : NULL;
     tape->model.definition = lag_tape_has(tape, LAG_DEFINITION) ? definition : NULL;
     tape->model.definition_tangent = lag_tape_has(tape, LAG_DEFINITION_TANGENT) ? definition_tangent : NULL;

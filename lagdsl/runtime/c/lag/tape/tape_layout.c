@@ -75,6 +75,7 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ntimed = size[LAG_TAPE_NTIMED];
     model->ndistance = size[LAG_TAPE_NDISTANCE];
     model->ncorner = size[LAG_TAPE_NCORNER];
+    model->nway = size[LAG_TAPE_NWAY];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
     model->ninertial = size[LAG_TAPE_NINERTIAL];
     model->nplace = size[LAG_TAPE_NPLACE];

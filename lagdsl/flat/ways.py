@@ -1,0 +1,31 @@
+"""Ways of masses: places, orientations and other quantities that a motion changes continuously, as the
+kinetic energy has their rates."""
+
+from __future__ import annotations
+
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.reached import reached
+
+
+def ways(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Positions of masses and bodies, and what the kinetic energy differentiates."""
+    places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
+    return [*places, *_differentiated(flat)]
+
+
+def positions(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Vectors: positions of masses, origins and axes of the frames of bodies."""
+    axes = [fx.FrameAxis(body.frame, axis) for body in flat.bodies for axis in range(3)]
+    return [*(mass.position for mass in flat.masses), *(fx.FrameOrigin(body.frame) for body in flat.bodies), *axes]
+
+
+def turns(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Cosine and sine of what the kinetic energy differentiates: an angle may jump by whole turns, `wrap(a)`."""
+    return [fx.Function(name, (x,)) for x in _differentiated(flat) for name in ("cos", "sin")]
+
+
+def _differentiated(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """What the kinetic energy and terms of the Lagrangian differentiate by time."""
+    terms = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
+    return [x.operand for x in reached(flat, terms) if isinstance(x, fx.Derivative)]
