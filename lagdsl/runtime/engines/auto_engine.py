@@ -90,10 +90,9 @@ class AutoEngine(TapeEngine):
     def _has_library(self) -> bool:
         """True if the cache has a library whose name begins with the key; its whole name takes longer to find."""
         try:
-            libraries = [path.name for path in cache_folder().iterdir() if path.suffix == ".so"]
+            return any(cache_folder().glob(f"{self._key}*.so"))
         except (CompilationFailed, OSError):
             return False
-        return any(name.startswith(self._key) for name in libraries)
 
     def _made(self, part: str | None) -> bytes:
         return super()._made(part) if part in PARTS else self._tape
