@@ -15,6 +15,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
+from lagdsl.flat.reached import switch
 from lagdsl.numerics.connected_blocks import Flags, entries
 from lagdsl.numerics.rank import Floats, null_space
 from lagdsl.structure.names import Located, comes_and_goes, configuration, grammatical_subject, listed, located, place
@@ -27,6 +28,8 @@ _NEAR = (1e-3, 1e-4)
 # A part of the value about a point that the gradient leaves unexplained only if it explains nothing: the gradient of a
 # square explains half at most.
 _UNEXPLAINED = 0.25
+# The same for rows with branches: gradients on two sides may differ by a factor, as long as both lead the same way.
+_UNEXPLAINED_BRANCH = 0.9
 _DIRECTIONS = 2
 _STARTS = 3
 _ASIDE = 0.1
@@ -52,17 +55,19 @@ def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sin
     if not rows:
         return False
     bases = [point.q for point in points] or [space.project(space.q, rows).point]
-    suspected = np.logical_and.reduce([_unforetold(space, base) for base in bases])
+    parts = _unexplained(flat)
+    suspected = np.logical_and.reduce([_unforetold(space, base, parts) for base in bases])
     slack = np.logical_or.reduce([_slack(space, base) for base in bases])
     found = False
     for item in located(flat):
         constraint = item.constraint
-        if constraint.level != "position" or comes_and_goes(constraint) or constraint.closure is not None:
+        if constraint.level != "position" or constraint.contact or constraint.closure is not None:
             continue
         for index, row in enumerate(item.rows):
-            if not (suspected[row] or slack[row]) or not np.any(space.pattern[row]):
+            off = bool(slack[row]) and switch(constraint.residuals[index]) is not None
+            if off or not (suspected[row] or slack[row]) or not np.any(space.pattern[row]):
                 continue
-            fault: _Fault | None = "slack" if slack[row] else _fault(space, bases[-1], row)
+            fault: _Fault | None = "slack" if slack[row] else _fault(space, bases[-1], row, parts)
             if fault is not None and not _follows(space, bases[-1], row, rows):
                 rewrite = restated(constraint.residuals[index], constraint.dimension)
                 sink.report(
@@ -87,7 +92,14 @@ _CONTACT = (
 )
 
 
-def _unforetold(space: Geometry, base: Floats) -> Flags:
+def _unexplained(flat: FlatModel) -> Floats:
+    """Parts (nc,) of changes that gradients may leave unexplained."""
+    return np.array(
+        [_UNEXPLAINED_BRANCH if item.constraint.switched else _UNEXPLAINED for item in located(flat) for _ in item.rows]
+    )
+
+
+def _unforetold(space: Geometry, base: Floats, parts: Floats) -> Flags:
     """The rows whose values about `base` are not those that J there foretells, at every distance."""
     phi, jacobian = space.position(base)
     result = np.ones(len(phi), dtype=np.bool_)
@@ -102,9 +114,7 @@ def _unforetold(space: Geometry, base: Floats) -> Flags:
                 change = space.position(base + sign * step)[0] - phi
                 with np.errstate(invalid="ignore"):
                     foretold = sign * (jacobian @ step)
-                    unlike |= ~(
-                        np.abs(change - foretold) <= _UNEXPLAINED * np.maximum(np.abs(change), np.abs(foretold))
-                    )
+                    unlike |= ~(np.abs(change - foretold) <= parts * np.maximum(np.abs(change), np.abs(foretold)))
         result &= unlike
     return result
 
@@ -126,7 +136,7 @@ def _slack(space: Geometry, base: Floats) -> Flags:
     return result
 
 
-def _fault(space: Geometry, base: Floats, row: int) -> _Fault | None:
+def _fault(space: Geometry, base: Floats, row: int, parts: Floats) -> _Fault | None:
     """Fault of the gradient of `row` on its own set; None if it is as it should be anywhere there."""
     alone = space.only([row])
     generator = np.random.default_rng(SEED + 1)
@@ -136,7 +146,7 @@ def _fault(space: Geometry, base: Floats, row: int) -> _Fault | None:
         reached = alone.project(aside, [row])
         if reached.size > HOLDS:
             continue
-        if not _unforetold(alone, reached.point)[row]:
+        if not _unforetold(alone, reached.point, parts)[row]:
             return None
         fault = _kind(alone, reached.point, row)
     return fault

@@ -95,11 +95,25 @@ class Geometry:
         return [row for row, level in enumerate(self.functions.layout.position_level) if level]
 
     def position(self, q: Floats) -> tuple[Floats, Floats]:
-        """phi (nc,) and J (nc, nq)."""
+        """phi (nc,) and J (nc, nq), in the branches that relations have there."""
         phi, jacobian = self.functions.evaluate(
-            "position_constraint", self.t, q, self.qd, self.z, self.u, self.w, self.p
+            "position_constraint", self.t, q, self.qd, self.z, self.u, self._branches(q), self.p
         )
         return phi, jacobian
+
+    def _branches(self, q: Floats) -> Floats:
+        """The discretes, relations as they stand at q. One that depends on others stands after them."""
+        relations = np.array([kind == "relation" for kind in self.functions.layout.kinds], dtype=np.bool_)
+        still, free = np.zeros(len(q)), np.zeros(len(self.functions.layout.constraints))
+        w = self.w
+        for _ in range(int(np.count_nonzero(relations))):
+            (standing,) = self.functions.evaluate(
+                "standing", self.t, q, self.qd, self.z, self.u, w, self.p, still, free
+            )
+            before, w = w, np.where(relations, standing, w)
+            if np.array_equal(before, w):
+                break
+        return w
 
     def velocity(self, q: Floats, qd: Floats) -> tuple[Floats, Floats]:
         """J qd + b (nc,) and J (nc, nq)."""

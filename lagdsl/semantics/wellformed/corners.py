@@ -17,7 +17,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Corner, Relation
 from lagdsl.flat.quantity import Spans
-from lagdsl.flat.reached import reached
+from lagdsl.flat.reached import reached, switch
 from lagdsl.flat.traversal import operands
 from lagdsl.flat.ways import ways
 from lagdsl.semantics.scope.product import Met
@@ -122,9 +122,8 @@ def _bends_row(flat: fm.FlatModel, row: fx.FlatExpression, each: Met) -> bool:
 
 def _without_switches(roots: Sequence[fx.FlatExpression], branching: dict[str, Relation]) -> dict[str, Relation]:
     """Without relations that switch a constraint on and off: `(if l > l0 then l - l0 else 0) = 0`."""
-    sides = [x.left if isinstance(x, fx.Binary) and x.operator == "-" and x.right == fx.ZERO else x for x in roots]
-    switched = [x for x in sides if isinstance(x, fx.Conditional) and fx.ZERO in (x.value, x.otherwise)]
-    off = {x.condition.name for x in switched if isinstance(x.condition, fx.Variable)}
+    switches = [found for found in map(switch, roots) if found is not None]
+    off = {each.condition.name for each in switches if isinstance(each.condition, fx.Variable)}
     return {name: each for name, each in branching.items() if name not in off}
 
 
