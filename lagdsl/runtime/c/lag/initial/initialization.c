@@ -313,8 +313,11 @@ static lag_status find_discretes(lag_initialization *b, const double *q, const d
     int settled = model->standing == NULL;
     for (size_t k = 0; k <= model->nindicator && status == LAG_OK && !settled; ++k) { /* relations may be between what others decide */
         status = model->standing(&at, b->w);
-        settled = memcmp(motion->w, b->w, model->nw * sizeof(double)) == 0;
-        memcpy(motion->w, b->w, model->nw * sizeof(double));
+        settled = 1;
+        for (size_t i = 0; i < model->nw; ++i) {
+            settled = settled && motion->w[i] == b->w[i];
+            motion->w[i] = b->w[i];
+        }
     }
     return status;
 }
