@@ -26,6 +26,6 @@ def turns(flat: fm.FlatModel) -> list[fx.FlatExpression]:
 
 
 def _differentiated(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    """What the kinetic energy and terms of the Lagrangian differentiate by time."""
+    """Arguments of `der` in the kinetic energy and in terms of the Lagrangian."""
     terms = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
     return [x.operand for x in reached(flat, terms) if isinstance(x, fx.Derivative)]

@@ -1,7 +1,7 @@
 """Statements of a text as pieces, so that the findings of one version hold for another with the same statements.
 
-While a statement is being typed, all others stay as they are, some lines further down. What is found in them is found
-already.
+While a statement is being typed, all others stay as they are, some lines further down: their findings are
+known.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ class UnknownOutputs:
 
 
 def _instants(lost: Flags, times: Floats) -> Flags:
-    """Those of `lost` (rows,) whose neighbors at other times are not."""
+    """Rows (rows,) that are `lost` while their neighbors at other times are not."""
     longer = lost[1:] & lost[:-1] & (times[1:] > times[:-1])
     result = lost.copy()
     result[1:] &= ~longer

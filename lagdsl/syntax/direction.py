@@ -2,8 +2,8 @@
 terminal, or hide a text of their own.
 
 In a comment or a string they let a text look other than it is read (N. Boucher and R. Anderson, Trojan Source:
-Invisible Vulnerabilities, USENIX Security 2023). Those that hide something are the default ignorable code points of
-Unicode (DerivedCoreProperties.txt) and the controls; outside comments and strings the lexer refuses them.
+Invisible Vulnerabilities, USENIX Security 2023). Controls and the default ignorable code points of Unicode
+(DerivedCoreProperties.txt) hide something; outside comments and strings the lexer refuses them.
 """
 
 from __future__ import annotations

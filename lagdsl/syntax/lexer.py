@@ -19,7 +19,7 @@ Found: TypeAlias = "tuple[str, str] | None"
 States: TypeAlias = Mapping[int, Mapping[str, object]]
 """For every state of the automaton the symbols that it takes."""
 _BLANKS = " \t\r\n"
-"""What the grammar ignores between tokens besides comments."""
+"""The grammar ignores them between tokens, as it does comments."""
 
 
 class StateLexer(BasicLexer):

@@ -4,7 +4,29 @@ from __future__ import annotations
 
 import unicodedata
 
-from lagdsl.report.boxes import Box, Derivative, Joined, Row, Subscript
+from lagdsl.report.boxes import (
+    Box,
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Derivative,
+    Dotted,
+    Fraction,
+    Joined,
+    Marked,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+    Unit,
+    Upright,
+)
 from lagdsl.report.unicode_math import line
 
 _LETTER, _LOW_LETTER = 7.2, 5.4
@@ -20,12 +42,27 @@ def pieces(box: Box, *, low: bool = False) -> list[tuple[str, bool]]:
             return [(letter, low), *above, (f"/{letter}", low), *pieces(by, low=low)]
         case Joined(items):
             return [piece for item in items for piece in pieces(item, low=low)]
-        case Row((first, *others)):
-            found = pieces(first, low=low)
-            for item in others:
-                found += [("\u2009", low), *pieces(item, low=low)]
-            return found
-        case _:
+        case Row(items):
+            apart = [[("\u2009", low), *pieces(item, low=low)] for item in items]
+            return [piece for item in apart for piece in item][1:]
+        case (
+            Name()
+            | Upright()
+            | Number()
+            | Operator()
+            | Sum()
+            | Fraction()
+            | Power()
+            | Root()
+            | Dotted()
+            | Call()
+            | Bracket()
+            | Marked()
+            | Cases()
+            | Column()
+            | Matrix()
+            | Unit()
+        ):
             return [(line(box), low)]
 
 

@@ -26,7 +26,7 @@ from lagdsl.semantics.scope.values import Numeric, Order, Scalar, highest, lates
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
 
-# What makes zero negative.
+# Subtracted from zero, it makes a negative number.
 _LEAST = 1e-300
 
 
