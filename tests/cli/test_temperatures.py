@@ -68,7 +68,7 @@ def test_differences_are_given_in_kelvin(oven: FlatModel, text: str) -> None:
     ],
 )
 def test_ranges_and_lists(oven: FlatModel, text: str, kelvin: list[float]) -> None:
-    (axis,) = plan(oven, split([text]), None, 0, Sink()).axes
+    (axis,) = plan([oven], split([text]), None, 0, Sink()).axes
     assert list(axis.values) == kelvin
 
 
@@ -77,6 +77,6 @@ def test_ranges_and_lists(oven: FlatModel, text: str, kelvin: list[float]) -> No
     ["T=normal(20, 2) degC", "T=normal(20 degC, 2 degC)", "T=normal(20 degC, 2 K)", "s.start=normal(20, 2) degC"],
 )
 def test_deviations_have_no_offset(oven: FlatModel, text: str) -> None:
-    (axis,) = plan(oven, split([text]), 4000, 7, Sink()).samples
+    (axis,) = plan([oven], split([text]), 4000, 7, Sink()).samples
     assert np.mean(axis.values) == pytest.approx(293.15, abs=4 * 2 / np.sqrt(4000))
     assert np.std(axis.values) == pytest.approx(2.0, rel=0.05)

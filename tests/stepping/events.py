@@ -275,7 +275,7 @@ class Instant:
         return [closed[k] for k in np.flatnonzero(np.abs(now) < NOW / AHEAD * np.abs(later - now))]
 
     def _soon_apart(self, s: State, b: list[float], closed: list[int], begins: list[int]) -> list[int]:
-        """Those without a force here, up to round-off of the time, that part a moment later."""
+        """Closed contacts without a force here, up to round-off of the time, that part a moment later."""
         system = self._system
         if not closed:
             return []

@@ -46,11 +46,15 @@ units = st.builds(
     ).map(lambda parts: [".".join(parts[:2]), *(["/" + parts[2]] if len(parts) == 3 else [])]),
 )
 references = st.builds(lambda name: nodes.Reference(**S, name=name), names | soft_words)
+# Strings hold no characters that are not seen (E0137): controls, marks without a letter, fillers.
+SEEN = st.characters(
+    codec="utf-8", exclude_categories=("C", "Mn", "Zl", "Zp"), exclude_characters="\u115f\u1160\u3164\uffa0"
+)
 leaves = (
     references
     | st.builds(lambda text: nodes.Number(**S, text=text), numbers)
     | st.builds(lambda number, unit: nodes.Quantity(**S, number=number, unit=unit), numbers, units)
-    | st.builds(lambda value: nodes.String(**S, value=value), st.text(st.characters(codec="utf-8"), max_size=8))
+    | st.builds(lambda value: nodes.String(**S, value=value), st.text(SEEN | st.sampled_from('\n\t"\\'), max_size=8))
     | st.builds(lambda value: nodes.Boolean(**S, value=value), st.booleans())
 )
 
