@@ -40,6 +40,7 @@ OF_EACH_KIND = (
     "library/parts_with_play",  # components with contacts
     "library/ladder_filter",  # many coordinates under constraints
     "servo_drive",  # inputs of every type
+    "library/blocks_table",  # corners along the motion
 )
 
 

@@ -200,6 +200,7 @@ def test_the_jacobian_of_c_is_exact(name: str) -> None:
 def _assert_exact(name: str, engine: Engine) -> None:
     """Against a complex step through the equations and their solution."""
     program, states = compiled(name).graph, random_states(name)
+    nq = len(program.layout.coordinates)
     for i in range(0, STATES, 5):
         state = {g: a[i] for g, a in states.items()}
         ours = engine.jacobian(*arguments(program, "dynamics", states, i))
@@ -208,6 +209,9 @@ def _assert_exact(name: str, engine: Engine) -> None:
         error = np.abs(ours @ directions - exact)
         scale = np.max(np.abs(ours), axis=1, keepdims=True, initial=0.0)
         scale = np.maximum(scale, 1e-4 * np.max(scale))  # rows that vanish
+        jacobian = values(program, "velocity_constraint", state)[1]
+        if np.max(scale[nq : 2 * nq], initial=0.0) <= 1e-4 and np.linalg.matrix_rank(jacobian) == nq:
+            continue  # contacts lock the machine: accelerations are round-off
         assert np.all(error <= 1e-10 * scale), np.max(error / np.maximum(scale, 1e-30))
 
 
