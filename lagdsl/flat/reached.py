@@ -56,8 +56,7 @@ def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[f
 
 def switch(residual: fx.FlatExpression) -> fx.Conditional | None:
     """The conditional that switches a row of a constraint on and off: `(if l > l0 then l - l0 else 0) = 0`."""
-    row = residual.left if isinstance(residual, fx.Binary) and residual.operator == "-" else residual
-    zero = isinstance(residual, fx.Binary) and residual.right != fx.ZERO
-    if zero or not isinstance(row, fx.Conditional) or fx.ZERO not in (row.value, row.otherwise):
-        return None
-    return row
+    row = residual
+    if isinstance(row, fx.Binary) and row.operator == "-" and row.right == fx.ZERO:
+        row = row.left
+    return row if isinstance(row, fx.Conditional) and fx.ZERO in (row.value, row.otherwise) else None

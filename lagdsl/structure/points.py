@@ -103,8 +103,11 @@ class Geometry:
 
     def _branches(self, q: Floats) -> Floats:
         """The discretes, relations as they stand at q. One that depends on others stands after them."""
-        relations = np.array([kind == "relation" for kind in self.functions.layout.kinds], dtype=np.bool_)
-        still, free = np.zeros(len(q)), np.zeros(len(self.functions.layout.constraints))
+        layout = self.functions.layout
+        if not layout.instants.switched_rows:  # no row reads them
+            return self.w
+        relations = np.array([kind == "relation" for kind in layout.kinds], dtype=np.bool_)
+        still, free = np.zeros(len(q)), np.zeros(len(layout.constraints))
         w = self.w
         for _ in range(int(np.count_nonzero(relations))):
             (standing,) = self.functions.evaluate(
