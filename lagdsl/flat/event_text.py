@@ -26,6 +26,7 @@ def event_sections(events: fe.Events) -> list[tuple[str, list[Line]]]:
             "clocks",
             [(f"{each.name}: {text_of(each.start)} s, every {text_of(each.period)} s", each) for each in events.clocks],
         ),
+        ("remembered", [(f"{each.name}: {text_of(each.value)}", each) for each in events.memories]),
         ("events", [line for when in events.whens for line in _when(when)]),
     ]
 
@@ -56,10 +57,7 @@ def _when(when: fe.When) -> Iterator[Line]:
     for branch in when.branches:
         conditions = [text_of(condition) for condition in branch.conditions]
         condition = conditions[0] if len(conditions) == 1 else f"{{{', '.join(conditions)}}}"
-        if branch.actions:
-            yield f"{word} {condition} then", branch
-        else:
-            yield f"{word} {condition}: nothing but its truth before", branch
+        yield f"{word} {condition} then", branch
         for action in branch.actions:
             guard = "" if action.guard is None else f"if {text_of(action.guard)}: "
             yield f"  {guard}{action_text(action)}", action

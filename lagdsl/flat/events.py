@@ -66,6 +66,16 @@ class Corner(Item):
 
 
 @record(kw_only=True)
+class Memory(Item):
+    """`pre(v)` of a quantity that no clause assigns, as an input: `value` as it was before the event. A `truth` is 0 or
+    1."""
+
+    name: str
+    value: FlatExpression
+    truth: bool
+
+
+@record(kw_only=True)
 class Clock(Item):
     """`sample(start, period)`: ticks at start + k*period, k = 0, 1, 2 ...; both depend on parameters only."""
 
@@ -184,6 +194,7 @@ class Events:
     timed: tuple[Timed, ...] = ()
     corners: tuple[Corner, ...] = ()
     whens: tuple[When, ...] = ()
+    memories: tuple[Memory, ...] = ()
     clocks: tuple[Clock, ...] = ()
     instants: tuple[str, ...] = ()
     limits: tuple[Limit, ...] = ()
@@ -211,6 +222,7 @@ def entries(events: Events) -> tuple[Entry, ...]:
         *(Entry(each.name, "relation", each) for each in events.relations),
         *(Entry(each.name, "timed", each) for each in events.timed),
         *(Entry(name, "condition", branch) for branch in branches for name in branch.memories),
+        *(Entry(each.name, "condition", each) for each in events.memories),
         *(Entry(each.name, "clock", each) for each in events.clocks),
         *(Entry(name, "instant") for name in events.instants),
     )

@@ -197,6 +197,7 @@ class Pass:
         for when in flat.events.whens:
             if id(when.branches[0]) not in self._firing:
                 self._fire(when)
+        self._memories |= {each.name: self._lowering.scalar(each.value) for each in flat.events.memories}
 
     def blocks(self) -> list[Block]:
         """w after the pass; what is to be done, action by action in the order of the text."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,9 @@ import numpy as np
 import pytest
 from base_modelica import Model
 from choice import ALL, examples
+from fmi.test_values_before_events import COUNTS, DISTANCE, SHIFTS
+from fmi.test_values_before_events import NAMES as NAMES_OF_INPUTS
+from fmi.test_values_before_events import ROWS as ROWS_OF_INPUTS
 from foreign_programs import PEERS, has, in_peers
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -212,35 +216,28 @@ def test_texts_cannot_end_their_string(words: str, expected: str) -> None:
     assert text(words) == expected
 
 
-@pytest.fixture(scope="module")
-def motions(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """What Rumoca makes of the files, by name."""
-    if not has("rumoca"):
-        pytest.skip(f"rumoca is not installed in {PEERS.parents[1]}")
-    folder = tmp_path_factory.mktemp("modelica")
-    names = expressible(EVERY)
-    jobs = []
-    for name in names:
-        (folder / f"{len(jobs)}.mo").write_text(written(name), encoding="utf-8")
-        flat = model(name)._compilation.flat
-        start, stop = flat.experiment.start_time, flat.experiment.stop_time
-        jobs.append(
-            {
-                "file": f"{len(jobs)}.mo",
-                "class": quoted(flat.name),
-                "start": start,
-                "stop": stop,
-                "interval": (stop - start) / (ROWS - 1),
-                "inputs": {quoted(each.name): default for each, default in _inputs(name)},
-                "tolerance": 1e-11,
-                "seconds": 60.0,
-            }
-        )
-    found: dict[str, Any] = {}
-    for name, job in zip(names, jobs, strict=True):
-        (folder / "job.json").write_text(json.dumps([job]))
-        in_peers(CLIENTS / "rumoca_motion.py", "job.json", "result.json", folder=folder)
-        (found[name],) = json.loads((folder / "result.json").read_text())
+def by_rumoca(name: str, folder: Path) -> dict[str, Any]:
+    """The motion of a file by Rumoca: `time` and `values` by identifier; or `message`."""
+    (folder / "0.mo").write_text(written(name), encoding="utf-8")
+    flat = model(name)._compilation.flat
+    start, stop = flat.experiment.start_time, flat.experiment.stop_time
+    job = {
+        "file": "0.mo",
+        "class": quoted(flat.name),
+        "start": start,
+        "stop": stop,
+        "interval": (stop - start) / (ROWS - 1),
+        "inputs": {quoted(each.name): default for each, default in _inputs(name)},
+        "tolerance": 1e-11,
+        "seconds": 60.0,
+    }
+    return rumoca_motion(job, folder)
+
+
+def rumoca_motion(job: dict[str, Any], folder: Path) -> Any:
+    (folder / "job.json").write_text(json.dumps([job]))
+    in_peers(CLIENTS / "rumoca_motion.py", "job.json", "result.json", folder=folder)
+    (found,) = json.loads((folder / "result.json").read_text())
     return found
 
 
@@ -253,8 +250,10 @@ def _inputs(name: str) -> Any:
 
 
 @pytest.mark.parametrize("name", expressible(EVERY))
-def test_rumoca_finds_the_motion_of_the_runtime(name: str, motions: dict[str, Any]) -> None:
-    found = motions[name]
+def test_rumoca_finds_the_motion_of_the_runtime(name: str, tmp_path: Path) -> None:
+    if not has("rumoca"):
+        pytest.skip(f"rumoca is not installed in {PEERS.parents[1]}")
+    found = by_rumoca(name, tmp_path)
     if name in EXPECTED_FAILURES:
         assert EXPECTED_FAILURES[name] in found.get("message", "")
         return
@@ -271,6 +270,34 @@ def test_rumoca_finds_the_motion_of_the_runtime(name: str, motions: dict[str, An
             size = max(size, _size(ours[own.removeprefix("der(")[:-1]]) / per)
         worst = _largest_difference(np.asarray(ours.time), ours[own], found["time"], found["values"][theirs])
         assert worst < 1e-5 * size, own
+
+
+def test_rumoca_counts_changes_of_inputs(tmp_path: Path) -> None:
+    if not has("rumoca"):
+        pytest.skip(f"rumoca is not installed in {PEERS.parents[1]}")
+    sink = Sink()
+    compilation = lagdsl.compile(SHIFTS)._compilation
+    report_inexpressible(compilation.flat, sink)
+    assert not sink.diagnostics
+    backend = ModelicaBackend(compilation.equations, compilation.structure, None)
+    ((_, text),) = backend.emit(compilation.program).files.items()
+    times, *columns = zip(*ROWS_OF_INPUTS, strict=True)
+    inputs = ", ".join(
+        f"{quoted(name)} = {_steps(times, column, truth=name == 'brake')}"
+        for name, column in zip(NAMES_OF_INPUTS, columns, strict=True)
+    )
+    (tmp_path / "0.mo").write_text(f"{text}\nmodel Driven\n  Shifts.Shifts driven({inputs});\nend Driven;\n")
+    job = {"file": "0.mo", "model": "Driven", "start": 0.0, "stop": 1.0, "interval": 0.05, "tolerance": 1e-9}
+    found = rumoca_motion({**job, "inputs": {}, "seconds": 60.0}, tmp_path)
+    assert {name: found["values"][name][-1] for name in COUNTS} == COUNTS
+    assert found["values"]["x"][-1] == pytest.approx(DISTANCE, rel=1e-6)
+
+
+def _steps(times: Sequence[float], values: Sequence[int], *, truth: bool) -> str:
+    """A function of time that holds each value up to the next row."""
+    words = [str(bool(value)).lower() if truth else str(value) for value in values]
+    cases = " else ".join(f"if time < {end} then {word}" for end, word in zip(times[1:], words, strict=False))
+    return f"{cases} else {words[-1]}"
 
 
 def _size(values: np.ndarray) -> float:

@@ -16,11 +16,12 @@ from lagdsl.source import SourceFile
 
 
 @cache
-def exported_text(text: str, version: int, *, clocks: bool = False) -> Exported:
+def exported_text(text: str, version: int, *, clocks: bool = False, scalar: bool = False) -> Exported:
+    """`scalar`: entries of arrays are variables of their own in FMI 3, too."""
     flat = _flat(text)
-    folder = place() / f"{flat.name}-{version}{'-clocks' * clocks}"
+    folder = place() / f"{flat.name}-{version}{'-clocks' * clocks}{'-scalar' * scalar}"
     path = folder.with_suffix(".fmu")
-    _export(flat, path, version, clocks=clocks)
+    _export(flat, path, version, Ports(clocks=clocks, scalar=scalar))
     fmpy.extract(str(path), str(folder))
     return Exported(path, folder)
 
@@ -37,8 +38,8 @@ def _flat(text: str) -> FlatModel:
     return flat
 
 
-def _export(flat: FlatModel, path: Path, version: int, *, clocks: bool = False) -> None:
+def _export(flat: FlatModel, path: Path, version: int, ports: Ports = Ports()) -> None:  # noqa: B008 it is immutable
     sink = Sink()
     compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
-    export_quickly(compilation, path, version=version, ports=Ports(clocks=clocks))
+    export_quickly(compilation, path, version=version, ports=ports)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from lagdsl.flat.events import Assign, Branch, Check, Entry, Impact, Reset, Terminate, entries
+from lagdsl.flat.events import Assign, Branch, Check, Entry, Impact, Memory, Reset, Terminate, entries
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
@@ -74,7 +74,8 @@ def nodes_of(found: Clauses) -> list[int]:
 
 
 def standing(equations: Equations, program: Program) -> dict[str, int]:
-    """Entries of w that relations and the time decide, as they are now, by name: truths, and numbers of pieces."""
+    """Entries of w that relations and the time decide, and values of which `pre` is read, as they are now, by name:
+    truths, and numbers."""
     flat = equations.flat
     found: dict[str, int] = {}
     if not entries(flat.events):
@@ -83,7 +84,7 @@ def standing(equations: Equations, program: Program) -> dict[str, int]:
     for entry, node in zip(entries(flat.events), after.elements, strict=True):
         if entry.kind in ("relation", "timed"):
             found[entry.name] = node
-    return found
+    return found | {each.name: equations.lowering.scalar(each.value) for each in flat.events.memories}
 
 
 def is_truth(entry: Entry, flat: FlatModel) -> bool:
@@ -93,7 +94,9 @@ def is_truth(entry: Entry, flat: FlatModel) -> bool:
             return any(each.name == entry.name and each.kind == "Boolean" for each in flat.events.discretes)
         case "timed":
             return any(each.name == entry.name and each.kind == "relation" for each in flat.events.timed)
-        case "contact" | "relation" | "condition" | "clock" | "instant":
+        case "condition":
+            return not isinstance(entry.item, Memory) or entry.item.truth
+        case "contact" | "relation" | "clock" | "instant":
             return True
         case "impacts":
             return False

@@ -35,7 +35,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0376": error(
         "`{name}` has no separate value before an event",
-        label="not a discrete variable, a state, a coordinate or a rate",
+        label="not a discrete variable, a discrete input, a state, a coordinate or a rate",
         help="name the variable itself",
     ),
     "E0377": error(

@@ -42,13 +42,16 @@ def _moves(value: Scalar) -> bool:
 
 
 def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar) -> flat.FlatExpression | None:
-    """Value before the event: of a discrete variable, or of a truth that changes at events; None after E0376."""
+    """Value before the event: of a discrete variable, of a truth that changes at events, of an input or another name
+    whose value changes at events only; None after E0376."""
     found = named_element(ctx, scope, node) if isinstance(node, _NAMES) else None
     if found is not None and found[0].kind == "discrete" and isinstance(value.expression, flat.Variable):
         return flat.Previous(value.expression.name)
-    if value.kind == "Boolean" and value.variability == Variability.DISCRETE:
+    truth = value.kind == "Boolean"
+    if value.variability == Variability.DISCRETE and (truth or found is not None):
         spans = (node.span, *scope.spans)
-        return flat.Previous(ctx.product.occurrences.remembered(node.span.text, spans, value.expression))
+        text = " ".join((scope.owner.prefix + node.span.text).split())
+        return flat.Previous(ctx.product.occurrences.memory(text, spans, value.expression, truth=truth))
     ctx.sink.report("E0376", node.span, name=node.span.text)
     return None
 

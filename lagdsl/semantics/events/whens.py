@@ -54,7 +54,7 @@ def elaborate_when(ctx: Context, placed: Placed) -> None:
         body = _Body(ctx)
         with ctx.current.standing(Mode.EVENT):
             body.read(branch.body, placed.scope, None)
-        memories = tuple(ctx.product.occurrences.memory(_text(branch.condition)) for _ in conditions)
+        memories = tuple(ctx.product.occurrences.condition(_text(branch.condition)) for _ in conditions)
         spans = (branch.condition.span, *placed.scope.spans)
         branches.append(
             events.Branch(spans=spans, conditions=conditions, memories=memories, actions=tuple(body.actions))

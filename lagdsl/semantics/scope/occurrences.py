@@ -7,7 +7,7 @@ from dataclasses import field
 from enum import Enum
 from itertools import count
 
-from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discrete, Events, Limit, Relation, Timed, When
+from lagdsl.flat.events import INITIAL, TERMINAL, Clock, Contact, Discrete, Events, Limit, Memory, Relation, Timed, When
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record
@@ -37,7 +37,8 @@ class Occurrences:
     clocks: dict[str, Clock] = field(default_factory=dict)
     instants: set[str] = field(default_factory=set)
     limits: list[Limit] = field(default_factory=list)
-    memories: list[tuple[FlatExpression | None, str]] = field(default_factory=list)
+    memories: dict[str, Memory] = field(default_factory=dict)
+    conditions: int = 0
 
     def relation(
         self, text: str, spans: Spans, difference: FlatExpression, dimension: Dimension, *, strict: bool
@@ -80,24 +81,21 @@ class Occurrences:
                 return name
         raise AssertionError("there is always one more name")
 
-    def memory(self, text: str) -> str:
-        """A name for what a condition was before."""
-        return self._memory(text, None)
+    def condition(self, text: str) -> str:
+        """A name for what a condition of a clause was before."""
+        self.conditions += 1
+        return f"when {text} ({self.conditions})"
 
-    def _memory(self, text: str, truth: FlatExpression | None) -> str:
-        name = f"when {text} ({len(self.memories) + 1})"
-        self.memories.append((truth, name))
-        return name
-
-    def remembered(self, text: str, spans: Spans, truth: FlatExpression) -> str:
-        """The name of what a truth that no clause assigns was before: that of a clause without consequences."""
-        for known, name in self.memories:
-            if known == truth:
+    def memory(self, text: str, spans: Spans, value: FlatExpression, *, truth: bool) -> str:
+        """The name of what a value that no clause assigns was before; the same value again has the same name."""
+        for name in _names(f"value {text}"):
+            known = self.memories.get(name)
+            if known is None:
+                self.memories[name] = Memory(spans=spans, name=name, value=value, truth=truth)
                 return name
-        name = self._memory(text, truth)
-        branch = Branch(spans=spans, conditions=(truth,), memories=(name,), actions=())
-        self.whens.append(When(spans=spans, branches=(branch,)))
-        return name
+            if known.value == value:
+                return name
+        raise AssertionError("there is always one more name")
 
     def events(self) -> Events:
         return Events(
@@ -106,6 +104,7 @@ class Occurrences:
             relations=tuple(self.relations.values()),
             timed=tuple(timed for _, timed in self.timed.values()),
             whens=tuple(self.whens),
+            memories=tuple(self.memories.values()),
             clocks=tuple(self.clocks.values()),
             instants=tuple(name for name in (INITIAL, TERMINAL) if name in self.instants),
             limits=tuple(self.limits),

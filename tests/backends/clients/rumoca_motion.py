@@ -1,8 +1,8 @@
 """Motions of files of Modelica by Rumoca: `rumoca_motion.py JOBS RESULTS`.
 
-JOBS is a list of jobs in JSON: file, class, start, stop and interval [s], inputs (constants by
-identifier), tolerance, seconds for one run. RESULTS is
-a list in the same order: a table of values by identifier, or the message of Rumoca.
+JOBS is a list of jobs in JSON: file, class or whole name of the model, start, stop and interval [s], inputs (constants
+by identifier), tolerance, seconds for one run. RESULTS is a list in the same order: a table of values by identifier, or
+the message of Rumoca.
 """
 
 import json
@@ -26,7 +26,7 @@ def simulated(model, job, solver):
 
 def motion(job):
     text = Path(job["file"]).read_text(encoding="utf-8")
-    name = f"{job['class']}.{job['class']}"
+    name = job.get("model") or f"{job['class']}.{job['class']}"
     given = ", ".join(f"{key} = {value!r}" for key, value in job["inputs"].items())
     if given:
         text += f"\nmodel Driven\n  {name} driven({given});\nend Driven;\n"

@@ -51,7 +51,7 @@ typedef enum lag_kind {
     LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
     LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
-    LAG_KIND_CONDITION, /* the truth of a condition when it was looked at last */
+    LAG_KIND_CONDITION, /* the truth of a condition, or a value that `pre` reads, when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
     LAG_KIND_TERMINAL   /* 1 in the first pass at the end */

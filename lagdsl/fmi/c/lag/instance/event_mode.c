@@ -128,7 +128,10 @@ lag_status lag_instance_release(lag_instance *instance)
     return status;
 }
 
-/* Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has. */
+/*
+ * Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has, conditions and
+ * values that `pre` reads included.
+ */
 static lag_status find(lag_instance *instance, const double *located, int *any)
 {
     const size_t count = watched(instance);
@@ -141,7 +144,8 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
         instance->largest[i] = changed ? 0.0 : instance->largest[i];
         *any = *any || changed;
     }
-    return status;
+    const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
+    return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, instance->held.t, instance->x, any) : status;
 }
 
 /*

@@ -99,6 +99,15 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
     return status;
 }
 
+lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double t, const double *x, int *changed)
+{
+    const lag_places *places = &iteration->places;
+    const size_t count = places->clock - places->condition;
+    const lag_status status = count > 0 ? look(iteration, t, x) : LAG_OK;
+    *changed = status == LAG_OK && !same(count, iteration->next + places->condition, iteration->motion->w + places->condition);
+    return status;
+}
+
 /* ---- contacts ---- */
 
 /* Impacts of clauses, and contacts that something drives in now. */

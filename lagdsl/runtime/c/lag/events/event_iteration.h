@@ -45,6 +45,9 @@ void lag_event_iteration_place(
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x);
 
+/* *changed: 1 if a condition, or a value that `pre` reads, is other than at the last look, as after a change of inputs. */
+lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double t, const double *x, int *changed);
+
 /*
  * Carries out what is new in w; `relations`, turned in w already, and `contacts` were found to change (flags, or null). Changes x and w,
  * whose rates are on the constraints afterwards. Relations are left as they are a moment later.

@@ -77,20 +77,29 @@ lag_status lag_run_ticks(lag_run *run)
     return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
 }
 
+/* Relations, conditions and values that `pre` reads that are other with the inputs of now. */
+static lag_status find_changed(lag_run *run, int *any)
+{
+    const lag_model *model = run->motion.model;
+    const lag_stepper *s = &run->stepper;
+    lag_status status = model->nindicator > 0 ? lag_zero_crossing_look(&run->crossings, s->t, s->x) : LAG_OK;
+    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
+        run->crossings.changed[model->nindicator + i] = 0.0;
+    }
+    *any = status == LAG_EVENT_PENDING && lag_any(model->nindicator, run->crossings.changed);
+    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
+    return status == LAG_OK && !*any ? lag_event_iteration_conditions(&run->instants.iteration, s->t, s->x, any) : status;
+}
+
 lag_status lag_run_jump(lag_run *run)
 {
     const lag_model *model = run->motion.model;
     lag_stepper *s = &run->stepper;
+    int any = 0;
     run->motion.until = (double)INFINITY;
-    if (model->nindicator == 0) {
-        return LAG_OK;
-    }
-    lag_status status = lag_zero_crossing_look(&run->crossings, s->t, s->x);
-    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
-        run->crossings.changed[model->nindicator + i] = 0.0;
-    }
-    if (status != LAG_EVENT_PENDING || !lag_any(model->nindicator, run->crossings.changed)) {
-        return status == LAG_EVENT_PENDING ? LAG_OK : status;
+    lag_status status = has_instants(run) ? find_changed(run, &any) : LAG_OK;
+    if (!any || status != LAG_OK) {
+        return status;
     }
     memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
     run->motion.until = s->t; /* the row before has the inputs before */
