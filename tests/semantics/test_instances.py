@@ -410,3 +410,11 @@ def test_what_two_bases_declare_alike_is_one() -> None:
     text += "model B\n  extends Part;\n  parameter Real k = 1;\nend B;\nmodel M\n  extends A;\n  extends B;\n"
     flat = flat_of(text + "  potential k*(1 N/m)*x^2;\nend M;\n")
     assert [len(flat.coordinates), len(flat.parameters), len(flat.energies)] == [1, 1, 2]
+
+
+@pytest.mark.parametrize("given", ["{world, world, world}", "world"])
+def test_an_array_of_frames_is_given_frame_by_frame(given: str) -> None:
+    row = "model Row\n  frame ways[2];\n  mass 1 kg at ways[2];\nend Row;\n"
+    flat, sink = run(f"{row}model M\n  Row row(ways = {given});\n  gravity = 0;\nend M;\n", model="M")
+    assert flat is None
+    assert "E0334" in {code for code, _ in said(sink)}

@@ -11,7 +11,16 @@ from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.record import mutable_record
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import without_each
-from lagdsl.semantics.scope.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
+from lagdsl.semantics.scope.scope import (
+    Binding,
+    ClassSymbol,
+    Entry,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    bindings_of,
+)
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -136,8 +145,8 @@ def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes
         label = Label(symbol.span, f"declared as {symbol.title}")
         ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
         return
-    key = () if symbol.kind in ("point", "frame") and not _is_array(symbol) else None
-    symbol.given.bindings = {key: Binding(value, outer, modifier.span)}
+    binding = Binding(value, outer, modifier.span)
+    symbol.given.bindings = bindings_of(symbol.kind, binding, array=_is_array(symbol))
 
 
 def report_unknown(ctx: Context, changes: Changes, instance: Instance) -> None:

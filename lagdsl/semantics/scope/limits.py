@@ -1,10 +1,11 @@
-"""Bounds of the expansion of loops, arrays and functions. Each bound has a diagnostic (E0326)."""
+"""Bounds of the expansion of loops, arrays and functions, each with a diagnostic (E0326)."""
 
 from __future__ import annotations
 
 import math
 
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Indices, Symbol
 from lagdsl.source import Span
 
 MAX_ELEMENTS = 100_000
@@ -30,6 +31,12 @@ def array_fits(ctx: Context, span: Span, shape: tuple[int, ...], *, moves: bool 
     fits = _fits(ctx, span, "an array", math.prod(shape), MAX_ELEMENTS)
     many = "the number of coordinates and states"
     return fits and (not moves or _fits(ctx, span, many, ctx.counts.coordinates, MAX_COORDINATES))
+
+
+def shape_fits(ctx: Context, symbol: Symbol, shape: tuple[int, ...]) -> bool:
+    """E0326 unless an array of this shape can be held, E0334 unless frames are given for all of it."""
+    fits = array_fits(ctx, symbol.span, shape, moves=symbol.kind in ("coordinate", "state"))
+    return fits and _frames_fit(ctx, symbol, shape)
 
 
 def range_fits(ctx: Context, span: Span, count: int) -> bool:
@@ -59,3 +66,18 @@ def _fits(ctx: Context, span: Span, what: str, count: int, most: int) -> bool:
         ctx.counts.exceeded.add(what)
         ctx.sink.report("E0326", span, what=what, most=most)
     return count <= most
+
+
+def _frames_fit(ctx: Context, symbol: Symbol, shape: tuple[int, ...]) -> bool:
+    """E0334 for an array of frames with a value that is not a frame for each element, in braces."""
+    given = symbol.given.bindings
+    if symbol.kind != "frame" or not shape or all(_is_within(key, shape) for key in given):
+        return True
+    found = "another value" if None in given else f"{len(given)} of them"
+    wanted = f"{' by '.join(str(extent) for extent in shape)} frames in braces"
+    ctx.sink.report("E0334", next(iter(given.values())).span, what=f"`{symbol.short}`", expected=wanted, found=found)
+    return False
+
+
+def _is_within(key: Indices | None, shape: tuple[int, ...]) -> bool:
+    return key is not None and len(key) == len(shape) and all(i <= n for i, n in zip(key, shape, strict=True))

@@ -75,6 +75,14 @@ class Binding:
     span: Span
 
 
+def bindings_of(kind: SymbolKind, value: Binding, *, array: bool) -> dict[Indices | None, Binding]:
+    """The bindings of a symbol by one text: frames in braces are frames one by one, for there is no value that holds
+    several."""
+    if kind == "frame" and array and isinstance(value.node, nodes.Array):
+        return {(i,): Binding(each, value.scope, value.span) for i, each in enumerate(value.node.elements, 1)}
+    return {() if kind in ("point", "frame") and not array else None: value}
+
+
 @mutable_record()
 class LabelInstance:
     """One labelled item; inside loops there is one for each set of indices."""

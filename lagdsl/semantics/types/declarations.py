@@ -19,6 +19,7 @@ from lagdsl.semantics.scope.scope import (
     Symbol,
     SymbolKind,
     TypeSymbol,
+    bindings_of,
 )
 from lagdsl.semantics.scope.values import POISON, AnyValue
 from lagdsl.semantics.types import prefixes
@@ -161,8 +162,8 @@ def _symbol(ctx: Context, scope: Scope, kind: SymbolKind, title: str, declarator
         return None
     ctx.product.names.add(symbol.name)
     if declarator.value is not None:
-        key = None if declarator.subscripts or kind not in ("point", "frame") else ()
-        symbol.given.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
+        binding = Binding(declarator.value, scope, declarator.name_span)
+        symbol.given.bindings |= bindings_of(kind, binding, array=bool(declarator.subscripts))
     return symbol
 
 

@@ -22,7 +22,7 @@ from lagdsl.semantics.operators.geometry import as_point
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.instance_diagnostics import report_missing
-from lagdsl.semantics.scope.limits import array_fits
+from lagdsl.semantics.scope.limits import shape_fits
 from lagdsl.semantics.scope.naming import element_name, kind_of
 from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, Symbol
@@ -100,7 +100,7 @@ class Definitions:
                 self._poison(symbol)
                 return None
             extents.append(extent)
-        if not array_fits(ctx, symbol.span, tuple(extents), moves=symbol.kind in ("coordinate", "state")):
+        if not shape_fits(ctx, symbol, tuple(extents)):
             self._poison(symbol)
             return None
         return tuple(extents)
