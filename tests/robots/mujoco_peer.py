@@ -88,15 +88,20 @@ class MuJoCo:
         return mass
 
 
-def compare_with_mujoco(path: Path, states: int, lenient: bool = False) -> dict[str, float]:
-    """Differences of mass matrix, efforts, gravity, accelerations, activations, places and Jacobians, of their size."""
+def plan_of_mjcf(path: Path, lenient: bool, style: Style = Style()) -> Plan:  # noqa: B008 it is immutable
     sink = Sink()
     root = read_xml(path, sink)
     assert root is not None
     robot = read_mjcf(path, root, Findings(sink, lenient))
     sink.raise_if_errors()
     assert robot is not None
-    plan = planned(robot, Style(), Findings(Sink(), lenient))
+    return planned(robot, style, Findings(Sink(), lenient))
+
+
+def compare_with_mujoco(path: Path, states: int, lenient: bool = False) -> dict[str, float]:
+    """Differences of mass matrix, efforts, gravity, accelerations, activations, places and Jacobians, of their size."""
+    plan = plan_of_mjcf(path, lenient)
+    robot = plan.robot
     carried = [joint.child for joint in robot.joints if joint.kind != "fixed"]
     seen = [name for name in carried if not name.endswith(tuple(f"after joint {k}" for k in range(9)))][-SEEN:]
     text = lagdsl.import_robot(path, lenient=lenient)

@@ -40,14 +40,14 @@ def half_turn_rates(e: np.ndarray) -> np.ndarray:
     return 0.5 * np.array([[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]])
 
 
-def plan_of(path: Path, lenient: bool) -> Plan:
+def plan_of(path: Path, lenient: bool, *, floating: bool = False) -> Plan:
     sink = Sink()
     root = read_xml(path, sink)
     assert root is not None
     robot = read_urdf(path, root, Findings(sink, lenient))
     sink.raise_if_errors()
     assert robot is not None
-    return planned(robot, Style(actuators="none"), Findings(Sink(), lenient))
+    return planned(robot, Style(actuators="none", floating=floating), Findings(Sink(), lenient))
 
 
 def with_places(text: str, plan: Plan, names: list[str]) -> str:

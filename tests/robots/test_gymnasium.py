@@ -16,7 +16,8 @@ from lagdsl.syntax.printer import format_text
 
 pytest.importorskip("mujoco")
 
-from robots.mujoco_peer import compare_with_mujoco
+from robots.mujoco_peer import compare_with_mujoco, plan_of_mjcf
+from robots.test_terms import errors_of_terms
 
 
 def _folder() -> Path:
@@ -42,3 +43,11 @@ def test_equations_are_those_of_mujoco(path: Path) -> None:
     text = lagdsl.import_robot(path, lenient=lenient)
     assert format_text(SourceFile(path.name, text), Sink()) == text
     assert [each.code for each in lagdsl.check(text) if each.severity != "note"] == []
+
+
+@pytest.mark.parametrize("path", spread(FILES, 4), ids=lambda path: path.stem)
+def test_terms_of_equations(path: Path) -> None:
+    text = lagdsl.import_robot(path, lenient=path.stem == DRAGGED, actuators="none")
+    plan = plan_of_mjcf(path, path.stem == DRAGGED)
+    worst = errors_of_terms(lagdsl.compile(text, engine="tape"), plan)
+    assert max(worst.values()) < 1e-12, worst

@@ -3,6 +3,8 @@ the inertial parameters are the efforts that the bodies need."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,9 @@ import lagdsl
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.program.passes.written_out import written_out
+from lagdsl.robots.plan import Plan, coordinate_of
 from robots.imported import ARM, FILES
+from robots.peers import plan_of
 
 STEP = 1e-30
 STATES = 20
@@ -34,15 +38,25 @@ def change_of_mass_matrix(model: lagdsl.Model, q: np.ndarray, qd: np.ndarray) ->
     return np.stack(entries, axis=-1).reshape(len(q), *block.shape) / STEP
 
 
-def errors_of_terms(model: lagdsl.Model) -> dict[str, float]:
-    """The three identities at random states, of the size of their terms. Energies beside those of bodies, as of rotors,
-    have no inertial parameters: the regressor is compared where there are none."""
+def beside_bodies(plan: Plan, coordinates: Sequence[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Rotors, springs and their rests, by coordinate: these efforts have no inertial parameters."""
+    found = np.zeros((3, len(coordinates)))
+    for joint in plan.robot.joints:
+        if joint.kind in ("revolute", "prismatic"):
+            own = joint.passive
+            found[:, coordinates.index(coordinate_of(plan, joint))] = own.armature, own.stiffness, own.rest
+    return found[0], found[1], found[2]
+
+
+def errors_of_terms(model: lagdsl.Model, plan: Plan) -> dict[str, float]:
+    """The three identities at random states, of the size of their terms."""
     q, qd, qdd = np.random.default_rng(3).normal(size=(3, STATES, len(model.coordinates)))
     coriolis, gravity = np.asarray(model.coriolis_matrix(0.0, q, qd)), np.asarray(model.gravity_forces(0.0, q))
     bias, mass = np.asarray(model.bias_forces(0.0, q, qd)), np.asarray(model.mass_matrix(0.0, q))
     skew = change_of_mass_matrix(model, q, qd) - 2 * coriolis
     terms = np.abs(coriolis) @ np.abs(qd)[..., None]
-    efforts = (mass @ qdd[..., None])[..., 0] + bias
+    rotors, springs, rests = beside_bodies(plan, model.coordinates)
+    efforts = (mass @ qdd[..., None])[..., 0] + bias - rotors * qdd - springs * (q - rests)
     product = np.asarray(model.regressor(0.0, q, qd, qdd)) @ np.asarray(model.inertial_parameters())
     return {
         "skew": float(np.abs(skew + np.swapaxes(skew, -1, -2)).max() / max(np.abs(coriolis).max(), np.abs(mass).max())),
@@ -54,5 +68,20 @@ def errors_of_terms(model: lagdsl.Model) -> dict[str, float]:
 @pytest.mark.parametrize(("name", "floating"), ROBOTS)
 def test_terms_of_imported_robots(name: str, floating: bool) -> None:
     text = lagdsl.import_robot(FILES / name, lenient=name != ARM.name, floating=floating)
-    worst = errors_of_terms(lagdsl.compile(text, engine="tape"))
+    plan = plan_of(FILES / name, lenient=True, floating=floating)
+    worst = errors_of_terms(lagdsl.compile(text, engine="tape"), plan)
+    assert max(worst.values()) < 1e-12, worst
+
+
+def test_terms_beside_rotors_and_springs() -> None:
+    pytest.importorskip("mujoco")
+    from robots.mujoco_peer import plan_of_mjcf
+
+    path = FILES / "mobile.xml"
+    text = lagdsl.import_robot(path, lenient=True, actuators="none")
+    plan = plan_of_mjcf(path, lenient=True)
+    model = lagdsl.compile(text, engine="tape")
+    rotors, springs, _ = beside_bodies(plan, model.coordinates)
+    assert np.any(rotors) and np.any(springs)
+    worst = errors_of_terms(model, plan)
     assert max(worst.values()) < 1e-12, worst
