@@ -21,6 +21,7 @@ from lagdsl.fmi.package.binary import objects_of
 from lagdsl.fmi.package.sources import require_fmpy
 from lagdsl.fmi.package.trial import try_out
 from lagdsl.fmi.reference import reference
+from lagdsl.fmi.structural_parameters import with_structural_parameters
 from lagdsl.fmi.variables.ports import Ports
 from lagdsl.fmi.variables.variables import KINDS, Kind, Version
 from lagdsl.pipeline import Compilation
@@ -68,6 +69,7 @@ def export(
     told = progress or _nobody
     machines = _platforms(platforms)
     require_fmpy()
+    compilation = with_structural_parameters(compilation, own)
     refuse(compilation.flat, version, parameters or {}, own)
     own.raise_if_errors()
     report_renamed(compilation.program.name, "c", own)

@@ -73,7 +73,7 @@ def command(
 ) -> None:
     """Write the model in FILE as an FMU. The FMU is validated and run once before it appears.
 
-    Values of --set are the defaults of the FMU; structural parameters become numbers of it.
+    Values of --set are the defaults of the FMU; structural parameters that shape the model become numbers of it.
     """
     require_ending(path, "FMUs are", ".fmu")
     if file_name := next((name for name in outputs if name.endswith(".fmu")), None):

@@ -54,4 +54,9 @@ ROWS: dict[str, Row] = {
         "the model declares no output, so {names} of the FMU",
         help="declare outputs, or choose them: `--output '{first}'`",
     ),
+    "N0928": note(
+        "numbers of the FMU, not parameters: {names}",
+        label="sizes, branches, limits or other structural parameters depend on it",
+        help="`--set '{first}=...'` gives an FMU another number",
+    ),
 }

@@ -70,9 +70,13 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
         )
 
 
+def _kind(ctx: Context, symbol: Symbol) -> str:
+    return "parameter" if symbol.kind == "structural" and symbol.name in ctx.conventions.plain else symbol.kind
+
+
 def _steady(ctx: Context, symbol: Symbol, value: Scalar | Array, node: nodes.Expression) -> bool:
     """A binding must not vary more than what it defines."""
-    allowed = _VARIABILITY[symbol.kind]
+    allowed = _VARIABILITY[_kind(ctx, symbol)]
     if rank(value.variability) <= rank(allowed):
         return True
     words = {"constant": "constants", "structural": "constants and structural parameters"}
@@ -85,9 +89,10 @@ def _element(
     ctx: Context, symbol: Symbol, indices: Indices, value: Scalar, bounds: Bounds, fields: QuantityFields
 ) -> Scalar | Poison:
     """One scalar: an independent parameter, a dependent one (a definition) or a number folded into expressions."""
-    name, dimension, variability = fields["name"], fields["dimension"], _VARIABILITY[symbol.kind]
+    kind = _kind(ctx, symbol)
+    name, dimension, variability = fields["name"], fields["dimension"], _VARIABILITY[kind]
     assert symbol.info is not None
-    if not is_structural(value) or (symbol.given.final and symbol.kind == "parameter"):
+    if not is_structural(value) or (symbol.given.final and kind == "parameter"):
         definition = flat_model.Definition(**fields, value=value.expression, variability=variability)
         ctx.product.named.append(definition)
         return Scalar(flat.Variable(name), dimension, variability, Order.STILL, value.kind)
@@ -100,7 +105,7 @@ def _element(
         ctx.sink.report("E0323", place, reason=str(fault))
         return POISON
     _check_bounds(ctx, symbol, number, bounds)
-    folded = symbol.kind != "parameter"
+    folded = kind != "parameter"
     parameter = flat_model.Parameter(
         **fields,
         value=number,
