@@ -75,8 +75,20 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
         drives=tuple(drives),
         servos=tuple(_servo(servo, names) for servo in robot.servos) if style.actuators == "file" else (),
         tendons=tuple((names.of(tendon.name, "tendon", tendon.span), tendon) for tendon in robot.tendons),
-        resting=frozenset() if style.floating else _resting(robot),
+        resting=frozenset() if style.floating else rigid_with_root(robot),
     )
+
+
+def rigid_with_root(robot: Robot) -> frozenset[str]:
+    """The root link and those that rigid joints alone connect with it."""
+    rigid: dict[str, list[str]] = {}
+    for joint in robot.joints:
+        if joint.kind == "fixed":
+            rigid.setdefault(joint.parent, []).append(joint.child)
+    found = [robot.root]
+    for name in found:
+        found += rigid.get(name, ())
+    return frozenset(found)
 
 
 def is_body(plan: Plan, link: Link) -> bool:
@@ -124,15 +136,3 @@ def _actuators(robot: Robot, style: Style) -> tuple[Actuator, ...]:
         case "file" | "all":
             moved = [joint for joint in robot.joints if joint.kind in COORDINATES and joint.mimic is None]
             return tuple(effort_of(joint, joint.span) for joint in moved)
-
-
-def _resting(robot: Robot) -> frozenset[str]:
-    """The links that rigid joints alone connect with the world."""
-    rigid: dict[str, list[str]] = {}
-    for joint in robot.joints:
-        if joint.kind == "fixed":
-            rigid.setdefault(joint.parent, []).append(joint.child)
-    found = [robot.root]
-    for name in found:
-        found += rigid.get(name, ())
-    return frozenset(found)

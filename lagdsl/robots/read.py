@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
+from lagdsl.robots.description import Robot
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.plan import Style, planned
+from lagdsl.robots.plan import Style, planned, rigid_with_root
 from lagdsl.robots.text import model_text
 from lagdsl.robots.urdf import read_urdf
 from lagdsl.robots.xml_tree import read_xml
@@ -36,9 +38,23 @@ def robot_text(path: Path, style: Style, sink: Sink, lenient: bool = False) -> s
             return None
     if robot is None or sink.has_errors:
         return None
+    if style.floating and _turns_alone(robot):
+        findings.error("E1022", robot.span, name=robot.root, instead="the root link is joined to the world")
+        style = replace(style, floating=False)
+    if sink.has_errors:
+        return None
     if not style.floating and all(joint.kind == "fixed" for joint in robot.joints):
         sink.report("E1018", robot.span)
         return None
     text = format_text(SourceFile(str(path), model_text(planned(robot, style, findings))), sink)
     assert text is not None, sink.diagnostics
     return text
+
+
+def _turns_alone(robot: Robot) -> bool:
+    """True if the root link could move along its only joint without moving any mass."""
+    rigid = rigid_with_root(robot)
+    if any(link.inertial is not None for link in robot.links if link.name in rigid):
+        return False
+    leading = [joint for joint in robot.joints if joint.kind != "fixed" and joint.parent in rigid]
+    return len(leading) <= 1 and not any(joint.passive.armature for joint in leading)

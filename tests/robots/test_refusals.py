@@ -6,6 +6,7 @@ import time
 import tracemalloc
 from pathlib import Path
 
+import numpy as np
 import pytest
 from choice import ALL
 
@@ -109,6 +110,50 @@ def test_what_is_wrong_is_told_at_its_line(
         assert [each.code for each in told if each.severity != "note"] == lenient
         assert all(each.severity == "warning" and each.notes for each in told if each.severity != "note")
         assert [each.code for each in lagdsl.check(model) if each.severity == "error"] == []
+
+
+FREE = """<robot name="free">
+<link name="root"/>
+{links}
+{joints}
+</robot>"""
+BODY = """<link name="{0}"><inertial><origin xyz="0.1 0.2 0"/><mass value="2"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.015"/></inertial></link>"""
+HINGE = """<joint name="to_{0}" type="{1}"><parent link="root"/><child link="{0}"/><origin xyz="{2} 0 0"/>
+<axis xyz="{3}"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>"""
+
+
+def free(*bodies: tuple[str, str, str, str]) -> str:
+    """A root link without mass, and what hangs on it."""
+    links = "\n".join(BODY.format(name) for name, *_ in bodies)
+    return FREE.format(links=links, joints="\n".join(HINGE.format(*body) for body in bodies))
+
+
+def test_a_free_root_without_mass_whose_motion_is_not_determined(tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf"
+    text = free(("b", "revolute", "0", "0 0 1"))
+    assert [each[:2] for each in refusal(path, text, floating=True)] == [("E1022", 1)]
+    assert refusal(path, text, floating=True, lenient=True)[0][0] == "E1022"
+    model, _ = imported(path, floating=True, lenient=True)
+    assert "FreeQuaternion" not in model and lagdsl.compile(model).coordinates == ["to_b.q"]
+
+
+@pytest.mark.parametrize(
+    "bodies",
+    [[("b", "fixed", "0", "0 0 1")], [("b", "revolute", "0", "0 0 1"), ("c", "revolute", "0.5", "0 1 0")]],
+)
+def test_a_free_root_without_mass_that_bodies_move(tmp_path: Path, bodies: list[tuple[str, str, str, str]]) -> None:
+    """The mass matrix along the motions that the unit quaternion permits has full rank."""
+    path = tmp_path / "robot.urdf"
+    path.write_text(free(*bodies))
+    text, told = imported(path, floating=True)
+    assert "FreeQuaternion floating_base;" in text and not [each for each in told if each.severity != "note"]
+    model = lagdsl.compile(text)
+    q = np.zeros(len(model.coordinates))
+    q[model.coordinates.index("floating_base.e[1]")] = 1.0
+    mass = np.asarray(model.mass_matrix(0.0, q))
+    rows = np.asarray(model.constraint_jacobian(0.0, q))
+    assert np.linalg.eigvalsh(mass + rows.T @ rows)[0] > 1e-4
 
 
 def test_a_mesh_behind_a_link_out_of_the_folder_is_outside(tmp_path: Path) -> None:

@@ -66,4 +66,9 @@ ROWS: dict[str, Row] = {
     ),
     "N1020": note("the {kind} `{old}` is called `{new}` in the text", label="its original name"),
     "N1021": note("a warning of MuJoCo: {text}", label="about this file"),
+    "E1022": error(
+        "the root link `{name}` has no mass, and a single joint leads from it: it cannot move freely",
+        label="the acceleration of its root link is not determined",
+        help="give the root link a mass, or import the robot without `--floating`",
+    ),
 }
