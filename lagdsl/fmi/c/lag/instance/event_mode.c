@@ -14,8 +14,8 @@ static const double ROUNDINGS = 64.0;
 /* During an event, a value has changed if it lies behind zero by this part of its margin. */
 static const double CLEARLY = 0.6;
 /*
- * An event without effect, such as errors of the importer cause at a resting contact, moves the next one away from zero by
- * this factor.
+ * An event without effect is one of the importer's errors: they grow by this factor before they cause the next. They have a size of
+ * their own, which has nothing to do with how far behind zero a contact is.
  */
 static const double FARTHER = 4.0;
 /* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
@@ -106,7 +106,7 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
     instance->held.nodes = 0;
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->latched[i] = fmax(0.0, -value(instance, i));
+        instance->latched[i] = fmax(0.0, -value(instance, i)) + instance->errors[i];
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
     }
     return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
@@ -119,7 +119,7 @@ lag_status lag_instance_release(lag_instance *instance)
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
         if (value(instance, i) > margin(instance, i)) {
-            instance->latched[i] = 0.0;
+            instance->latched[i] = instance->errors[i] = 0.0;
         }
     }
     if (status == LAG_OK && instance->fmu->model->ncorner > 0) {
@@ -175,7 +175,7 @@ static lag_status place(lag_instance *instance, int located)
     return status;
 }
 
-/* Bounces that take less than this are none. */
+/* Bounces that take less than this are none: the importer's errors are larger. */
 static double flight(const lag_instance *instance)
 {
     const lag_zero_crossing *crossings = &instance->run->crossings;
@@ -183,7 +183,8 @@ static double flight(const lag_instance *instance)
     double late = 0.0;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
-        const double behind = -value(instance, first + i) - instance->latched[first + i] - 2.0 * margin(instance, first + i);
+        const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * margin(instance, first + i);
+        const double behind = seen - value(instance, first + i);
         if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
             late = fmax(late, -behind / crossings->speed[i]);
         }
@@ -199,11 +200,26 @@ static double length_of_step(const lag_instance *instance, int located)
     return span > 0.0 ? span : MOMENT * fmax(run->instants.contacts.length, fabs(instance->held.t));
 }
 
-static void step_back(lag_instance *instance, int idle)
+/* True if an event has changed no number of the state by more than the importer's tolerance allows. */
+static int is_idle(const lag_instance *instance)
 {
-    for (size_t i = 0; idle && i < watched(instance); ++i) {
-        instance->latched[i] *= FARTHER;
+    int idle = 1;
+    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
+        idle = idle && fabs(instance->x[i] - instance->tangent[i]) <= instance->held.tolerance * fabs(instance->tangent[i]);
     }
+    return idle;
+}
+
+/* What seemed to change in an event without effect is where errors of the importer have taken it. */
+static lag_status step_back(lag_instance *instance)
+{
+    const lag_status status = look(instance, instance->held.t, instance->x);
+    for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
+        if (-value(instance, i) > instance->latched[i]) {
+            instance->errors[i] = FARTHER * fmax(instance->errors[i], margin(instance, i));
+        }
+    }
+    return status;
 }
 
 lag_status lag_instance_carry_out(lag_instance *instance)
@@ -232,9 +248,8 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
-        const int idle = any && memcmp(instance->tangent, instance->x, size) == 0;
-        status = lag_instance_latch(instance, held->t, instance->x);
-        step_back(instance, idle);
+        status = any && is_idle(instance) ? step_back(instance) : LAG_OK;
+        status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;
     }
     if (status == LAG_OK) {
         status = lag_instance_turn(instance, held->t, instance->x);

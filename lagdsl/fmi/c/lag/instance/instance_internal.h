@@ -83,6 +83,7 @@ struct lag_instance {
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
     double *largest;        /* (relations, contacts, corners) magnitudes seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
+    double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
