@@ -8,7 +8,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, TypeVar
+from itertools import product
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import pytest
 
 if TYPE_CHECKING:
     from lagdsl.runtime.engines.engine import EngineName
@@ -32,6 +35,18 @@ def spread(every: Iterable[Item], count: int) -> list[Item]:
     if ALL or len(items) <= count:
         return items
     return [items[round(i * (len(items) - 1) / (count - 1))] for i in range(count)]
+
+
+def paired(*axes: Sequence[Any]) -> list[tuple[Any, ...]]:
+    """All combinations, or as few of them as have each value of each axis."""
+    if ALL:
+        return list(product(*axes))
+    return [tuple(axis[i % len(axis)] for axis in axes) for i in range(max(map(len, axes)))]
+
+
+def repeats(other: str) -> pytest.MarkDecorator:
+    """A test or a case of what `other` shows, too: it runs in `make check-all`."""
+    return pytest.mark.skipif(not ALL, reason=f"repeats {other}")
 
 
 def engines(every: Sequence[EngineName]) -> list[EngineName]:

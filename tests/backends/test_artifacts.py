@@ -13,7 +13,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from choice import chosen
+from choice import chosen, spread
 from made_modules import PLAIN, SANITIZED, Made
 from sample_programs import chain, closed_chain, pendulum, quaternion_body
 
@@ -64,7 +64,7 @@ print(digest.hexdigest())
 
 def test_bytes_do_not_depend_on_the_hash_seed(root: Path) -> None:
     digests = set()
-    for seed in ("0", "1", "31337"):
+    for seed in ("0", "31337"):
         done = subprocess.run(
             [sys.executable, "-c", _DIGEST, str(root), str(root / "tests")],
             env={**os.environ, "PYTHONHASHSEED": seed},
@@ -86,7 +86,9 @@ def test_artifacts_cannot_be_changed() -> None:
 
 
 @pytest.mark.parametrize("compiler", chosen(["gcc", "clang"], ["gcc"]))
-@pytest.mark.parametrize("make", [pendulum, lambda: closed_chain(2), quaternion_body, _hostile, lambda: chain(6)])
+@pytest.mark.parametrize(
+    "make", spread([pendulum, quaternion_body, lambda: closed_chain(2), lambda: chain(6), _hostile], 3)
+)
 def test_c_builds_with_its_own_makefile_without_a_warning(
     tmp_path: Path, made: Made, compiler: str, make: object
 ) -> None:

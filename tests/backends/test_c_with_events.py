@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import ALL, chosen, spread
 from click.testing import CliRunner
 from made_modules import PLAIN, SANITIZED, Made
 
@@ -74,6 +75,7 @@ model Spun "A rod on two pins at one place: the angle of one of them is known up
   connect(world.rotz(1 rad), b, rod.frame_a);
 end Spun;
 """
+EVENTFUL = ("newtons_cradle", "rimless_wheel", "ladder_leaving_wall", "valve_train")
 Row = dict[str, float]
 
 
@@ -175,7 +177,7 @@ def test_what_cannot_go_on_says_why(build: Build) -> None:
     assert f"t = {math.sqrt(1.0 / G):.6g} s: an assertion failed" in ran.errors
 
 
-@pytest.mark.parametrize("method", ["rk4", "leapfrog", "ros2"])
+@pytest.mark.parametrize("method", spread(["rk4", "leapfrog", "ros2"], 2))
 def test_steps_of_fixed_length_have_events_at_their_ends(build: Build, method: str) -> None:
     module = build(MACHINE)
     command = [str(module.folder / "realtime"), "1", "1e-4", method]
@@ -216,7 +218,7 @@ def test_the_angle_of_a_cut_joint_is_continuous_from_row_to_row(build: Build) ->
         assert row["b.q"] == pytest.approx(30 * row["time"] - 1, abs=1e-7)
 
 
-@pytest.mark.parametrize("name", ["newtons_cradle", "rimless_wheel", "ladder_leaving_wall", "valve_train"])
+@pytest.mark.parametrize("name", chosen(EVENTFUL, EVENTFUL[:1]))
 def test_models_with_events_run_as_under_numpy(build: Build, root: Path, name: str) -> None:
     text = (root / "models" / f"{name}.lag").read_text(encoding="utf-8")
     model = lagdsl.compile(text, engine="numpy")
@@ -248,7 +250,7 @@ def test_the_page_of_the_module_is_true(build: Build) -> None:
     done = subprocess.run(own, shell=True, cwd=module.folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     for block in re.findall(r"^```sh\n(.*?)^```", page, re.MULTILINE | re.DOTALL):  # the last one begins from nothing
-        if "clang" in block and shutil.which("clang") is None:
+        if "clang" in block and (not ALL or shutil.which("clang") is None):
             continue
         quick = block.replace("-O2", PLAIN)  # the command is what it is about, not what the compiler makes of it
         done = subprocess.run(["sh", "-e"], input=quick, cwd=module.folder, capture_output=True, text=True, check=False)

@@ -71,7 +71,7 @@ def _values(engine: CEngine, program: Program, name: str, given: dict[Group, np.
     return np.concatenate([np.ravel(block) for block in results])
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", chosen(PROGRAMS, ("closed_chain", "random")))
 def test_every_form_gives_the_same_bits_and_means_the_graph(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     program = PROGRAMS[name]()
     engines = []
@@ -92,9 +92,10 @@ def test_every_form_gives_the_same_bits_and_means_the_graph(name: str, monkeypat
 
 NAMES = ("pendulum", "chain", "closed_chain", "quaternion_body")
 LANES = ("straight", "rolled")
+IN_LANES = [("chain", "rolled"), ("quaternion_body", "straight")]
 
 
-@pytest.mark.parametrize(("name", "form"), chosen(product(NAMES, LANES), list(zip(NAMES, LANES * 2, strict=True))))
+@pytest.mark.parametrize(("name", "form"), chosen(product(NAMES, LANES), IN_LANES))
 def test_lanes_give_the_bits_of_single_states(name: str, form: str, monkeypatch: pytest.MonkeyPatch) -> None:
     program = PROGRAMS[name]()
     engine = CEngine(program)
@@ -112,7 +113,7 @@ def test_lanes_give_the_bits_of_single_states(name: str, form: str, monkeypatch:
 
 
 BY = ("state", "input", "parameter")
-EACH = [("chain", "state"), ("closed_chain", "parameter"), *(("pendulum", by) for by in BY)]
+EACH = [("pendulum", "state"), ("closed_chain", "parameter"), ("pendulum", "input")]
 
 
 @pytest.mark.parametrize(("name", "by"), chosen(product(NAMES, BY), EACH))

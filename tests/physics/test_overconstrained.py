@@ -5,6 +5,7 @@ from __future__ import annotations
 import linkages
 import numpy as np
 import pytest
+from choice import chosen
 from derived_programs import derive
 
 import lagdsl
@@ -31,7 +32,7 @@ def test_one_degree_of_freedom(text: str, rank: int) -> None:
     assert structure.redundant.count(False) == rank
 
 
-@pytest.mark.parametrize("error", [1e-3, 1e-5])
+@pytest.mark.parametrize("error", chosen([1e-3, 1e-5], [1e-3]))
 def test_bennett_with_a_wrong_length_is_rigid_or_open(error: float) -> None:
     """Beyond rounding the dimensions are not special any more: the loop has no motion."""
     flat = linkages.flat_model(linkages.bennett(length_error=error))

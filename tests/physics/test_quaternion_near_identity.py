@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 
@@ -27,7 +28,7 @@ def _model(engine: str) -> lagdsl.Model:
     return lagdsl.compile(TEXT, engine=engine)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("engine", engines(["tape", "numpy", "c"]))
 @pytest.mark.parametrize("size", [0.0, *10.0 ** np.arange(-16, -2)])
 def test_accelerations_are_those_of_the_full_system(engine: str, size: float) -> None:
     model = _model(engine)

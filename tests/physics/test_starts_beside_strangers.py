@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from choice import engines
+from choice import engines, paired
 
 import lagdsl
 
@@ -37,8 +37,7 @@ def _start(items: str, engine: str) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("stranger", [STRANGER, TIED])
+@pytest.mark.parametrize(("size", "stranger"), paired(SIZES, [STRANGER, TIED]))
 def test_linkage(engine: str, size: float, stranger: str) -> None:
     alone = _start(LINKAGE, engine)
     beside = _start(LINKAGE + stranger.format(size, 1.0), engine)
@@ -53,9 +52,9 @@ def test_linkage(engine: str, size: float, stranger: str) -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("mass", [1e-18, 1e-9, 1e9, 1e20])
-@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
-@pytest.mark.parametrize("stranger", [STRANGER, TIED])
+@pytest.mark.parametrize(
+    ("mass", "size", "stranger"), paired([1e-18, 1e-9, 1e9, 1e20], [1e-9, 1.0, 1e9], [STRANGER, TIED])
+)
 def test_least_kinetic_energy(engine: str, mass: float, size: float, stranger: str) -> None:
     beside = _start(PAIR + stranger.format(size, mass), engine)
     assert beside["der(c)"] == pytest.approx(5.0 / 6.0, abs=1e-14)
