@@ -12,6 +12,7 @@ from _pytest.runner import runtestprotocol
 from choice import EXPLORE, examples
 from costs import Costs
 from hypothesis import settings
+from shared_folder import make_shared_folder
 
 # The same examples in every run, so that a failure belongs to the change at hand; LAGDSL_EXPLORE=1 looks for new ones.
 settings.register_profile("same", deadline=None, derandomize=True, max_examples=examples(100))
@@ -28,6 +29,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    folder = make_shared_folder()
+    if folder is not None:
+        config.add_cleanup(folder.cleanup)
     if config.getoption("cpu"):
         config.pluginmanager.register(Costs())
 

@@ -1,4 +1,4 @@
-"""FMUs of models/, exported once per process, as fmpy reads them."""
+"""FMUs of models/, exported once in a run of the tests, as fmpy reads them."""
 
 from __future__ import annotations
 
@@ -20,10 +20,12 @@ import pytest
 from choice import ALL, EXPLORE, chosen
 from fmpy.model_description import ModelDescription, ScalarVariable, read_model_description
 from models.corpus import MODELS, compiled
+from shared_folder import shared_folder
 
 from lagdsl.fmi.export import export
 from lagdsl.fmi.variables.ports import Ports
 from lagdsl.pipeline import Compilation
+from lagdsl.runtime.lock import locked
 
 VERSIONS = (2, 3)
 # One of each kind, where all of models/ would take too long.
@@ -46,10 +48,14 @@ EVERY = tuple(MODELS) if EXPLORE else SAMPLE
 
 
 def in_versions(names: Sequence[str]) -> pytest.MarkDecorator:
-    """The test for each `name` in each `version` of the standard; in one of them in turn where not all is run: the same
-    functions stand behind both."""
-    pairs = chosen(product(names, VERSIONS), [(name, VERSIONS[i % 2]) for i, name in enumerate(names)])
+    """The test for each `name` in each `version` of the standard; in one of them where not all is run, the same in
+    all tests: the same functions stand behind both, and tests share FMUs."""
+    pairs = chosen(product(names, VERSIONS), [(name, _usual(name, i)) for i, name in enumerate(names)])
     return pytest.mark.parametrize(("name", "version"), pairs)
+
+
+def _usual(name: str, otherwise: int) -> int:
+    return VERSIONS[(SAMPLE.index(name) if name in SAMPLE else otherwise) % 2]
 
 
 @dataclass(frozen=True)
@@ -110,9 +116,14 @@ def export_quickly(compilation: Compilation, path: Path, **options: Any) -> None
 @cache
 def exported(name: str, version: int, platforms: tuple[str, ...] = (), *, scalar: bool = False) -> Exported:
     """`scalar`: entries of arrays are variables of their own in FMI 3, too."""
-    folder = place() / "-".join((name.replace("/", "-"), str(version), *platforms, *["scalar"] * scalar))
+    shared = shared_folder()
+    folder = shared / "-".join((name.replace("/", "-"), str(version), *platforms, *["scalar"] * scalar))
     path = folder.with_suffix(".fmu")
-    ports = Ports(scalar=scalar)
-    export_quickly(compiled(name).compilation, path, version=version, platforms=platforms, ports=ports)
-    fmpy.extract(str(path), str(folder))
+    with locked(folder.with_suffix(".lock")):
+        if not folder.exists():
+            ports = Ports(scalar=scalar)
+            export_quickly(compiled(name).compilation, path, version=version, platforms=platforms, ports=ports)
+            with tempfile.TemporaryDirectory(dir=shared) as draft:
+                fmpy.extract(str(path), str(Path(draft) / "fmu"))
+                Path(draft, "fmu").replace(folder)
     return Exported(path, folder)

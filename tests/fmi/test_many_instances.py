@@ -10,6 +10,7 @@ from pathlib import Path
 
 import fmpy
 import pytest
+from choice import paired
 from models.corpus import compiled
 
 from fmi.exported import VERSIONS, exported
@@ -34,8 +35,7 @@ def host(folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("name", ["four_bar", "bouncing_ball_modelica"])
-@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize(("name", "version"), paired(["four_bar", "bouncing_ball_modelica"], VERSIONS[::-1]))
 def test_ten_thousand_lives_leave_nothing_and_threads_do_not_meet(
     name: str, version: int, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

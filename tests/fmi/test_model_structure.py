@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import spread
 
 from fmi.described import of_text, table_of, table_of_model, table_of_text
 from fmi.test_descriptions import EVERYTHING, SAMPLE
@@ -132,7 +133,7 @@ def expanded(given: Table) -> set[tuple[str, str, str]]:
     return found
 
 
-@pytest.mark.parametrize("name", [*SAMPLE, None])
+@pytest.mark.parametrize("name", [*spread(SAMPLE, 5), None])
 def test_arrays_depend_as_their_entries_do(name: str | None) -> None:
     flat, arrays = (
         table_of_text(EVERYTHING, version) if name is None else table_of_model(name, version) for version in (2, 3)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import paired, spread
 
 from fmi.described import of_text, table_of, table_of_model, table_of_text
 from fmi.test_descriptions import EVERYTHING, SAMPLE
@@ -96,8 +97,7 @@ def test_the_table_is_that_of_the_description(version: Version, tmp_path: Path) 
     assert found["general"] == [["2"]] and found["kinds"] == [["3"]]
 
 
-@VERSIONS
-@pytest.mark.parametrize("name", [*SAMPLE, None])
+@pytest.mark.parametrize(("name", "version"), paired([*spread(SAMPLE, 5), None], [2, 3]))
 def test_every_entry_of_the_model_is_there_once(name: str | None, version: Version) -> None:
     """But for what is protected, the coordinates of cut joints, which are outputs and definitions, and clocks and
     relations of w."""

@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from choice import chosen
 from fmpy.simulation import FMICallException
 from models.corpus import MODELS, compiled
 
@@ -103,7 +104,7 @@ def close(fmu: Exported, given: dict[str, float], expected: dict[str, float], to
     ]
 
 
-@in_versions(TIED + FREE)
+@in_versions(chosen(TIED + FREE, ("four_bar", "rolling_coin", "chain", "van_der_pol")))
 def test_at_the_start(name: str, version: int) -> None:
     told = meaning(name)
     compilation = compiled(name).compilation
@@ -123,7 +124,7 @@ def test_at_the_start(name: str, version: int) -> None:
     assert all(fmu.entry(named(constant.name).text)[0].variability == "constant" for constant in constants)
 
 
-@in_versions(FREE)
+@in_versions(chosen(FREE, FREE[:2]))
 def test_at_random_states_inputs_and_parameters(name: str, version: int) -> None:
     told, random = meaning(name), np.random.default_rng(7)
     fmu = exported(name, version)
@@ -154,7 +155,7 @@ def test_at_random_states_inputs_and_parameters(name: str, version: int) -> None
             ]
 
 
-@in_versions(INDEPENDENT)
+@in_versions(chosen(INDEPENDENT, INDEPENDENT[:1]))
 def test_off_the_constraints_derivatives_of_rates_alone_are_pulled(name: str, version: int) -> None:
     """All else, reactions too, follows from the accelerations of the model. The pull lets residuals die out."""
     told, random = meaning(name), np.random.default_rng(3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -72,7 +72,6 @@ def objects_of(
     tools = tuple(toolchain(platform) for platform in platforms)
     jobs = [(tool, path) for tool in tools for path in sorted(sources) if path.endswith(".c")]
     with _folder() as folder:
-        _write(sources, folder)
         return Objects(stem, tools, _objects(jobs, sources, folder, folder.parent, progress))
 
 
@@ -86,10 +85,10 @@ def _folder() -> Iterator[Path]:
         raise failure("E0913", reason=str(problem)) from None
 
 
-def _write(sources: Mapping[str, str], folder: Path) -> None:
-    for path, text in sources.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text, encoding="utf-8", newline="\n")
+def _write(sources: Mapping[str, str], names: Iterable[str], folder: Path) -> None:
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(sources[name], encoding="utf-8", newline="\n")
 
 
 def _objects(
@@ -101,10 +100,15 @@ def _objects(
 ) -> dict[str, list[str]]:
     """Paths of the object files by platform, in the order of the sources. The first failure is raised."""
     found: dict[str, list[str]] = {}
+    read = {path: _read(path, sources) for path in dict.fromkeys(path for _, path in jobs)}
+    parts = {path: [part for name in names for part in (name, sources[name])] for path, names in read.items()}
+    targets = [kept / f"{_digest(*tool.flags, *parts[path])}.o" for tool, path in jobs]
+    missing = (path for target, (_, path) in zip(targets, jobs, strict=True) if not target.exists())
+    _write(sources, dict.fromkeys(name for path in missing for name in read[path]), folder)
 
     def compiled(number: int) -> str:
         tool, path = jobs[number]
-        target = kept / f"{_digest(*tool.flags, *_read(path, sources))}.o"
+        target = targets[number]
         if not target.exists():
             with locked(lock_of(target)):
                 if not target.exists():
@@ -122,12 +126,12 @@ def _objects(
 
 
 def _read(path: str, sources: Mapping[str, str]) -> list[str]:
-    """Names and texts of a C file and all that it includes, so that another model finds the runtime compiled."""
+    """Names of a C file and all that it includes: another model finds the runtime compiled by names and texts."""
     names = [path]
     for name in names:
         included = (each for each in _INCLUDE.findall(sources[name]) if each in sources)
         names += [each for each in dict.fromkeys(included) if each not in names]
-    return [part for name in names for part in (name, sources[name])]
+    return names
 
 
 def _digest(*parts: str) -> str:
