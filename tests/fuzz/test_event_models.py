@@ -12,7 +12,7 @@ from fuzz.event_models import event_model
 
 import lagdsl
 
-COUNT = 1000 if EXPLORE else 24 if ALL else 5
+COUNT = 1000 if EXPLORE else 24 if ALL else 2
 # An engine may disagree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
 MOST_GRAZING = 0.1
 

@@ -13,7 +13,7 @@ from fuzz.event_models import STOP, event_model
 from fuzz.harder_models import harder_model
 from fuzz.independent import compare
 
-COUNT = 1000 if EXPLORE else 5 if ALL else 2
+COUNT = 1000 if EXPLORE else 5 if ALL else 1
 MOST_GRAZING = 0.1
 
 

@@ -20,7 +20,7 @@ from models.many_states import left_in_equations, many_states
 LEFT = 1e-10  # of the size of the terms
 
 
-@over(chosen(MODELS, OF_EACH_KIND[::2]))
+@over(chosen(MODELS, OF_EACH_KIND[::4]))
 def test_solutions_satisfy_the_equations_of_both_derivations(name: str) -> None:
     program, states = compiled(name).graph, many_states(name)
     ways: list[BatchEngine] = [NumpyEngine(without_dense(program)), NumpyEngine(without_elimination(program))]

@@ -64,7 +64,7 @@ def integrated(
 
 
 @needs_node
-@pytest.mark.parametrize("name", chosen(CASES, ("bouncing_ball", "double_pendulum")))
+@pytest.mark.parametrize("name", chosen(CASES, ("bouncing_ball",)))
 def test_a_live_motion_is_that_of_the_command_line(name: str, tmp_path: Path) -> None:
     stop, parameters, start = CASES[name]
     model = compile_model(MODELS / f"{name}.lag", engine="c" if ALL else "tape")

@@ -25,7 +25,7 @@ from lagdsl.plot.picture.stage import Stage, stage_of
 MODELS = Path(__file__).parents[2] / "models"
 EVERY = sorted(path.relative_to(MODELS).with_suffix("").as_posix() for path in MODELS.rglob("*.lag"))
 # A pendulum, a contact, a loop, rolling in space, springs and dampers, gauges, drawings of the model.
-SOME = ("double_pendulum", "bouncing_ball", "four_bar", "rolling_coin", "quarter_car", "library/forces_spring_damper")
+SOME = ("bouncing_ball", "rolling_coin", "library/forces_spring_damper")
 
 
 @cache

@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 from xml.etree import ElementTree
 
 import pytest
+from choice import chosen
 from textbook import models
 from textbook.build import (
     X,
@@ -93,7 +94,7 @@ def hostile() -> FlatModel:
     )
 
 
-@pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
+@pytest.mark.parametrize("make", [*chosen(models.ALL, models.ALL[:6]), hostile], ids=lambda make: make.__name__)
 def test_html_is_balanced_and_alone(make: Callable[[], FlatModel]) -> None:
     page = render(models.recipe_of(make), "html")
     balance = Balance()
@@ -105,7 +106,7 @@ def test_html_is_balanced_and_alone(make: Callable[[], FlatModel]) -> None:
         ElementTree.fromstring(formula)
 
 
-@pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
+@pytest.mark.parametrize("make", [*chosen(models.ALL, models.ALL[:6]), hostile], ids=lambda make: make.__name__)
 def test_latex_is_balanced(make: Callable[[], FlatModel]) -> None:
     source = render(models.recipe_of(make), "latex")
     bare = re.sub(r"\\[\\{}$%&#_]", "", source)

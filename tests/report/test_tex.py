@@ -18,7 +18,7 @@ from lagdsl.textbook.recipe import recipe
 _MODELS = Path(__file__).parents[2] / "models"
 _EVERY = sorted(str(path.relative_to(_MODELS).with_suffix("")) for path in _MODELS.rglob("*.lag"))
 # Letters of TeX and of the model, δ, vectors too wide for a line, tables with code, contacts, no equations, chapters.
-_SOME = ["double_pendulum", "ball_on_moving_table", "library/parts_with_play", "library/blocks_linear", "robot_arm"]
+_SOME = ["double_pendulum", "ball_on_moving_table", "library/parts_with_play", "library/blocks_linear"]
 _OVERFULL = re.compile(r"^Overfull \\hbox \(([\d.]+)pt too wide\)", re.MULTILINE)
 _NARROW = 40.0
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 
 import lagdsl
 from lagdsl.api.model import Model
@@ -42,7 +43,7 @@ VARIED = [
 ]
 
 
-@pytest.mark.parametrize(("file", "stop"), VARIED, ids=[file for file, _ in VARIED])
+@pytest.mark.parametrize(("file", "stop"), spread(VARIED, 8))
 def test_runs_are_those_made_alone(file: str, stop: float) -> None:
     compilation = lagdsl.compile(MODELS / file)._compilation
     flat, program = compilation.flat, compilation.program

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from choice import spread
 from texts_of_syntax import CORPUS, TEXTS, expression, tree
 
 from lagdsl.diagnostics import Sink
@@ -39,7 +40,7 @@ def check(text: str) -> str:
     return once
 
 
-@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(TEXTS, 40), ids=lambda path: path.stem)
 def test_corpus(path):
     once = check(path.read_text(encoding="utf-8"))
     assert all(len(line) <= WIDTH or re.match(" *(model|joint) ", line) for line in once.split("\n"))

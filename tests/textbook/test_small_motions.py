@@ -25,7 +25,7 @@ _MODELS = sorted(
     for folder in ("", "library")
     for path in (_ROOT / "models" / folder).glob("*.lag")
 )
-_SOME = ["bead_on_hoop", "coupled_oscillators", "double_pendulum", "elastic_pendulum", "three_masses"]
+_SOME = ["coupled_oscillators", "elastic_pendulum", "three_masses"]
 _CONSTRAINED = ["bead_on_circular_wire_redundant", "pendulum_two_dependent_constraints"]
 EQUAL_PENDULA = """
 model EqualPendula
