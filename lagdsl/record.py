@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import MISSING, Field, dataclass, field
+from operator import attrgetter
 from typing import Any, NamedTuple, TypeVar, dataclass_transform
 
 _Class = TypeVar("_Class", bound=type)
@@ -81,8 +82,13 @@ def _complete(made: Any) -> None:
         base.__init__ = _initializer(known, hasattr(plain, "__post_init__"))
         positional = tuple(name for name, one in known.items() if one.init and not one.kw_only)
         setattr(base, "__match_args__", positional)  # noqa: B010 mypy wants a literal
-        base.__compared__ = tuple(name for name, one in known.items() if one.compare)
+        base.__compared__ = _reader(tuple(name for name, one in known.items() if one.compare))
         base.__shown__ = tuple(name for name, one in known.items() if one.repr)
+
+
+def _reader(names: tuple[str, ...]) -> Any:
+    """The function that gives the values of these fields; one that stands in a class without becoming a method."""
+    return attrgetter(*names) if names else type
 
 
 def _field(given: Any, kw_only: bool) -> _Field:
@@ -143,11 +149,11 @@ def _equal(self: Any, other: Any) -> Any:
         return True
     if type(other) is not type(self):
         return NotImplemented
-    return all(getattr(self, name) == getattr(other, name) for name in self.__compared__)
+    return self.__compared__(self) == self.__compared__(other)
 
 
 def _hash(self: Any) -> int:
-    return hash((type(self), *(getattr(self, name) for name in self.__compared__)))
+    return hash((type(self), self.__compared__(self)))
 
 
 def _text(self: Any) -> str:

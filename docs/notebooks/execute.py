@@ -8,7 +8,6 @@ from __future__ import annotations
 import base64
 import json
 import os
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -41,7 +40,7 @@ def executed(notebook: dict[str, Any], *, pictures: bool = True) -> dict[str, An
 
     InteractiveShell.clear_instance()
     shell = InteractiveShell.instance(colors="nocolor")
-    shell.display_formatter.active_types = list(_FORMS)
+    shell.display_formatter.active_types = [*_FORMS, *(["image/png"] if pictures else [])]
     cells, number = [], 0
     for cell in notebook["cells"]:
         if cell["cell_type"] != "code":
@@ -55,8 +54,6 @@ def executed(notebook: dict[str, Any], *, pictures: bool = True) -> dict[str, An
         outputs = [_displayed(each.data) for each in captured.outputs if not _is_bar(each.data)]
         if result.result is not None:
             data = _displayed(shell.display_formatter.format(result.result)[0])
-            if pictures and hasattr(result.result, "savefig"):
-                data["image/png"] = _png(result.result)
             outputs.append({**data, "output_type": "execute_result", "execution_count": number})
         elif captured.stdout and not failed:
             outputs.insert(0, {"output_type": "stream", "name": "stdout", "text": _lines(captured.stdout)})
@@ -69,8 +66,10 @@ def _is_bar(data: dict[str, str]) -> bool:
     return "<progress" in data.get("text/html", "") or not data.get("text/plain")
 
 
-def _displayed(data: dict[str, str]) -> dict[str, Any]:
+def _displayed(data: dict[str, Any]) -> dict[str, Any]:
     kept = {form: text for form, text in data.items() if form in _FORMS and "<iframe" not in text}
+    if "image/png" in data:
+        kept["image/png"] = base64.b64encode(data["image/png"]).decode()
     return {"output_type": "display_data", **kept}
 
 
@@ -81,12 +80,6 @@ def _ordered(output: dict[str, Any]) -> dict[str, Any]:
     data = {form: _lines(text) for form, text in sorted(output.items()) if "/" in form}
     rest = {key: value for key, value in output.items() if "/" not in key}
     return {**rest, "data": data, "metadata": {}}
-
-
-def _png(figure: Any) -> str:
-    buffer = BytesIO()
-    figure.savefig(buffer, format="png", dpi=80, metadata={"Software": None})
-    return base64.b64encode(buffer.getvalue()).decode()
 
 
 def _lines(text: str) -> list[str]:

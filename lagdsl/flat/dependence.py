@@ -91,9 +91,10 @@ class Dependence:
     def of(self, expression: fx.FlatExpression) -> Orders:
         """Parameters count too, with order 0. Quantities of the mechanics (multipliers, energies) have none."""
         known = self._by_node
-        for node in postorder(expression, known):
-            # The node is kept with its answer, so that its identity is not given to another one.
-            known[id(node)] = (node, self._compute(node))
+        if id(expression) not in known:
+            for node in postorder(expression, known):
+                # The node is kept with its answer, so that its identity is not given to another one.
+                known[id(node)] = (node, self._compute(node))
         return known[id(expression)][1]
 
     @property

@@ -12,6 +12,8 @@ from lagdsl.flat import model as fm
 def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  # noqa: C901, PLR0912 a case per node
     """The direct subexpressions, in the order of the text."""
     match expression:
+        case fx.Number() | fx.Variable() | fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
+            return ()
         case fx.Binary() | fx.Dot() | fx.Cross():
             return (expression.left, expression.right)
         case fx.Unary() | fx.Derivative():
@@ -32,8 +34,6 @@ def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  #
             return (expression.about,)
         case fx.AdmissibleMotion():
             return (expression.point,)
-        case fx.Number() | fx.Variable() | fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
-            return ()
         case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():
             return ()
         case fx.GeneralizedMomentum() | fx.LinearMomentum():
@@ -74,5 +74,9 @@ def postorder(expression: fx.FlatExpression, done: Container[int] = ()) -> Itera
             yield node
         elif id(node) not in seen and id(node) not in done:
             seen.add(id(node))
-            stack.append((node, True))
-            stack.extend((operand, False) for operand in reversed(operands(node)))
+            below = operands(node)
+            if below:
+                stack.append((node, True))
+                stack += [(operand, False) for operand in reversed(below)]
+            else:
+                yield node

@@ -10,7 +10,7 @@ from lagdsl.lsp.server import LagServer
 from lagdsl.lsp.wiring import wired
 
 _DEEPEST = 200_000  # of recursion, for all threads: the limit is one for the process
-_OBJECTS_PER_COLLECTION = 50_000
+_OBJECTS_PER_COLLECTION = 200_000  # of those just made: none while one version of a text is looked at
 
 
 def serve() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from asyncio import AbstractEventLoop, get_running_loop, to_thread
 from collections.abc import Callable
 from pathlib import Path
@@ -27,6 +28,7 @@ REST = 0.15
 """Seconds without a key before a text is looked at."""
 DEEP_REST = 0.5
 """Seconds before its equations are formed."""
+_LOOKS_PER_COLLECTION = 20
 
 
 class LagServer(LanguageServer):
@@ -38,6 +40,7 @@ class LagServer(LanguageServer):
         self.pages = Pages()
         self.depths = Depths()
         self.loop: AbstractEventLoop | None = None
+        self._looks = 0
         self.quick = Worker(REST, self._look)
         self.deep = Worker(DEEP_REST, self._look_deep)
 
@@ -54,6 +57,7 @@ class LagServer(LanguageServer):
             self.opened(uri, text, version)
             return
         document.change(text, version)
+        self.deep.forget(uri)
         self.depths.cancel()
         self.quick.ask(uri)
 
@@ -89,6 +93,9 @@ class LagServer(LanguageServer):
         self._publish(document, snapshot, shown(found, snapshot.file))
         if snapshot.is_whole:
             self.deep.ask(uri)
+        self._looks += 1
+        if self._looks % _LOOKS_PER_COLLECTION == 0:
+            gc.collect()  # scopes and instances of versions that are gone hold one another
 
     def _look_deep(self, uri: str) -> None:
         document = self.documents.open.get(uri)

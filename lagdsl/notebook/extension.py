@@ -9,6 +9,7 @@ from lagdsl.api.watch import watch_with
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.notebook.bar import Bar
 from lagdsl.notebook.cell import lag
+from lagdsl.notebook.pictures import show_figures, without_figures
 from lagdsl.notebook.tables import FORMS
 from lagdsl.notebook.told import Told
 from lagdsl.simulate.failure import SimulationFailed
@@ -20,6 +21,7 @@ def load_ipython_extension(shell: Any) -> None:
     html = shell.display_formatter.formatters["text/html"]
     for (module, name), form in FORMS.items():
         html.for_type_by_name(module, name, form)
+    show_figures(shell)
     shell.set_custom_exc((CompilationFailed, SimulationFailed), _tell)
     watch_with(Bar)
 
@@ -29,6 +31,7 @@ def unload_ipython_extension(shell: Any) -> None:
     html = shell.display_formatter.formatters["text/html"]
     for module, name in FORMS:
         html.pop(f"{module}.{name}", None)
+    without_figures(shell)
     shell.set_custom_exc((), None)
     watch_with(None)
 

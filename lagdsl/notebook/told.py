@@ -9,6 +9,7 @@ from lagdsl.diagnostics import Diagnostic
 from lagdsl.diagnostics.render import render_all
 
 _CODE = re.compile(r"\x1b\[([0-9;]*)m")
+_EXCERPT = "font-family: monospace; line-height: 1.25"  # pages of notebooks have fonts of their own for `pre`
 _STYLES = {
     "1": "font-weight: bold",
     "1;31": "font-weight: bold; color: #c62828",
@@ -30,7 +31,7 @@ class Told:
 
     def _repr_html_(self) -> str:
         summary = f"<div>{escape(self._summary)}</div>" if self._summary else ""
-        return summary + (f'<pre style="line-height: 1.25">{_painted(self._text)}</pre>' if self._text else "")
+        return summary + (f'<pre style="{_EXCERPT}">{_painted(self._text)}</pre>' if self._text else "")
 
 
 def _painted(text: str) -> str:

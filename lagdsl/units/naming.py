@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from lagdsl.units.definition import from_si
-from lagdsl.units.dimension import BASE_UNITS, TIME, Dimension
+from lagdsl.units.dimension import BASE_UNITS, TIME, Dimension, Exponent
 from lagdsl.units.parse import parse_unit
 
 # Name of a quantity of this unit, and the unit text it is shown in. If quantities share a dimension (energy and moment,
@@ -108,17 +108,17 @@ def to_display(value: float, unit: str | None) -> float:
     return value if unit is None else from_si(value, parse_unit(unit))
 
 
-def _powers(dimension: Dimension) -> dict[str, Fraction]:
+def _powers(dimension: Dimension) -> dict[str, Exponent]:
     return {base: power for base, power in zip(BASE_UNITS, dimension.exponents, strict=True) if power}
 
 
-def _length(powers: dict[str, Fraction]) -> Fraction:
+def _length(powers: dict[str, Exponent]) -> Fraction:
     """Length of the text: number of factors, and the size of exponents beyond 1."""
     denominators = sum(1 for power in powers.values() if power.denominator > 1)
-    return sum((abs(power) for power in powers.values()), Fraction(len(powers) + 5 * denominators))
+    return sum((abs(Fraction(power)) for power in powers.values()), Fraction(len(powers) + 5 * denominators))
 
 
-def _text(powers: dict[str, Fraction]) -> str:
+def _text(powers: dict[str, Exponent]) -> str:
     above = [_factor(name, power) for name, power in powers.items() if power > 0]
     below = [_factor(name, -power) for name, power in powers.items() if power < 0]
     if not below:
@@ -127,7 +127,7 @@ def _text(powers: dict[str, Fraction]) -> str:
     return f"{'.'.join(above) or '1'}/{divisor}"
 
 
-def _factor(name: str, power: Fraction) -> str:
+def _factor(name: str, power: Exponent) -> str:
     if power == 1:
         return name
     return f"{name}{power}" if power.denominator == 1 and power < 100 else f"{name}^({power})"

@@ -37,7 +37,7 @@ end Pendulum;
 def shell() -> Iterator[Any]:
     InteractiveShell.clear_instance()
     made = InteractiveShell.instance(colors="nocolor")
-    made.display_formatter.active_types = ["text/plain", "text/html", "text/latex"]
+    made.display_formatter.active_types = ["text/plain", "text/html", "text/latex", "image/png"]
     made.run_cell("%load_ext lagdsl")
     made.run_cell(PENDULUM)
     yield made
@@ -111,6 +111,12 @@ def test_results_show_themselves(shell: Any) -> None:
     varied = shown(shell, "pendulum.vary('l', '0.5:0.5:1 m', q=[3.141592653589793])")[0]["text/html"]
     assert "<th>l [m]</th>" in varied
     assert "<td>3.13156</td>" in varied  # sqrt(g/l) for 1 m, of the upright pendulum
+
+
+def test_figures_are_drawn(shell: Any) -> None:
+    """pyplot does not know them, so no backend of a notebook draws them."""
+    drawn: Any = shown(shell, "pendulum.simulate(stop=0.1).plot(show='theta')")[0]["image/png"]
+    assert drawn.startswith(b"\x89PNG")
 
 
 def test_equations_are_those_of_the_textbook(shell: Any) -> None:

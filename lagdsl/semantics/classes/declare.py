@@ -108,7 +108,8 @@ class Declarer:
 
     def _quantities(self, part: Part, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> None:
         """The items without a condition; the others are declared where it is known, as in a structural `if`."""
-        item = replace(item, declarators=tuple(each for each in item.declarators if each.condition is None))
+        if any(each.condition is not None for each in item.declarators):
+            item = replace(item, declarators=tuple(each for each in item.declarators if each.condition is None))
         for symbol in declared(self.ctx, part.scope, item):
             modify(self.ctx, symbol, self._taken(part, symbol.short, symbol.span))
             self._keep(part, symbol.short, symbol)

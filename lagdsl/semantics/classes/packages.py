@@ -110,7 +110,11 @@ class Roots:
     folders: tuple[Folder, ...]
 
     def find(self, name: str, span: Span | None) -> Entry | None:
-        return next((found for folder in self.folders if (found := folder.find(name, span)) is not None), None)
+        for folder in self.folders:
+            found = folder.find(name, span)
+            if found is not None:
+                return found
+        return None
 
     def names(self) -> Iterator[str]:
         for folder in self.folders:

@@ -39,6 +39,7 @@ class ImportList:
     targets: dict[str, Target] = field(default_factory=dict)
     wildcards: list[Target] = field(default_factory=list)
     ambiguous: set[str] = field(default_factory=set)
+    packages: dict[tuple[str, ...], Scope] = field(default_factory=dict)
 
     def named(self, name: str, span: Span | None) -> Entry | None:
         target = self.targets.get(name)
@@ -48,7 +49,7 @@ class ImportList:
         """The one that the wildcards give; E0203 where two give different ones."""
         found: list[tuple[Target, Entry]] = []
         for target in self.wildcards:
-            package = package_of(self.sink, self.root, target)
+            package = self._package(target)
             entry = package.find(name, span) if package is not None else None
             if entry is not None and all(_identity(entry) is not _identity(other) for _, other in found):
                 found.append((target, entry))
@@ -59,7 +60,14 @@ class ImportList:
 
     def is_broken(self) -> bool:
         """True if a wildcard leads nowhere: what it was to bring is unknown then."""
-        return any(package_of(self.sink, self.root, target) is None for target in self.wildcards)
+        return any(self._package(target) is None for target in self.wildcards)
+
+    def _package(self, target: Target) -> Scope | None:
+        """The package of a wildcard; a path that leads to one is followed once."""
+        found = self.packages.get(target.parts) or package_of(self.sink, self.root, target)
+        if found is not None:
+            self.packages[target.parts] = found
+        return found
 
     def _report(self, name: str, span: Span | None, targets: list[Target]) -> None:
         if name in self.ambiguous:
@@ -74,7 +82,7 @@ class ImportList:
     def names(self) -> Iterator[str]:
         yield from self.targets
         for target in self.wildcards:
-            package = package_of(self.sink, self.root, target)
+            package = self._package(target)
             if package is not None:
                 yield from package.names()
 

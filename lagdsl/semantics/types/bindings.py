@@ -54,7 +54,7 @@ def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected
     if not fits(shaped.dimension, expected.dimension):
         require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
         return None
-    return replace(shaped, dimension=expected.dimension)
+    return shaped if shaped.dimension is not None else replace(shaped, dimension=expected.dimension)
 
 
 def _shaped(ctx: Context, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
