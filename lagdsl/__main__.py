@@ -1,6 +1,7 @@
 """`python -m lagdsl` is the command `lag`; so is the script of that name."""
 
 import os
+import signal
 import sys
 from typing import NoReturn
 
@@ -16,6 +17,9 @@ def main() -> NoReturn:
     except KeyboardInterrupt:
         os.write(2, b"\ninterrupted\n")
         sys.exit(INTERRUPTED)
+    finally:
+        # Results and status are there: an interrupt while the interpreter ends would kill the process.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

@@ -120,6 +120,32 @@ def test_an_interrupt_is_status_130_and_leaves_no_file(pendulum: Path, tmp_path:
     assert not out.exists()
 
 
+@pytest.mark.skipif(os.name != "posix", reason="signals of Unix")
+def test_an_interrupt_behind_the_last_words_changes_nothing(pendulum: Path) -> None:
+    """The interpreter takes a moment to end, `lag fmu` two seconds; an interrupt then killed the process."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    late = f"import atexit, os, signal; atexit.register(os.kill, os.getpid(), signal.SIGINT); {_AS_MAIN}"
+    done = subprocess.run(
+        [sys.executable, "-c", late, "check", str(pendulum)], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith("Pendulum:")
+
+
+_AS_MAIN = "from lagdsl.__main__ import main; main()"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="sizes of files as Unix limits them")
+def test_a_full_disk_leaves_the_text_as_it_was(tmp_path: Path) -> None:
+    text = tmp_path / "m.lag"
+    terms = "".join(f"  potential (1 N)*x*{k};\n" for k in range(300))
+    written = f"model M\n   coordinate Length x;\nkinetic 1/2*(1 kg)*der(x)^2;\n{terms}end M;\n"
+    text.write_text(written)
+    command = f"ulimit -f 2; exec {sys.executable} -B -m lagdsl fmt {text}"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stderr.startswith(f"Error: cannot write {text}: ")
+    assert text.read_text() == written and list(tmp_path.iterdir()) == [text]
+
+
 def _status(arguments: list[str]) -> int:
     with pytest.raises(SystemExit) as leaving:
         main(arguments)
