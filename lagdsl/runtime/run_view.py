@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t
+from ctypes import byref, c_size_t, sizeof
 
 import numpy as np
 
@@ -12,8 +12,10 @@ from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.run_options import Flags
-from lagdsl.runtime.structures import Initial, InitialFault, RunFault, RunReport, Status
+from lagdsl.runtime.structures import Initial, InitialFault, RunFault, RunOptions, RunReport, Status
 
+# Place of lag_motion in lag_run, which begins with its options.
+_MOTION = sizeof(RunOptions)
 _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
 
 
@@ -126,6 +128,11 @@ class RunView:
         results = np.zeros(count + 1)
         self._library.run_evaluate(self._run, _FUNCTIONS.index(function), t, self._state(x), results.ctypes.data)
         return results[:count]
+
+    def take_parameters(self, p: Floats) -> None:
+        """Evaluations take the parameters p (np,) from now on: for a run that has failed."""
+        self.p = p
+        self._library.motion_parameters(self._run + _MOTION, p.ctypes.data)
 
     def _state(self, x: Floats) -> int:
         self._at = np.append(x, 0.0)

@@ -50,7 +50,7 @@ def report_contradiction(flat: FlatModel, layout: Layout, run: RunView, t: float
     """E0839 that names initial equations, fixed starts and constraints that contradict each other; False if there are
     no such, or the model is too large to look for them."""
     conditions = _conditions(flat, layout)
-    if any(parameter.free for parameter in flat.parameters) or len(found.x) > _MOST_UNKNOWNS:
+    if len(found.x) + sum(parameter.free for parameter in flat.parameters) > _MOST_UNKNOWNS:
         return False
     if len(conditions) > _MOST_CONDITIONS:
         return False
@@ -112,7 +112,8 @@ def _conditions(flat: FlatModel, layout: Layout) -> list[_Condition]:
 
 
 class _System:
-    """All rows at a state: phi (nc,), J qd + b (nc,), differences from the starts (2 nq + nz,), equations (ne,)."""
+    """All rows at a state and free parameters: phi (nc,), J qd + b (nc,), differences from the starts (2 nq + nz,),
+    equations (ne,)."""
 
     def __init__(self, flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found) -> None:
         self._counts = (len(flat.coordinates), len(layout.constraints), len(flat.initial_equations))
@@ -120,11 +121,17 @@ class _System:
         n = len(flat.coordinates)
         sizes = natural_sizes(flat.coordinates, layout.components, found.starts[:n])
         states = [state.nominal or 1.0 for state in flat.states]
-        self._sizes = np.concatenate([sizes, sizes, np.array(states, dtype=np.float64)])
-        self._beginnings = [found.x, found.starts]
+        known = {parameter.name: parameter for parameter in flat.parameters}
+        slots = [known[slot.name] for slot in layout.parameters]
+        self._free = [k for k, parameter in enumerate(slots) if parameter.free]
+        changes = [abs(slots[k].nominal or slots[k].value) or 1.0 for k in self._free]
+        self._sizes = np.concatenate([sizes, sizes, np.array([*states, *changes], dtype=np.float64)])
+        parameters = found.p[self._free] if self._free else np.zeros(0)
+        starts = np.append(found.starts, [slots[k].value for k in self._free])
+        self._beginnings = [np.append(found.x, parameters), starts]
         generator = np.random.default_rng(20011)
         for _ in range(_TRIES):
-            self._beginnings.append(found.starts + _WIDTH * self._sizes * generator.standard_normal(len(found.x)))
+            self._beginnings.append(starts + _WIDTH * self._sizes * generator.standard_normal(len(starts)))
         slopes = [np.linalg.norm(self._jacobian(x), axis=1) for x in self._beginnings]
         finite = np.where(np.isfinite(slopes), slopes, 0.0)
         largest = np.max(finite, axis=0)
@@ -148,9 +155,14 @@ class _System:
                     return True
         return False
 
-    def _values(self, x: Floats) -> Floats:
+    def _values(self, unknowns: Floats) -> Floats:
         n, count, equations = self._counts
         width = count * (1 + n)
+        x = unknowns[: len(self._found.x)]
+        if self._free:
+            p = self._found.p.copy()
+            p[self._free] = unknowns[len(x) :]
+            self._run.take_parameters(p)
         return np.concatenate(
             [
                 self._run.evaluate("position_constraint", self._t, x, width)[:count] if count else np.zeros(0),
@@ -161,7 +173,7 @@ class _System:
         )
 
     def _jacobian(self, x: Floats) -> Floats:
-        """By natural sizes of the state."""
+        """By natural sizes of the unknowns."""
         columns = []
         for k, size in enumerate(self._sizes.tolist()):
             step = np.zeros(len(x))

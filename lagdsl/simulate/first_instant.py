@@ -30,7 +30,8 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
             report_fault(course, status, run.explain(status), np.zeros(0), sink)
         elif flat.outputs:
             values = run.evaluate("output", initial.t, initial.x, len(flat.outputs))
-            outputs = UnknownOutputs(flat)
-            unknown = outputs.first(values[None, :], np.array([initial.t]))
+            outputs = UnknownOutputs(flat, engine)
+            state = (initial.x, np.zeros(0), initial.p)
+            unknown = outputs.first(values[None, :], np.array([initial.t]), lambda _: state)
             if unknown is not None:
                 outputs.report(unknown[1], initial.t, float(values[unknown[1]]), sink)

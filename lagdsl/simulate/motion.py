@@ -25,7 +25,7 @@ from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
-from lagdsl.simulate.unknown_outputs import UnknownOutputs
+from lagdsl.simulate.unknown_outputs import State, UnknownOutputs
 from lagdsl.structure.names import located, place
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
@@ -104,8 +104,14 @@ class Motion:
         columns = [column.values for column in found.columns if column.kind == "output"]
         if not columns:
             return
-        outputs = UnknownOutputs(self._asked.flat)
-        unknown = outputs.first(np.column_stack(columns), found.time)
+        asked = self._asked
+        states = [column.values for column in found.columns if column.kind in _STATE]
+
+        def state_of(row: int) -> State:
+            return np.array([values[row] for values in states]), asked.signals.at(float(found.time[row])), self._run.p
+
+        outputs = UnknownOutputs(asked.flat, asked.engine)
+        unknown = outputs.first(np.column_stack(columns), found.time, state_of)
         if unknown is not None:
             row, which = unknown
             sink, t = Sink(), float(found.time[row])

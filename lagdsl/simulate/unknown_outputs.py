@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeAlias
+
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
@@ -13,33 +16,53 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.flat.traversal import postorder
 from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.engine import Engine, SingularSystem
 from lagdsl.simulate.state_words import time_text
 
 # So many derivatives of a quantity of this kind come from the equations of motion.
 _SOLVED = {"coordinate": 2, "state": 1}
+# The state (2 nq + nz,) of a row, inputs (nu,) and parameters (np,) there.
+State: TypeAlias = tuple[Floats, Floats, Floats]
 
 
 class UnknownOutputs:
     """Finds outputs that are infinite or not a number.
 
     Where constraints lose rank there are no accelerations and no multipliers for an instant: all outputs that read them
-    are nan there, and none is at fault. They are where they are nan in rows that
-    follow each other.
+    are nan there, and none is at fault. They are where they are nan in rows that follow each other, or where the
+    equations of motion have a solution. Constraints that come and go may be others at the row: there the equations are
+    not looked at.
     """
 
-    def __init__(self, flat: FlatModel) -> None:
-        self._flat = flat
+    def __init__(self, flat: FlatModel, engine: Engine) -> None:
+        self._flat, self._engine = flat, engine
         held = bool(flat.constraints or flat.events.contacts)
         self._solved = np.array([held and reads for reads in _reading(flat)], dtype=np.bool_)
+        self._changing = bool(flat.events.contacts) or any(each.switched for each in flat.constraints)
 
-    def first(self, values: Floats, times: Floats) -> tuple[int, int] | None:
-        """Row and column of the first one in `values` (rows, outputs) at `times` (rows,)."""
+    def first(self, values: Floats, times: Floats, state: Callable[[int], State]) -> tuple[int, int] | None:
+        """Row and column of the first one in `values` (rows, outputs) at `times` (rows,); `state` of a row."""
         wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
             lost = np.asarray(np.isnan(values[:, self._solved]).all(axis=1))
-            wrong[:, self._solved] &= ~_instants(lost, times)[:, None]
+            instants = _instants(lost, times)
+            for row in np.flatnonzero(instants).tolist():
+                instants[row] = not self._is_solvable(float(times[row]), *state(row))
+            wrong[:, self._solved] &= ~instants[:, None]
         rows = np.flatnonzero(wrong.any(axis=1))
         return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None
+
+    def _is_solvable(self, t: float, x: Floats, u: Floats, p: Floats) -> bool:
+        """True if there are accelerations and multipliers at this state."""
+        if self._changing:
+            return False
+        engine, n = self._engine, len(self._flat.coordinates)
+        w = engine.evaluate("discrete_start", t, p)[0] if engine.layout.discretes else np.zeros(0)
+        try:
+            found = engine.solve(t, x[:n], x[n : 2 * n], x[2 * n :], u, w, p)
+        except SingularSystem:
+            return False
+        return all(bool(np.isfinite(each).all()) for each in found)
 
     def report(self, which: int, time: float, value: float, sink: Sink) -> str:
         """E0857 for an output; returns its name."""

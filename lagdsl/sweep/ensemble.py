@@ -44,7 +44,7 @@ class Ensemble:
         rows = len(grid(flat.experiment.start_time, options.stop, options.interval))
         self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
         self._columns = [k for k, name in enumerate(names) if options.columns is None or name in options.columns]
-        self._unknown = UnknownOutputs(flat)
+        self._unknown = UnknownOutputs(flat, engine)
         self._names = tuple(names[k] for k in self._columns)
         self._units = tuple(heads[k][1] for k in self._columns)
 
@@ -73,7 +73,7 @@ class Ensemble:
         if made is None:
             return []
         for row, k in enumerate(known):
-            outcomes[k] = self._outcome(tasks[k].index, made, row, words)
+            outcomes[k] = self._outcome(tasks[k].index, made, row, words, inputs)
         return outcomes
 
     def worked(self, seconds: float, left: float) -> None:
@@ -145,23 +145,28 @@ class Ensemble:
         )
         return told, lambda run, t: np.where(outside, inputs.at(t), u[run])
 
-    def _unknown_output(self, rows: Floats) -> str | None:
+    def _unknown_output(self, rows: Floats, p: Floats, u: Callable[[float], Floats]) -> str | None:
         """Words for the first output that is no number; the motion itself goes on."""
         values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
         times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)[: len(values)]
-        unknown = self._unknown.first(values, times)
+        size = 2 * len(self._flat.coordinates) + len(self._flat.states)
+        with self._lock:
+            unknown = self._unknown.first(values, times, lambda row: (rows[row, :size], u(float(times[row])), p))
         if unknown is None:
             return None
         self._unknown.report(unknown[1], float(times[unknown[0]]), float(values[unknown]), sink)
         return first_error(sink.diagnostics)
 
-    def _outcome(self, index: int, made: Made, row: int, words: FailureWords) -> Outcome | None:
+    def _outcome(
+        self, index: int, made: Made, row: int, words: FailureWords, inputs: Callable[[int, float], Floats]
+    ) -> Outcome | None:
         """None where nothing is known of a failure."""
         ended: float | None = float(made.ended[row])
         if made.went_well(row):
             message = words.wrong(made.p[row])
             ended = ended if message is None else None
-            message = message or self._unknown_output(made.rows[row, : made.kept[row]])
+            kept = made.rows[row, : made.kept[row]]
+            message = message or self._unknown_output(kept, made.p[row], lambda t: inputs(row, t))
         elif row in words.told:
             message, ended = words.told[row]
         else:

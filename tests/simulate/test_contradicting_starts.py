@@ -73,3 +73,23 @@ def test_an_equation_that_never_holds_contradicts_none(equations: str) -> None:
 @pytest.mark.parametrize("equations", ["x = 1 m; 2*x = 2 m;", "x^2 = 4 m2; x = -2 m;", "x*y = 1 m2; x = y;"])
 def test_equations_that_agree(equations: str) -> None:
     assert not {"E0839", "E0815", "E0801"} & told(_FREE, equations).keys()
+
+
+@pytest.mark.parametrize(
+    ("equations", "names"),
+    [
+        ("x = a; x = 2*a; a = 1 m;", "`a = 1 m` contradicts `x = a` and `x = 2*a`"),
+        ("y = 3*a; y = 0; a = 1 m;", "`a = 1 m` contradicts `y = 3*a` and `y = 0`"),
+        ("a = 1 m; a = 3 m;", "`a = 3 m` contradicts `a = 1 m`"),
+    ],
+)
+def test_contradictions_over_a_free_parameter(equations: str, names: str) -> None:
+    """They were told as a residual."""
+    found = told(f"parameter Length a(fixed = false, start = 1 m); {_FREE}", equations)
+    assert names in found["E0839"].message and not {"E0815", "E0801"} & found.keys()
+
+
+def test_a_fixed_start_and_a_free_parameter() -> None:
+    declarations = "parameter Length a(fixed = false, start = 1 m); coordinate Length x(start = 1 m, fixed = true), y;"
+    assert "contradicts the fixed start of `x` and `x = a`" in told(declarations, "x = a; a = 3 m;")["E0839"].message
+    assert not told(declarations, "x = a; y = 3*a;").keys() & {"E0839", "E0815", "E0801"}

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from compiled_programs import program_of
 
 import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import flatten_file
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.source import SourceFile
 
@@ -51,14 +53,44 @@ def test_rows_without_accelerations_are_left_alone() -> None:
     end P;"""
     pendulum = flatten_file(SourceFile("p.lag", text), Sink())
     assert pendulum is not None
-    outputs = UnknownOutputs(pendulum)
+    engine = engine_of(program_of(text), "tape")
+    outputs = UnknownOutputs(pendulum, engine)
+    nothing = np.zeros(0)
+
+    def first(values: np.ndarray, times: np.ndarray, x: float = np.nan) -> tuple[int, int] | None:
+        return outputs.first(values, times, lambda _: (np.array([x, 0.0, 0.0, 0.0]), nothing, nothing))
+
     lost = np.array([[1.0, 2.0, 3.0], [1.0, np.nan, np.nan], [1.0, np.inf, 1.0], [np.nan, 1.0, 1.0]])
     times = np.arange(4.0)
-    assert outputs.first(lost[:2], times[:2]) is None
-    assert outputs.first(lost, times) == (2, 1)
-    assert outputs.first(lost[[0, 1, 3]], times[:3]) == (2, 0)
-    assert outputs.first(lost[[0, 1, 1]], times[:3]) == (1, 1)
-    assert outputs.first(lost[[0, 1, 1]], np.array([0.0, 1.0, 1.0])) is None  # before and after an event
+    assert first(lost[:2], times[:2]) is None
+    assert first(lost[:2], times[:2], x=1.0) == (1, 1)  # there the equations have a solution
+    assert first(lost, times) == (2, 1)
+    assert first(lost[[0, 1, 3]], times[:3]) == (2, 0)
+    assert first(lost[[0, 1, 1]], times[:3]) == (1, 1)
+    assert first(lost[[0, 1, 1]], np.array([0.0, 1.0, 1.0])) is None  # before and after an event
+
+
+def test_a_single_row_of_an_output_that_reads_a_multiplier() -> None:
+    """It passed for a singular position, which the pendulum has not."""
+    text = """model P
+      parameter Real most = 100;
+      coordinate Length x(start = 1 m), y;
+      gravity = {0, -9.81 m/s2};
+      mass 1 kg at {x, y};
+      constraint rod: x^2 + y^2 = 1 m2;
+      output Real pull = sqrt(most + multiplier(rod)/(1 N/m));
+    end P;"""
+    model = lagdsl.compile(text, engine="tape")
+    motion = model.simulate(stop=1.0, interval=0.05)
+    lowest, second = np.sort(motion["pull"])[:2] ** 2
+    most = 100.0 - (lowest + second) / 2
+    with pytest.raises(lagdsl.SimulationFailed) as found:
+        model.simulate(stop=1.0, interval=0.05, parameters={"most": most})
+    assert found.value.diagnostic.code == "E0857"
+    assert found.value.time == motion.time[np.argmin(motion["pull"])]
+    assert np.count_nonzero(np.isnan(found.value.trajectory["pull"])) == 1
+    motions = model.simulate_many(parameters={"most": [most, 100.0]}, stop=1.0, interval=0.05)
+    assert list(motions.failures) == [0] and "E0857" in motions.failures[0]
 
 
 def test_the_only_output_that_reads_a_multiplier() -> None:
