@@ -24,6 +24,8 @@ _LEAST_TRIES = 2
 # A bias rate below this part of its size per second is zero: in a loop on a base that moves, the motion of the base
 # cancels but for round-off.
 _ROUNDING = 1e-12
+# A step, in natural sizes, that does not lead to a zero nearby.
+_LONG_STEP = 0.1
 # So many independent parts of a mechanism that cannot be assembled are looked into.
 _EXAMINED = 2
 
@@ -78,7 +80,24 @@ def report_impossible(flat: FlatModel, space: Geometry, sink: Sink) -> bool:
         columns = np.flatnonzero(together.split.column_labels == label).tolist()
         others = len(wrong) - _EXAMINED if label == wrong[:_EXAMINED][-1] else 0
         _explain(flat, space, items, columns, _more(others), sink)
-    return len(wrong) > 0
+    endless = [] if len(wrong) else _endless(space, together, rows)
+    for item in position:
+        if not item.constraint.contact and any(row in endless for row in item.rows):
+            subject = grammatical_subject(flat, item.constraint)
+            sink.report("E0602", place(item.constraint), notes=(_ENDLESS,), subject=subject, verb="hold")
+    return len(wrong) > 0 or len(endless) > 0
+
+
+_ENDLESS = "its residual goes to zero where coordinates grow without end, and is zero nowhere"
+
+
+def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
+    """Rows such as 1/x that count as met where they are small only: the step along their gradient to a zero is as long
+    as the motion itself."""
+    phi, jacobian = space.position(found.point)
+    moved = np.abs(space.position(space.q)[0]) > HOLDS * space.row_sizes
+    steps = np.abs(phi) / np.linalg.norm(jacobian * space.sizes, axis=1)
+    return [row for row in rows if moved[row] and steps[row] > _LONG_STEP]
 
 
 def _more(others: int) -> tuple[str, ...]:

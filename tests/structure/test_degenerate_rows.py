@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from lagdsl.diagnostics import Diagnostic
+from lagdsl.diagnostics import Diagnostic, Severity
 from lagdsl.pipeline import check
 from lagdsl.source import SourceFile
 
@@ -181,7 +181,7 @@ def test_rows_that_hold_in_a_whole_region(row: str) -> None:
 
 
 def test_rows_that_hold_nowhere_and_rows_of_any_size() -> None:
-    for row, code in (("exp(x/(1 m))", "E0609"), ("1e-300*(x - y)", "E0609"), ("1e300*(x - y)", "E0802")):
+    for row, code in (("exp(x/(1 m))", "E0602"), ("1e-300*(x - y)", "E0609"), ("1e300*(x - y)", "E0802")):
         assert [error.code for error in _errors(f"{row} = 0", "1 m")] == [code]
 
 
@@ -193,3 +193,17 @@ def _errors(row: str, start: str) -> list[Diagnostic]:
     end M;"""
     found, _ = check(SourceFile("m.lag", text))
     return [diagnostic for diagnostic in found if diagnostic.code.startswith("E")]
+
+
+@pytest.mark.parametrize("row", ["l/x = 0", "(l/x)^3 = 0", "atan(x/l) = pi/2", "exp(-x/l) = 0", "1/(1 + (x/l)^2) = 0"])
+def test_rows_that_are_met_without_end_only(row: str) -> None:
+    """Their gradient was said to jump, and `x = l` was proposed."""
+    text = f"""model M
+      parameter Length l = 1 m;
+      coordinate Length x(start = 1 m), y;
+      kinetic 1/2*(1 kg)*(der(x)^2 + der(y)^2);
+      constraint c: {row};
+    end M;"""
+    (found,) = (each for each in check(SourceFile("M.lag", text))[0] if each.severity is Severity.ERROR)
+    assert found.code == "E0602" and "without end" in found.notes[0]
+    assert not [each for each in check(SourceFile("M.lag", text.replace(row, "x = 1e7*l")))[0] if each.code[0] == "E"]
