@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cProfile
 import sys
 import time
 
@@ -10,6 +11,7 @@ from choice import ALL
 from flattening import run, said
 
 from lagdsl.flat import model as fm
+from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.scope import limits
 from lagdsl.semantics.scope.limits import MAX_TURNS
 
@@ -94,3 +96,45 @@ def test_names_are_compared_for_the_first_faults_only() -> None:
     helps = [each.help for each in sink.diagnostics if each.code == "E0201"]
     assert helps[0] == "did you mean `alpha0000`?"
     assert len(helps) == 100 and helps[-1] == "check the spelling, or declare it with its type"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "for i in 1:n loop for j in 1:n loop for k in 1:n loop potential (1 N)*x; end for; end for; end for;",
+        "for i in 1:n loop for j in 1:i loop end for; for j in 1:n, k in 1:n loop potential (1 N)*x; end for; end for;",
+        "potential (1 N)*sum(sum(sum(x*i*j*k for k in 1:n) for j in 1:n) for i in 1:n);",
+        "potential (1 N)*x*sum({sum(k for k in 1:n, l in 1:n) for i in 1:n});",
+        "discrete Real w(start = 0); when x > 1 m then for i in 1:n loop for j in 1:n*n loop w = i; end for; end for; "
+        "end when;",
+    ],
+)
+def test_turns_of_loops_inside_each_other_are_counted_before_any(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three loops of 300 each were expanded to the bound, which took twenty seconds."""
+    made: list[int] = []
+    first = limits.another_turn
+    monkeypatch.setattr(arrays, "another_turn", lambda *given: made.append(1) or first(*given))
+    _, sink = run(body(f"  structural parameter Integer n = 300;\n  {text}"))
+    assert [code for code, _ in said(sink)] == ["E0326"] and not made
+
+
+def test_loops_inside_each_other_that_fit() -> None:
+    inner = "for j in 1:i loop for k in 1:2 loop potential (1 N)*x; end for; end for;"
+    flat, _ = run(body(f"  for i in 1:30 loop if i > 2 then {inner} end if; end for;"))
+    assert flat is not None and len(flat.energies) == 2 * (30 * 31 // 2 - 3)
+
+
+def test_a_name_that_is_given_many_values_is_told_once() -> None:
+    lines = "".join(f"    w = {k};\n" for k in range(50))
+    _, sink = run(body(f"  discrete Real w(start = 0);\n  when x > 1 m then\n{lines}  end when;"))
+    assert [code for code, _ in said(sink)] == ["E0307"]
+
+
+def test_many_branches_of_one_event_are_compared_by_their_conditions() -> None:
+    """A hundred and fifty branches took a minute and a half: each condition was compared with all others."""
+    branches = "".join(f" elseif x > {k} m then w = {k};" for k in range(1, 60))
+    text = body(f"  discrete Real w(start = 0); when x > 0.5 m then if x > 0 m then w = 0;{branches} end if; end when;")
+    compared = cProfile.Profile()
+    flat, _ = compared.runcall(run, text)
+    assert flat is not None
+    assert sum(each.callcount for each in compared.getstats() if "_equal" in str(each.code)) < 60**2

@@ -50,6 +50,21 @@ def test_each_is_still_asked_for(modifiers: str, code: str) -> None:
     assert len(found) == 1
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "coordinate Angle q[2](each each start = 1 rad); kinetic (1 J.s2)*(der(q[1])^2 + der(q[2])^2);",
+        "coordinate Angle q[2](each der(each each start = 1 rad/s)); kinetic (1 J.s2)*(der(q[1])^2 + der(q[2])^2);",
+        "W w[2](each each R = 2);",
+        "W w(q(final final start = 2 rad));",
+        "extends W(final final R = 2);",
+    ],
+)
+def test_a_prefix_stands_once(text: str) -> None:
+    wheel = "model W parameter Real R = 1; coordinate Angle q; kinetic R*(1 J.s2)*der(q)^2; end W;"
+    assert errors(f"{wheel} model M {text} end M;") == ["E0212"]
+
+
 @pytest.mark.parametrize("word", ["force", "torque"])
 @pytest.mark.parametrize("declaration", ["coordinate Real y", 'coordinate Real y(unit = "1")', "coordinate Real y[2]"])
 def test_a_number_takes_both_words(word: str, declaration: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from flattening import run
 
+from lagdsl.diagnostics import Severity
 from lagdsl.flat import model as fm
 from lagdsl.flat.expression import Number
 
@@ -89,3 +90,17 @@ def test_modifiers_of_what_is_not_there_say_nothing() -> None:
     assert codes(f"{box} model M Box b(extra = 2 kg); end M;") == []
     assert masses(flat_of(f"{box} model M Box b(extra = 2 kg, heavy = true); end M;"))["b.extra"] == 2.0
     assert codes(f"{box} model M Box b(extras = 2 kg); end M;") == ["E0223"]
+
+
+def test_names_of_a_branch_that_is_not_taken_are_told_so() -> None:
+    """They were unknown names, with a proposal to declare them."""
+    head = "model M structural parameter Boolean held = false; coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2;"
+    inside = "constraint c: x = 0; parameter Real k = 2; output Real twice = 2*k;"
+    for use in ("output Force f = multiplier(c);", "output Real y = k;"):
+        text = f"{head} if held then {inside} else parameter Real other = 1; end if; {use} end M;"
+        _, sink = run(text, model="M")
+        (found,) = (each for each in sink.diagnostics if each.severity is Severity.ERROR)
+        assert found.code == "E0230" and len(found.labels) == 2
+        assert flat_of(text.replace("Boolean held = false", "Boolean held = true"))
+    text = f"{head} if held then else {inside} end if; output Force f = multiplier(c); end M;"
+    assert codes(text) == [] and codes(text.replace("held = false", "held = true")) == ["E0230"]

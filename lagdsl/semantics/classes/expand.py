@@ -11,8 +11,8 @@ from lagdsl.semantics.classes import alternatives, equations
 from lagdsl.semantics.classes.declare import Declarer, component_class, symbols_of
 from lagdsl.semantics.classes.inheritance import Part
 from lagdsl.semantics.classes.modification import Given
-from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.operators.conditions import condition_of, structural_condition
+from lagdsl.semantics.operators.nested_loops import unrolled
 from lagdsl.semantics.scope.contents import Contents, Placed
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
@@ -136,7 +136,7 @@ class Expander:
             if iterator.name in ("time", "world"):
                 self.ctx.sink.report("E0207", iterator.span, name=iterator.name)
                 return
-        for turn in arrays.turns(self.ctx, part.scope, item.iterators) or ():
+        for turn in unrolled(self.ctx, part.scope, item):
             for inner in self._inside(item.body, turn, part):
                 self._item(inner)
 
@@ -146,6 +146,7 @@ class Expander:
             for equation in alternatives.merged(self.ctx, part.scope, item):
                 self._equation(equation, part)
             return
+        taken = item.otherwise or ()
         for branch in item.branches:
             condition = condition_of(self.ctx, part.scope, branch.condition)
             if isinstance(condition, Scalar):
@@ -154,10 +155,21 @@ class Expander:
             if condition is None:
                 return
             if condition:
-                self._branch(branch.body, part)
-                return
-        if item.otherwise is not None:
-            self._branch(item.otherwise, part)
+                taken = branch.body
+                break
+        for body in (*(branch.body for branch in item.branches), item.otherwise or ()):
+            if body is not taken:
+                self._leave_out(body, part.scope)
+        self._branch(taken, part)
+
+    def _leave_out(self, items: tuple[nodes.Item, ...], scope: Scope) -> None:
+        """Names of a branch that is not taken: what uses them is told so."""
+        for item in items:
+            if isinstance(item, Labelled) and item.label is not None:
+                self.ctx.reports.absent[scope.owner.qualify(item.label)] = label_span(item)
+            elif isinstance(item, nodes.Component | nodes.Coordinate | nodes.Geometry):
+                for declarator in item.declarators:
+                    self.ctx.reports.absent[scope.owner.qualify(declarator.name)] = declarator.name_span
 
     def _conditional(self, item: nodes.Component | nodes.Coordinate | nodes.Geometry, part: Part) -> None:
         """`parameter Mass m = 1 kg if c;` is the same declaration in an `if`."""

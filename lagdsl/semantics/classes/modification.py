@@ -21,6 +21,7 @@ from lagdsl.semantics.scope.scope import (
     Symbol,
     bindings_of,
 )
+from lagdsl.semantics.types.prefixes import check_modifier
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -68,6 +69,7 @@ def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> No
     whole: dict[str, Span] = {}
     values: list[tuple[Place, Span]] = []
     for modifier in modifiers:
+        check_modifier(ctx, modifier)
         name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
         plain = not isinstance(modifier, nodes.Modifier) or not modifier.subscripts
         if plain and name in whole:

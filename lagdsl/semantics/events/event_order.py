@@ -12,6 +12,7 @@ from lagdsl.flat.event_flow import assignments, branches, needs
 from lagdsl.flat.events import Assign, Branch, Contact, Impact, Reset, entries
 from lagdsl.flat.expression import Binary, FlatExpression, Unary
 from lagdsl.flat.model import FlatModel
+from lagdsl.record import record
 
 
 def check_events(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
@@ -50,47 +51,66 @@ def with_switches(flat: FlatModel, dependence: Dependence) -> FlatModel:
 def _given_once(flat: FlatModel, sink: Sink) -> dict[str, Assign]:
     """The first assignment of each variable."""
     found: dict[str, tuple[int, Assign]] = {}
+    told: set[str] = set()
     for number, when in enumerate(flat.events.whens):
         for action, _ in assignments(when):
             clause, first = found.setdefault(action.variable, (number, action))
-            if clause != number:
+            if clause != number and action.variable not in told:
+                told.add(action.variable)
                 label = Label(first.spans[0], "assigned here first")
                 sink.report("E0307", action.spans[0], label, name=action.variable)
     return {name: action for name, (_, action) in found.items()}
 
 
 def _check_twice(branch: Branch, sink: Sink) -> None:
-    """E0307 for what one branch may give two values; whether resets under conditions meet is seen at run time."""
-    known: dict[tuple[str, bool], list[Assign | Reset]] = {}
+    """E0307, once for each name, for what one branch may give two values; whether resets under conditions meet is seen
+    at run time."""
+    known: dict[tuple[str, bool], list[_Guarded]] = {}
+    told: set[str] = set()
     for action in branch.actions:
         if not isinstance(action, Assign | Reset):
             continue
         name = action.variable if isinstance(action, Assign) else action.name
+        if name in told:
+            continue
         earlier = known.setdefault((name, isinstance(action, Reset)), [])
-        clash = next((other for other in earlier if _meet(other, action)), None)
+        guarded = _Guarded(action, *_conditions(action.guard))
+        clash = next((other for other in earlier if other.meets(guarded)), None)
         if clash is not None:
-            label = Label(clash.spans[0], "given a value here first")
+            told.add(name)
+            label = Label(clash.action.spans[0], "given a value here first")
             sink.report("E0307", action.spans[0], label, name=name)
-        earlier.append(action)
+        earlier.append(guarded)
 
 
-def _meet(one: Assign | Reset, two: Assign | Reset) -> bool:
-    """True if both may act: not where one stands under a condition that the other excludes."""
-    if isinstance(one, Reset):
-        return one.guard is None and two.guard is None
-    first, second = _conditions(one.guard), _conditions(two.guard)
-    return not any(Unary("not", each) in second for each in first) and not any(
-        Unary("not", each) in first for each in second
-    )
+@record()
+class _Guarded:
+    """An action and the conditions that hold, and those that do not, where it acts."""
+
+    action: Assign | Reset
+    hold: frozenset[FlatExpression]
+    fail: frozenset[FlatExpression]
+
+    def meets(self, other: _Guarded) -> bool:
+        """True if both may act: not where one stands under a condition that the other excludes."""
+        if isinstance(self.action, Reset):
+            return self.action.guard is None and other.action.guard is None
+        return self.hold.isdisjoint(other.fail) and self.fail.isdisjoint(other.hold)
 
 
-def _conditions(guard: FlatExpression | None) -> list[FlatExpression]:
-    """Conditions of which a guard is the conjunction."""
-    if guard is None:
-        return []
-    if isinstance(guard, Binary) and guard.operator == "and":
-        return [*_conditions(guard.left), *_conditions(guard.right)]
-    return [guard]
+def _conditions(guard: FlatExpression | None) -> tuple[frozenset[FlatExpression], frozenset[FlatExpression]]:
+    """Conditions of which a guard is the conjunction: those that hold, and those that do not."""
+    hold, fail = [], []
+    stack = [] if guard is None else [guard]
+    while stack:
+        each = stack.pop()
+        if isinstance(each, Binary) and each.operator == "and":
+            stack += [each.left, each.right]
+        elif isinstance(each, Unary) and each.operator == "not":
+            fail.append(each.operand)
+        else:
+            hold.append(each)
+    return frozenset(hold), frozenset(fail)
 
 
 def _check_resets(flat: FlatModel, sink: Sink) -> None:

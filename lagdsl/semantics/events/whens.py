@@ -15,6 +15,7 @@ from lagdsl.semantics.events.resets import resets, what_it_is
 from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.operators.arguments import named_element, positional
 from lagdsl.semantics.operators.arithmetic import Operand, boolean
+from lagdsl.semantics.operators.nested_loops import unrolled
 from lagdsl.semantics.scope.contents import Placed
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name, kind_of
@@ -104,7 +105,7 @@ class _Body:
                 case nodes.CallEquation():
                     self._call(item, scope, guard)
                 case nodes.For():
-                    for turn in arrays.turns(self.ctx, scope, item.iterators) or ():
+                    for turn in unrolled(self.ctx, scope, item):
                         self.read(item.body, turn, guard)
                 case nodes.If():
                     self._if(item, scope, guard)

@@ -11,6 +11,7 @@ from lagdsl.semantics.expressions import calls, references
 from lagdsl.semantics.operators import arithmetic, arrays, geometry
 from lagdsl.semantics.operators.arithmetic import Operand
 from lagdsl.semantics.operators.choice import choice
+from lagdsl.semantics.operators.nested_loops import loop_fits
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import braces
@@ -66,6 +67,8 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
             )
         case nodes.Matrix():
             return arrays.matrix(ctx, scope, node, adopt)
+        case nodes.Comprehension() | nodes.Reduction() if not loop_fits(ctx, scope, node):
+            return POISON
         case nodes.Comprehension():
             return arrays.comprehension(ctx, scope, node, adopt)
         case nodes.Reduction():

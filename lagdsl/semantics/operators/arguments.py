@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog.habits import count_help
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.operators.arrays import subscript_indices
@@ -75,6 +76,10 @@ def labelled(
             return entry, ()
         return named_element(ctx, scope, node)
     if isinstance(target, nodes.Reference) and entry is None:
+        absent = ctx.reports.absent.get(scope.owner.qualify(target.name))
+        if absent is not None:
+            ctx.sink.report("E0230", target.span, Label(absent, "declared here"), name=target.name)
+            return None
         labels = [
             name
             for step in scope.chain()

@@ -46,7 +46,12 @@ def range_fits(ctx: Context, span: Span, count: int) -> bool:
 def another_turn(ctx: Context, span: Span) -> bool:
     """Count a turn of a loop."""
     ctx.counts.turns += 1
-    return _fits(ctx, span, "the number of loop turns", ctx.counts.turns, MAX_TURNS)
+    return turns_fit(ctx, span, 0)
+
+
+def turns_fit(ctx: Context, span: Span, more: int) -> bool:
+    """E0326 where `more` turns beside those counted are too many."""
+    return _fits(ctx, span, "the number of loop turns", ctx.counts.turns + more, MAX_TURNS)
 
 
 def another_component(ctx: Context, span: Span) -> bool:

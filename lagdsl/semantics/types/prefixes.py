@@ -58,6 +58,15 @@ def check_component(ctx: Context, item: nodes.Component) -> None:
             ctx.sink.report("E0238", Span(item.span.file, start, start + len(prefix)), prefix=prefix)
 
 
+def check_modifier(ctx: Context, modifier: nodes.AnyModifier) -> None:
+    """E0212 for `each each R = 1`, in the modifier or in those inside it."""
+    if isinstance(modifier, nodes.Modifier):
+        for prefix in sorted({each for each in modifier.prefixes if modifier.prefixes.count(each) > 1}):
+            ctx.sink.report("E0212", modifier.span, name=prefix)
+    for nested in modifier.modifiers:
+        check_modifier(ctx, nested)
+
+
 def type_fits(ctx: Context, kind: SymbolKind, info: TypeInfo, span: Span) -> bool:
     """Motion is real; texts are parameters."""
     if kind in ("coordinate", "state") and info.base != "Real":

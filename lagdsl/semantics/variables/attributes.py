@@ -18,6 +18,7 @@ from lagdsl.semantics.scope.prelude import BaseType
 from lagdsl.semantics.scope.scope import Scope, Symbol
 from lagdsl.semantics.scope.values import AnyDimension, Scalar, Text, is_structural, rank
 from lagdsl.semantics.types.bindings import Expected, conform
+from lagdsl.semantics.types.prefixes import check_modifier
 from lagdsl.syntax import nodes
 
 _SHOWN = ("unit", "displayUnit", "symbol")
@@ -62,6 +63,7 @@ def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
             _read(ctx, symbol, modifier, scope, "", found, inherited=True)
     own: dict[str, Attribute] = {}
     for modifier in symbol.declarator.modifiers if symbol.declarator is not None else ():
+        check_modifier(ctx, modifier)
         _read(ctx, symbol, modifier, symbol.scope, "", own, inherited=False)
     merged = {**found, **own}
     for modifiers, scope in symbol.given.overrides:
