@@ -246,7 +246,9 @@ def _inputs(name: str) -> Any:
     program = compilation.program
     given = {Group.TIME: 0.0, Group.P: np.array(program.layout.defaults)}
     defaults = evaluate(program.graph, program.function("start").results[3].elements, given)
-    return [(each, float(value)) for each, value in zip(compilation.flat.inputs, defaults, strict=True)]
+    kinds: dict[str, Any] = {"Boolean": bool, "Integer": int, "Enumeration": int}
+    inputs = compilation.flat.inputs
+    return [(each, kinds.get(each.base, float)(value)) for each, value in zip(inputs, defaults, strict=True)]
 
 
 @pytest.mark.parametrize("name", expressible(EVERY))

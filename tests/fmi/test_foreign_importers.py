@@ -128,6 +128,78 @@ def test_ecos(name: str, version: int, tmp_path: Path) -> None:
     record(importer="ecospy", version=told["version"], fmi=version, kind="cs", model=name, error=error)
 
 
+@MODELS
+@BOTH
+def test_fmuloader(name: str, version: int, tmp_path: Path) -> None:
+    fmu = exported(name, version, scalar=version == 3)
+    names = scalars(fmu, name)
+    told = ask(
+        "fmuloader",
+        "fmuloader",
+        tmp_path,
+        fmu=str(fmu.path),
+        version=version,
+        stem=fmu.description.coSimulation.modelIdentifier,
+        token=fmu.description.guid or fmu.description.instantiationToken,
+        references=[fmu.variables[signal].valueReference for signal in names],
+        step=step_of(name),
+        count=ROWS,
+    )
+    error = assert_close(name, told["time"], dict(zip(names, np.array(told["rows"]).T, strict=True)))
+    record(importer="fmuloader", version=told["version"], fmi=version, kind="cs", model=name, error=error)
+
+
+def of_toolbox(program: str, *arguments: str, folder: Path) -> str:
+    """What a program of the FMU Manipulation Toolbox says."""
+    if not has("fmu_manipulation_toolbox"):
+        pytest.skip(f"fmu-manipulation-toolbox is not installed in {PEERS.parents[1]}")
+    done = subprocess.run(
+        [PEERS.parent.absolute() / program, *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+@MODELS
+@BOTH
+def test_checks_of_the_manipulation_toolbox(name: str, version: int, tmp_path: Path) -> None:
+    said = of_toolbox("fmutool", "-input", str(exported(name, version).path), "-check", folder=tmp_path)
+    assert f"This FMU seems to be compliant with FMI-{version}.0" in said
+    assert f"No semantic error against the FMI-{version} standard" in said
+    assert "ERROR" not in said and "WARNING" not in said
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in ("newtons_cradle", "library/parts_with_play")])
+def test_a_container_of_the_manipulation_toolbox(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """An FMU that holds ours, in FMPy. Containers of FMI 2 take no arrays, not even those listed entry by entry."""
+    fmu = exported(name, 2)
+    shutil.copy(fmu.path, tmp_path / "one.fmu")
+    options: dict[str, Any] = dict.fromkeys(("mt", "profiling", "sequential", "auto_input", "auto_parameter"), False)
+    options |= dict.fromkeys(("auto_link", "auto_output"), True) | {"auto_local": False}
+    options |= {key: [] for key in ("input", "output", "drop", "link", "start")}
+    described = {"name": "container.fmu", "step_size": step_of(name), "fmu": ["one.fmu"], **options}
+    (tmp_path / "container.json").write_text(json.dumps(described))
+    of_toolbox("fmucontainer", "-fmu-directory", ".", "-container", "container.json", folder=tmp_path)
+    names = [signal for signal in scalars(fmu, name) if fmu.variables[signal].causality == "output"]
+    rows = fmpy.simulate_fmu(
+        str(tmp_path / "container.fmu"),
+        fmi_type="CoSimulation",
+        stop_time=ROWS * step_of(name),
+        output_interval=step_of(name),
+        step_size=step_of(name),
+        relative_tolerance=1e-8,
+        output=names,
+    )
+    capsys.readouterr()
+    error = assert_close(name, rows["time"], {signal: rows[signal] for signal in names})
+    record(importer="fmu-manipulation-toolbox", version="", fmi=2, kind="cs", model=name, error=error)
+
+
 @pytest.mark.parametrize("name", SMOOTH)
 @BOTH
 def test_casadi(name: str, version: int, tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ def simulated(model, job, solver):
 def motion(job):
     text = Path(job["file"]).read_text(encoding="utf-8")
     name = job.get("model") or f"{job['class']}.{job['class']}"
-    given = ", ".join(f"{key} = {value!r}" for key, value in job["inputs"].items())
+    given = ", ".join(f"{key} = {json.dumps(value)}" for key, value in job["inputs"].items())
     if given:
         text += f"\nmodel Driven\n  {name} driven({given});\nend Driven;\n"
     model = rumoca.Session().loads(text, model="Driven" if given else name)
