@@ -5,21 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal, TypeAlias
 
+from sympy import Expr, Symbol
+
 from lagdsl.flat.model import FlatModel
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Document, filled
 from lagdsl.report.html import html
+from lagdsl.report.intermediate import Intermediates, nodes
 from lagdsl.report.latex import latex
 from lagdsl.report.markdown import markdown
 from lagdsl.report.notation import notation
 from lagdsl.report.outline import outline
 from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
+from lagdsl.report.sections.by_parts import derivatives
 from lagdsl.report.sections.forces import loads
 from lagdsl.report.sections.instants import contacts, events
+from lagdsl.report.sections.intermediate import with_intermediates
 from lagdsl.report.sections.left_side import (
     coordinates,
-    derivatives,
     energies,
     parameters,
     positions,
@@ -31,14 +35,18 @@ from lagdsl.report.sections.small_motions import accelerations, small_motions
 from lagdsl.report.sections.system import system
 from lagdsl.report.typeset import Typesetter
 from lagdsl.textbook.familiar import Familiar
-from lagdsl.textbook.reading import STANDARD_GRAVITY
+from lagdsl.textbook.reading import STANDARD_GRAVITY, needed
 from lagdsl.textbook.recipe import Derivation, Recipe
 from lagdsl.textbook.small_motions.study import study
+from lagdsl.textbook.symbols import replaced
 from lagdsl.units.dimension import MASS
 
 Format: TypeAlias = Literal["text", "markdown", "latex", "html"]
 
 FORMATS: dict[str, Callable[[Document], str]] = {"text": plain, "markdown": markdown, "latex": latex, "html": html}
+
+_LONG_DEFINITION = 20
+"""Nodes of a definition that stays a symbol in expressions that are printed."""
 
 _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     parameters,
@@ -74,23 +82,35 @@ def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Doc
         blocks = outline(recipe.familiar, recipe.extent, drawn=drawn)
     else:
         page = _page(recipe.familiar, derivation, units)
-        blocks = filled([block for section in _SECTIONS for block in section(page)])
+        blocks = filled([block for section in _SECTIONS for block in with_intermediates(page, section)])
         blocks = (*system(page), *blocks) if drawn else blocks
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
 
 
 def typesetter(flat: FlatModel, derivation: Derivation) -> Typesetter:
     """The notation that sets the expressions of a derivation."""
-    named = tuple(symbol for symbol, _ in (*derivation.dependent_parameters, *derivation.abbreviations))
+    written = _written_out(derivation)
+    used = needed(derivation.definitions, (*written.values(), *(symbol for symbol, _ in derivation.abbreviations)))
+    named = tuple(symbol for symbol, _ in (*derivation.dependent_parameters, *used))
     rows = tuple(row.name for row in derivation.constraints if row.restricts)
     independent = [parameter for parameter in flat.parameters if not parameter.structural]
     masses = [s for s, p in zip(derivation.symbols.p, independent, strict=True) if p.dimension == MASS]
+    signs = notation(flat, derivation.symbols, named, rows)
     return Typesetter(
-        notation=notation(flat, derivation.symbols, named, rows),
+        notation=signs,
         symbols=derivation.symbols,
         constants=derivation.constants,
+        intermediates=Intermediates(signs.intermediate, frozenset(derivation.symbols.qdd), written),
         first=(*masses, STANDARD_GRAVITY),
     )
+
+
+def _written_out(derivation: Derivation) -> dict[Expr, Symbol]:
+    """Definitions of the model by their values in coordinates, where those are long."""
+    values: dict[Symbol, Expr] = {}
+    for symbol, value in derivation.definitions:
+        values[symbol] = replaced(value, values)
+    return {value: symbol for symbol, value in values.items() if nodes(value) >= _LONG_DEFINITION}
 
 
 def _page(familiar: Familiar, derivation: Derivation, units: bool) -> Page:

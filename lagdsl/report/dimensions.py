@@ -35,8 +35,9 @@ class Units:
         for symbols, items in ((table.p, independent), (table.z, self.flat.states), (table.u, self.flat.inputs)):
             found |= {symbol: item.unit for symbol, item in zip(symbols, items, strict=True)}
         named = {item.name: item for item in self.flat.named if isinstance(item, Definition)}
-        for symbol, _ in (*derivation.dependent_parameters, *derivation.abbreviations):
-            found[symbol] = named[symbol.name].unit
+        for symbol, _ in (*derivation.dependent_parameters, *derivation.definitions):
+            own = named[symbol.name]
+            found |= {symbol: own.unit, Symbol(f"der({symbol.name})"): rate_text(own.dimension, own.unit)}
         found |= {row.multiplier: self.multiplier(row) for row in derivation.constraints if row.restricts}
         return {table.time: "s", STANDARD_GRAVITY: "m/s2", **found}
 

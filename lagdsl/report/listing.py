@@ -23,7 +23,8 @@ from lagdsl.version import __version__
 
 def listing(recipe: Recipe) -> str:
     """An object with `coordinates`, `sources` and `terms`, whose `sources` are indices, `units` by names, then
-    `accelerations` and `equilibria`; all but the first two are empty for a large model."""
+    `accelerations` and `equilibria`; all but the first two are empty for a large model. `intermediate` has the
+    symbols of long texts, where there are some."""
     flat, derivation = recipe.flat, recipe.derivation
     typeset = None if derivation is None else typesetter(flat, derivation)
     terms = [] if derivation is None or typeset is None else [_term(typeset, each) for each in derivation.terms]
@@ -38,7 +39,15 @@ def listing(recipe: Recipe) -> str:
         "units": {} if derivation is None else _units(flat, derivation),
         **({} if found is None or typeset is None else _study(typeset, found)),
     }
+    if typeset is not None and typeset.intermediates.made:
+        content["intermediate"] = _intermediate(typeset)
     return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
+
+
+def _intermediate(typeset: Typesetter) -> list[dict[str, str]]:
+    """Symbols that long texts are written with, in their order."""
+    found = typeset.intermediates.made
+    return [{"symbol": line(typeset.notation.of(symbol)), **_written(typeset, value)} for symbol, value in found]
 
 
 def _source(source: Source) -> dict[str, object]:

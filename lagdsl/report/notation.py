@@ -25,7 +25,7 @@ GREEK = {
 _OTHER_FORMS = {
     "L": "ℒ", "T": "𝒯", "V": "𝒱", "D": "𝒟", "Q": "𝒬", "M": "ℳ", "J": "𝒥", "P": "𝒫", "N": "𝒩", "B": "ℬ", "K": "𝒦",
     "C": "𝒞", "r": "𝐫", "v": "𝐯", "ω": "𝛚", "F": "𝐅", "x": "ξ", "λ": "Λ", "γ": "Γ",
-    "p": "𝔭", "e": "𝔢", "d": "𝔡", "k": "𝔨", "f": "𝔣", "q": "𝐪", "t": "𝔱",
+    "p": "𝔭", "e": "𝔢", "d": "𝔡", "k": "𝔨", "f": "𝔣", "q": "𝐪", "s": "𝔰", "t": "𝔱",
 }  # fmt: skip
 # The letter of a quantity that moves, by its unit.
 _KINDS = {
@@ -78,6 +78,12 @@ class Notation:
     def letter(self, letter: str) -> Box:
         """A letter of the derivation itself, as L or T, in another form where the model has a symbol of that letter."""
         return Name(letter if letter not in self.taken else _OTHER_FORMS.get(letter, letter + "'"))
+
+    def intermediate(self, number: int) -> Symbol:
+        """A new symbol, s with that number."""
+        symbol = Symbol(f"intermediate {number}")
+        self.boxes[symbol] = Subscript(self.letter("s"), Number(str(number)))
+        return symbol
 
 
 def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...], rows: tuple[str, ...]) -> Notation:

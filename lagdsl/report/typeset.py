@@ -26,13 +26,10 @@ from lagdsl.report.boxes import (
     Sum,
     Upright,
 )
+from lagdsl.report.intermediate import Intermediates, Rules
 from lagdsl.report.notation import Notation
 from lagdsl.textbook import functions
 from lagdsl.textbook.symbols import Symbols
-from lagdsl.textbook.tidy import size
-
-LONGEST = 700
-"""Nodes of an expression that is still printed."""
 
 _FUNCTION_NAMES = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "arcsin", sympy.acos: "arccos",
@@ -57,6 +54,7 @@ class Typesetter:
     notation: Notation
     symbols: Symbols
     constants: frozenset[Symbol]
+    intermediates: Intermediates
     first: tuple[Symbol, ...] = ()
     _rank: dict[Symbol, int] = field(init=False)
 
@@ -68,11 +66,11 @@ class Typesetter:
         self._rank = {symbol: index for index, symbol in enumerate(order)}
 
     def __call__(self, expression: Expr, sources: Mapping[Expr, tuple[int, ...]] | None = None) -> Box:
-        """The expression, or how large it is where it would not fit a page; its terms with their `sources`."""
-        if size(expression) > LONGEST:
-            return Upright(f"[an expression of more than {LONGEST} terms and factors, not printed]")
+        """The expression, a long one with intermediate quantities; its terms with their `sources`."""
+        expression, rules = self.intermediates.short(expression)
         if not sources:
             return self._box(expression)
+        sources = {_by(rules, term): own for term, own in sources.items()} if rules else sources
         if expression.is_Add:
             return self._sum(expression, sources)
         box = self._box(expression)
@@ -199,6 +197,12 @@ class Typesetter:
         rates = sum(int(p) for s, p in powers.items() if s in self.symbols.qd and p.is_Integer)
         moving = [self._rank[s] for s in term.free_symbols if s in self._rank and s not in self.constants]
         return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=unmoving))
+
+
+def _by(rules: Rules, term: Expr) -> Expr:
+    for rule in rules:
+        term = term.xreplace(rule)
+    return term
 
 
 def _is_negative(e: Expr) -> bool:

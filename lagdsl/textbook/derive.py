@@ -11,6 +11,7 @@ from itertools import chain
 
 from sympy import Add, Expr, ImmutableDenseMatrix, Integer
 
+from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.expression import Binary, FlatExpression, SystemEnergy, Unary
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook.contributions import Contributions, contributions, generalized_force
@@ -18,7 +19,8 @@ from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies, EquationsOfMotion, MonitoredValue
 from lagdsl.textbook.mechanical import MechanicalValues
-from lagdsl.textbook.symbols import Symbols, symbols
+from lagdsl.textbook.symbols import Symbols, replaced, symbols
+from lagdsl.textbook.tidy import Tidy
 
 
 def derive(flat: FlatModel) -> EquationsOfMotion:
@@ -93,6 +95,34 @@ def system_energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr
         potential=parts.potential,
         jacobi=Add(*(qd * momentum for qd, momentum in zip(table.qd, momenta, strict=True)), -parts.lagrangian),
     )
+
+
+def resets(flat: FlatModel) -> bool:
+    """True if a clause makes rates jump."""
+    actions = (action for when in flat.events.whens for branch in when.branches for action in branch.actions)
+    return any(isinstance(action, Reset | Impact) for action in actions)
+
+
+def jumps(flat: FlatModel) -> bool:
+    """True if energy may change at an instant."""
+    return bool(flat.events.contacts) or resets(flat) or any(each.switched for each in flat.constraints)
+
+
+def rheonomic(table: Symbols, tidy: Tidy, velocities: Sequence[Expr]) -> bool:
+    """Constraints do work if they move by themselves: one of their `velocities` has a part without rates."""
+    at_rest = dict.fromkeys(table.qd, Integer(0))
+    return any(tidy(each.xreplace(at_rest)) != 0 for each in velocities)
+
+
+def is_scleronomic(flat: FlatModel, table: Symbols, tidy: Tidy, kinetic: Expr) -> bool:
+    """T + V is the Jacobi integral if T is quadratic in the rates. That of masses and bodies has the second degree: it
+    is quadratic if it vanishes at rest with its first derivatives, which long expressions show, too."""
+    if not any(each.kind == "kinetic" for each in flat.energies):
+        rest = dict.fromkeys(table.qd, Integer(0))
+        lower = (kinetic, *(partial(kinetic, qd) for qd in table.qd))
+        return all(tidy.is_zero(replaced(each, rest)) for each in lower)
+    twice = Add(*(qd * partial(kinetic, qd) for qd in table.qd))
+    return tidy.is_zero(twice - 2 * kinetic)
 
 
 def _terms(converter: Converter, parts: Contributions, value: FlatExpression) -> tuple[Expr, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from typing import Any
 
@@ -30,9 +31,24 @@ def divided(polynomial: Polynomial, monomial: Monomial) -> Polynomial:
 def factors(polynomial: Polynomial) -> tuple[Expr, list[tuple[Polynomial, int]]]:
     """Content and factors of a polynomial without negative exponents."""
     kernels = _kernels(polynomial)
-    content, parts = _to_ring(polynomial, kernels).factor_list()
+    whole = _to_ring(polynomial, kernels)
+    content, parts = _primitive(whole) if _is_irreducible(polynomial) else whole.factor_list()
     result = [(_from_ring(part.terms(), kernels), power) for part, power in parts]
     return Rational(content.numerator, content.denominator), result
+
+
+def _is_irreducible(polynomial: Polynomial) -> bool:
+    """True for a x + r, where x is in no term of r and a is one monomial, if no monomial divides all terms: a factor
+    without x would divide a, so that it is a monomial, too. All others may have factors."""
+    counts = Counter(kernel for monomial in polynomial for kernel, _ in monomial)
+    alone = any(power == 1 and counts[kernel] == 1 for monomial in polynomial for kernel, power in monomial)
+    return alone and len(polynomial) > 1 and not lowest(polynomial)
+
+
+def _primitive(whole: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    """As `factor_list` has it: content, and the rest with a positive leading coefficient."""
+    content, rest = whole.primitive()
+    return (-content, [(-rest, 1)]) if rest.LC < 0 else (content, [(rest, 1)])
 
 
 def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:

@@ -17,7 +17,6 @@ from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
 
-from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.model import Definition, FlatModel, Output
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
@@ -31,7 +30,7 @@ from lagdsl.textbook.contributions import (
     work,
 )
 from lagdsl.textbook.counting import Count, count
-from lagdsl.textbook.derive import system_energies
+from lagdsl.textbook.derive import is_scleronomic, jumps, resets, rheonomic, system_energies
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.extent import Extent, extent
 from lagdsl.textbook.familiar import Familiar, familiar
@@ -103,7 +102,8 @@ class ConstraintRow:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Derivation:
-    """The written-out derivation of a model of modest extent."""
+    """The written-out derivation of a model of modest extent. `abbreviations` are those of the model's `definitions`
+    that loads, states or outputs are written with."""
 
     symbols: Symbols
     constants: frozenset[Symbol]
@@ -121,6 +121,7 @@ class Derivation:
     generalized_forces: tuple[Expr, ...]
     constraints: tuple[ConstraintRow, ...]
     dependent_parameters: tuple[tuple[Symbol, Expr], ...]
+    definitions: tuple[tuple[Symbol, Expr], ...]
     abbreviations: tuple[tuple[Symbol, Expr], ...]
     states: tuple[tuple[Symbol, Expr], ...]
     outputs: tuple[tuple[str, Expr], ...]
@@ -187,7 +188,8 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         for symbol, state in zip(table.z, flat.states, strict=True)
     )
     outputs = tuple((output.name, _written(reading, output)) for output in flat.outputs)
-    abbreviations = _used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs))
+    definitions = _definitions(reading, reading.abbreviations)
+    abbreviations = _used(definitions, actions, (*states, *outputs))
     printed = [
         lagrangian,
         dissipation,
@@ -203,8 +205,9 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     used = needed(constants, printed)
     printed += [value for _, value in used]
     moved = {*table.u, *table.z, *table.w}
-    autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & moved or _jumps(flat))
-    conserved = autonomous and not any(loads) and not any(drags) and not _rheonomic(reading, rows)
+    autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & moved or jumps(flat))
+    moved_by_time = rheonomic(table, tidy, [_velocity(reading, row) for row in rows])
+    conserved = autonomous and not (any(loads) or any(drags) or moved_by_time)
     return Derivation(
         symbols=table,
         constants=tidy.constants,
@@ -222,12 +225,13 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         generalized_forces=loads,
         constraints=rows,
         dependent_parameters=used,
+        definitions=definitions,
         abbreviations=abbreviations,
         states=states,
         outputs=outputs,
-        cyclic=tuple(q for q in free if not _resets(flat) and not any(row.forces[table.q.index(q)] for row in rows)),
+        cyclic=tuple(q for q in free if not resets(flat) and not any(row.forces[table.q.index(q)] for row in rows)),
         jacobi_conserved=conserved,
-        energy_conserved=conserved and _is_scleronomic(reading, kinetic),
+        energy_conserved=conserved and is_scleronomic(flat, table, tidy, kinetic),
         rights=rights,
         sources=sources(flat),
         terms=tuple(terms([step.left for step in steps], rights, parents.of)),
@@ -335,17 +339,6 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
     return tuple(rows)
 
 
-def _resets(flat: FlatModel) -> bool:
-    """True if a clause makes rates jump."""
-    actions = (action for when in flat.events.whens for branch in when.branches for action in branch.actions)
-    return any(isinstance(action, Reset | Impact) for action in actions)
-
-
-def _jumps(flat: FlatModel) -> bool:
-    """True if energy may change at an instant."""
-    return bool(flat.events.contacts) or _resets(flat) or any(each.switched for each in flat.constraints)
-
-
 def _velocity(reading: Reading, row: ConstraintRow) -> Expr:
     return reading.parts.converter.rate(row.residual) if row.level == "position" else row.residual
 
@@ -381,17 +374,3 @@ def _printed(parts: Contributions, actions: Sequence[ActionStep], rows: Sequence
             case _:
                 assert_never(action)
     yield from (row.residual for row in rows)
-
-
-def _rheonomic(reading: Reading, rows: Sequence[ConstraintRow]) -> bool:
-    """Constraints do work if they move by themselves: a row's velocity has a part without rates."""
-    table = reading.symbols
-    at_rest = dict.fromkeys(table.qd, geometry.ZERO[0])
-    return any(reading.tidy(_velocity(reading, row).xreplace(at_rest)) != 0 for row in rows)
-
-
-def _is_scleronomic(reading: Reading, kinetic: Expr) -> bool:
-    """T + V is the Jacobi integral if T is quadratic in the rates."""
-    table = reading.symbols
-    twice = Add(*(qd * partial(kinetic, qd) for qd in table.qd))
-    return reading.tidy.is_zero(twice - 2 * kinetic)

@@ -47,6 +47,9 @@ class Tidy:
     _kernels: list[Expr] = field(default_factory=list)
     _index: dict[Expr, int] = field(default_factory=dict)
     _memo: dict[Expr, Expr] = field(default_factory=dict)
+    _factors: dict[frozenset[tuple[Monomial, Expr]], tuple[Expr, list[tuple[Polynomial, int]]]] = field(
+        default_factory=dict
+    )
 
     def __call__(self, expression: Expr) -> Expr:
         if expression.is_Atom:
@@ -293,7 +296,10 @@ class Tidy:
         unknowns = {kernel for monomial in shifted for kernel, _ in monomial}
         if len(shifted) > _LARGEST_TO_FACTOR or len(unknowns) > _MOST_UNKNOWNS_TO_FACTOR:
             return Integer(1), common * self._sum(shifted)
-        content, parts = factors(shifted)
+        key = frozenset(shifted.items())
+        if key not in self._factors:
+            self._factors[key] = factors(shifted)
+        content, parts = self._factors[key]
         if sum(1 for part, power in parts if power % 2 and _mostly_negative(part)) % 2:
             content = -content
         return content, Mul(common, *(self._sum(_positive(part)) ** power for part, power in parts))

@@ -15,7 +15,7 @@ _VULGAR = {"½": 0.5, "⅓": 1 / 3, "⅔": 2 / 3, "¼": 0.25, "¾": 0.75, "⅛":
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:e[-+]?\d+)?)|(?P<vulgar>[½⅓⅔¼¾⅛⅜⅝⅞])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)"
-    r"|(?P<name>[A-Za-zΑ-ω][\u0300-\u036f]*[A-Za-z₀-₉]*(?:_\w[A-Za-z0-9_,]*)?)|(?P<mark>[()+/−-]))"
+    r"|(?P<name>[A-Za-zΑ-ω][\u0300-\u036f]*[A-Za-z₀-₉]*(?:_\w[A-Za-z0-9_,]*)?)|(?P<mark>[()+/√−-]))"
 )
 _FUNCTIONS = {"sin": math.sin, "cos": math.cos}
 
@@ -106,6 +106,8 @@ class _Reader:
             inside = self.sum()
             assert self._take(")") is not None
             return inside
+        if text == "√":
+            return math.sqrt(self._piece())
         if text in _FUNCTIONS:
             raised = self.peek()
             power = 1

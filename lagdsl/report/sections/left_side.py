@@ -12,10 +12,13 @@ from lagdsl.report.boxes import Box, Name, Number, Operator, Row, Subscript, Sum
 from lagdsl.report.broken import lines as broken_lines
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
+from lagdsl.report.intermediate import LONGEST, nodes
+from lagdsl.report.named_rates import spin as plane_spin
+from lagdsl.report.named_rates import velocity
 from lagdsl.report.names import gathered, indexed, listed, own_name
-from lagdsl.report.page import Page, partial, vector_lines
+from lagdsl.report.page import Page, vector_lines
+from lagdsl.report.sections.by_parts import is_by_parts
 from lagdsl.report.sections.counting import count_blocks
-from lagdsl.report.typeset import LONGEST
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.contributions import Inertial
 from lagdsl.textbook.reading import STANDARD_GRAVITY
@@ -154,12 +157,13 @@ def velocities(page: Page) -> list[Block]:
     lines, resting, straight = [], [], []
     for label, item in carriers:
         if any(item.velocity):
-            lines += vector_lines(indexed(speed, label), page.vector(item.velocity), page.unit(Units.plain, "m/s"))
+            shown = page.vector(velocity(page, item.position, item.velocity))
+            lines += vector_lines(indexed(speed, label), shown, page.unit(Units.plain, "m/s"))
         else:
             resting.append(indexed(speed, label))
         if item.frame is not None and any(item.spin):
             flat = page.planar and not any(item.spin[:2])
-            own_spin = page.typeset(item.spin[2]) if flat else page.typeset.vector(item.spin)
+            own_spin = page.typeset(plane_spin(page, item.spin[2])) if flat else page.typeset.vector(item.spin)
             lines += vector_lines(indexed(spin, label), own_spin, page.unit(Units.plain, "rad/s"))
         elif item.frame is not None:
             straight.append(indexed(spin, label))
@@ -182,7 +186,7 @@ def energies(page: Page) -> list[Block]:
     lines = _own_energies(page)
     unit = page.unit(Units.plain, "J")
     lines += [
-        Equation(kinetic, page.typeset(d.kinetic), unit=unit),
+        Equation(kinetic, _kinetic(page), unit=unit),
         Equation(potential, page.typeset(d.potential), unit=unit),
     ]
     total: list[tuple[Literal["+", "-"], Box]] = [("+", kinetic), ("-", potential)]
@@ -218,9 +222,11 @@ def _own_energies(page: Page) -> list[Equation]:
 
 def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
     """Written out, or by the velocities above where squares of these cannot be broken into lines."""
-    shown = page.typeset(own)
-    if max(len(line(part.right)) for part in broken_lines(Equation(shown, shown), _LONGEST_LINE)) <= 2 * _LONGEST_LINE:
-        return shown
+    if nodes(own) <= LONGEST:
+        shown = page.typeset(own)
+        parts = broken_lines(Equation(shown, shown), _LONGEST_LINE)
+        if max(len(line(part.right)) for part in parts) <= 2 * _LONGEST_LINE:
+            return shown
     half, dot = Number("½"), Operator("·")
     velocity, spin = (indexed(page.notation.letter(letter), label) for letter in ("v", "ω"))
     terms: list[tuple[Literal["+", "-"], Box]] = []
@@ -231,23 +237,14 @@ def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
     return Sum(tuple(terms))
 
 
-def derivatives(page: Page) -> list[Block]:
-    blocks: list[Block] = [Heading("Lagrange's equations, term by term", "5")]
-    for j, step in enumerate(page.derivation.coordinates):
-        force = page.unit(Units.force, j)
-        q, qd = page.notation.of(step.q), page.rate(step.q)
-        momentum = partial(page.lagrangian, qd)
-        blocks.append(Paragraph((Text("Coordinate "), Math(q), Text(":"))))
-        blocks.append(
-            Equations(
-                (
-                    Equation(momentum, page.typeset(step.momentum), unit=page.unit(Units.momentum, j)),
-                    Equation(Row((page.by_time(), momentum)), page.typeset(step.momentum_rate), unit=force),
-                    Equation(partial(page.lagrangian, q), page.typeset(step.gradient), unit=force),
-                )
-            )
-        )
-    return blocks
+def _kinetic(page: Page) -> Box:
+    """Written out, or as the sum of those of masses and bodies."""
+    d = page.derivation
+    if len(d.inertials) == 1 or not is_by_parts(page, d.kinetic):
+        return page.typeset(d.kinetic)
+    pairs = zip(page.inertial_elements(), d.own_kinetic, strict=True)
+    letter = page.notation.letter("T")
+    return Sum(tuple(("+", indexed(letter, label)) for (label, _), own in pairs if own != 0))
 
 
 def unit(item: Quantity) -> str:

@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from sympy import Expr
 
-from lagdsl.report.boxes import EQUALS, Box, Number, Row, Subscript, Sum, row
+from lagdsl.flat.expression_text import flat_expression_text
+from lagdsl.flat.model import Output
+from lagdsl.report.boxes import EQUALS, Box, Number, Row, Subscript, Sum, Upright, row
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import (
     Block,
@@ -22,11 +24,12 @@ from lagdsl.report.document import (
     Text,
     text,
 )
+from lagdsl.report.intermediate import LONGEST
 from lagdsl.report.notation import dotted, name_box
 from lagdsl.report.page import Page, partial
 from lagdsl.report.sections.left_side import definition_lines
-from lagdsl.report.typeset import LONGEST
 from lagdsl.report.unicode_math import line
+from lagdsl.textbook.reading import needed
 from lagdsl.textbook.recipe import ConstraintRow, CoordinateStep
 from lagdsl.textbook.tidy import size
 
@@ -39,6 +42,8 @@ _IDLES = "hold whatever the motion is, and their multipliers enter no equation."
 _LEVELS = {"position": "the configuration", "velocity": "the rates only"}
 _TURNING = "Angles of cut joints are known up to whole turns; a recorded motion continues them."
 _SIGN = "A positive multiplier pushes towards a larger left-hand side."
+_DEFINITIONS = "Written out where they are differentiated, kept as symbols elsewhere."
+_LONG_DEFINITIONS = "Short ones are written out where they are differentiated, all others are kept as symbols."
 _JACOBI = (
     "Time does not occur in the Lagrangian and no load or dashpot works: the Jacobi integral, the sum of each rate "
     "times its momentum less the Lagrangian, is constant. The energy is not: what moves the frames by prescription "
@@ -164,8 +169,9 @@ def states(page: Page) -> list[Block]:
 def outputs(page: Page) -> list[Block]:
     if not page.derivation.outputs:
         return []
+    items = {item.name: item for item in page.flat.outputs}
     from_names = [
-        Equation(name_box(name), page.typeset(value), unit=page.unit(Units.quantity, name))
+        Equation(name_box(name), _output(page, value, items[name]), unit=page.unit(Units.quantity, name))
         for name, value in page.derivation.outputs
     ]
     turning = any(item.turning for item in page.flat.outputs)
@@ -173,13 +179,23 @@ def outputs(page: Page) -> list[Block]:
     return [Heading("Outputs"), Equations(tuple(from_names)), *words]
 
 
+def _output(page: Page, value: Expr, item: Output) -> Box:
+    """Its value, or the words of the model where that fills pages."""
+    if page.typeset.intermediates.reach(value):
+        return page.typeset(value)
+    return Upright(flat_expression_text(item.value))
+
+
 def abbreviations(page: Page) -> list[Block]:
-    if not page.derivation.abbreviations:
+    d, used = page.derivation, page.typeset.intermediates.used
+    wanted = used | {symbol for symbol, _ in d.abbreviations}
+    shown = needed(d.definitions, wanted)
+    if not shown:
         return []
     return [
         Heading("Definitions of the model"),
-        Paragraph(text("Written out where they are differentiated, kept as symbols elsewhere.")),
-        definition_lines(page, page.derivation.abbreviations),
+        Paragraph(text(_LONG_DEFINITIONS if used else _DEFINITIONS)),
+        definition_lines(page, shown),
     ]
 
 
