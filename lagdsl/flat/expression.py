@@ -79,9 +79,11 @@ class Variable:
 
 @record()
 class Previous:
-    """Value of the named discrete variable before the event; in `when` only."""
+    """Value of the named entry of the vector of discretes before the event; in `when` only. `text` is what `pre` reads
+    where that has another name."""
 
     name: str
+    text: str | None = None
 
 
 @record()

@@ -94,8 +94,8 @@ def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case
     match node:
         case fx.Derivative():
             return f"der({arguments})"
-        case fx.Previous(name):
-            return f"pre({name})"
+        case fx.Previous(name, text):
+            return f"pre({text or name})"
         case fx.Function(name, _):
             return f"{name}({arguments})"
         case fx.Norm():

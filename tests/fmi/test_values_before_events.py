@@ -13,6 +13,7 @@ from fmpy import simulate_fmu
 import lagdsl
 from fmi.exported import VERSIONS
 from fmi.texts import exported_text
+from lagdsl.flat.text import flat_text
 
 SHIFTS = """
 type Mode = enumeration(off, slow, fast);
@@ -102,3 +103,10 @@ def test_an_fmu_fed_by_fmpy(version: int, kind: str, capsys: pytest.CaptureFixtu
     capsys.readouterr()
     assert counts(rows) == COUNTS
     assert rows["x"][-1] == pytest.approx(DISTANCE, rel=1e-6)
+
+
+def test_texts_name_what_is_read() -> None:
+    compilation = lagdsl.compile(SHIFTS)._compilation
+    text = flat_text(compilation.flat)
+    assert "value gear: gear" in text
+    assert "last = pre(gear)" in text and "when gear <> pre(gear) then" in text

@@ -51,7 +51,7 @@ def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar)
     if value.variability == Variability.DISCRETE and (truth or found is not None):
         spans = (node.span, *scope.spans)
         text = " ".join((scope.owner.prefix + node.span.text).split())
-        return flat.Previous(ctx.product.occurrences.memory(text, spans, value.expression, truth=truth))
+        return flat.Previous(ctx.product.occurrences.memory(text, spans, value.expression, truth=truth), text)
     ctx.sink.report("E0376", node.span, name=node.span.text)
     return None
 
