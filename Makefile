@@ -23,7 +23,7 @@ $(READY): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable '.[dev]'
 	touch $@
 
-check:  ## what must hold before a merge, in nine minutes: style, types, floors, C under sanitizers, tests with one of each kind
+check:  ## what must hold before a merge: style, types, floors, C under sanitizers, tests with one of each kind
 	$(MAKE) --jobs=3 lint c-check test
 
 check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind; the site

@@ -56,5 +56,5 @@ def engines(every: Sequence[EngineName]) -> list[EngineName]:
 
 
 def examples(many: int) -> int:
-    """Number of random examples of a property: all of them, or a tenth, the same ones in every run."""
-    return many if ALL else max(many // 10, min(many, 10))
+    """Number of random examples of a property: all of them, or a twentieth, the same ones in every run."""
+    return many if ALL else max(many // 20, min(many, 8))

@@ -5,6 +5,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from choice import spread
 
 from lagdsl.diagnostics import Severity
 from lagdsl.diagnostics.catalog import ROWS
@@ -64,7 +65,9 @@ def test_letters_are_severities():
     assert [code for code, row in ROWS.items() if code[0] != letters[row.severity]] == []
 
 
-@pytest.mark.parametrize(("code", "kind", "text"), [pytest.param(*e, id=f"{e[0]}-{e[1]}") for e in examples()])
+@pytest.mark.parametrize(
+    ("code", "kind", "text"), [pytest.param(*e, id=f"{e[0]}-{e[1]}") for e in spread(examples(), 150)]
+)
 def test_example(code, kind, text):
     diagnostics, _ = check(SourceFile(f"{code}.lag", text))
     codes = [diagnostic.code for diagnostic in diagnostics]

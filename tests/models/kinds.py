@@ -49,7 +49,6 @@ def over(names: list[str]) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("name", names)
 
 
-EVERY = over(MODELS)
 # Models that show a rule of all models.
 SOME = over(chosen(MODELS, OF_EACH_KIND))
 # Every other one, for a rule whose reference takes long.

@@ -30,7 +30,7 @@ from models.corpus import (
     random_states,
     textbook,
 )
-from models.kinds import EVERY, FEW, HALF, OF_EACH_KIND, SOME, kinds
+from models.kinds import FEW, HALF, OF_EACH_KIND, SOME, kinds
 
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
@@ -63,7 +63,7 @@ def test_the_format_is_canonical_stable_and_means_the_same(name: str) -> None:
     assert not sink.diagnostics
 
 
-@EVERY
+@SOME
 def test_compiling_finds_nothing_wrong(name: str) -> None:
     found = [d for d in compiled(name).diagnostics if d.severity != "note"]
     assert {d.code for d in found} <= set(expectations(name).get("warnings", [])), [d.message for d in found]

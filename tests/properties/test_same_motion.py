@@ -4,7 +4,6 @@ other names, in a class, twice in one model, in a file of its own; with the stop
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -14,6 +13,7 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 from attack.rows import FIRST
+from choice import EXPLORE, spread
 from properties.rewritten import (
     Source,
     around,
@@ -33,7 +33,6 @@ import lagdsl
 from lagdsl.api.trajectory import Trajectory
 
 ROOT = Path(__file__).parents[2]
-EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
 NAMES = sorted(
     path.relative_to(ROOT / "models").with_suffix("").as_posix() for path in (ROOT / "models").rglob("*.lag")
 )
@@ -206,7 +205,7 @@ if not EXPLORE:  # the stranger sets no pace at a singular start
     BESIDE += [("start", "parallelogram", 1e-9), ("rate", "parallelogram", 1e9)]
 
 
-@pytest.mark.parametrize(("what", "name", "scale"), BESIDE)
+@pytest.mark.parametrize(("what", "name", "scale"), spread(BESIDE, 10))
 def test_beside_a_stranger(what: str, name: str, scale: float) -> None:
     values = {"start": 0.0, "rate": 1.0, "mass": 1.0} | {what: scale}
     assert_same(name, with_stranger(source(ROOT / "models" / f"{name}.lag"), **values))

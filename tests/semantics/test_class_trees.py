@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from choice import examples
+from choice import ALL, examples
 from class_trees import MODEL, Kind, Meaning, meaning, text_of, trees
 from flattening import run
 from hypothesis import given, settings
@@ -120,7 +120,7 @@ def test_files_mean_nothing(kinds: list[Kind]) -> None:
 
 
 @given(trees())
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=4 if ALL else 2, deadline=None)
 def test_they_move_as_written_out(kinds: list[Kind]) -> None:
     """x(t) = sum of modes: M x'' = -K x from the numbers of the masses and springs."""
     found = meaning(kinds[-1])

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from choice import ALL, chosen
+from choice import ALL, chosen, spread
 from click.testing import CliRunner
 from models.corpus import MODELS, compiled, path_of
 
@@ -144,7 +144,7 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", spread(FAULTS, 8))
 def test_the_line_of_a_fault_fails(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     plant, line = FAULTS[fault]
     found = certify(plant(monkeypatch))
