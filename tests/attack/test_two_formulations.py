@@ -231,7 +231,7 @@ def test_two_formulations(row: Attack, engine: str) -> None:
     check(row, engine)
 
 
-# What jumps is no place of a mass: a block says so as its expression does.
+# A block that jumps is no place of a mass, as its expression is none.
 JUMPING = {
     "step": "Step b(start = 0.5 s)",
     "pulse": "Pulse b(period = 9 s, start = 0.5 s)",

@@ -150,7 +150,7 @@ def test_fmuloader(name: str, version: int, tmp_path: Path) -> None:
 
 
 def of_toolbox(program: str, *arguments: str, folder: Path) -> str:
-    """What a program of the FMU Manipulation Toolbox says."""
+    """Output of a program of the FMU Manipulation Toolbox."""
     if not has("fmu_manipulation_toolbox"):
         pytest.skip(f"fmu-manipulation-toolbox is not installed in {PEERS.parents[1]}")
     done = subprocess.run(

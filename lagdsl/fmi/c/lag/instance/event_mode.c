@@ -210,7 +210,7 @@ static int is_idle(const lag_instance *instance)
     return idle;
 }
 
-/* What seemed to change in an event without effect is where errors of the importer have taken it. */
+/* Errors of the importer have moved whatever seemed to change in an event without effect. */
 static lag_status step_back(lag_instance *instance)
 {
     const lag_status status = look(instance, instance->held.t, instance->x);
