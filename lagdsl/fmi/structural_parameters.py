@@ -137,7 +137,7 @@ def _as_given(read: FlatModel, given: FlatModel) -> FlatModel:
 def _started(
     read: tuple[_Started, ...], given: tuple[_Started, ...], tried: tuple[_Started, ...]
 ) -> tuple[_Started, ...]:
-    """Those that were tried; those that are given where another start than that of the text is given."""
+    """The values that were tried, or the given ones in place of another start than that of the text."""
     return tuple(new if old == own else own for old, own, new in zip(read, given, tried, strict=True))
 
 
