@@ -68,6 +68,22 @@ def test_every_shape_of_the_models_has_a_maker(name: str) -> None:
     assert kinds <= {*MAKERS, "slider", "dial", "frame"}
 
 
+def test_bodies_with_the_moment_of_a_bar_are_bars() -> None:
+    """Closed form: the links of a four-bar, I = m l^2/12, from pin to pin by the law of cosines."""
+    own = stage("four_bar_crank")
+    pin = np.array([0.2, 0.2 * np.sqrt(3.0)])
+    s = np.linalg.norm(pin - [1.0, 0.0])
+    coupler = np.arctan2(-pin[1], 1.0 - pin[0]) + np.arccos((1.0 + s * s - 0.64) / (2.0 * s))
+    other = np.add(pin, (np.cos(coupler), np.sin(coupler)))
+    links = (((0.0, 0.0), pin), (pin, other), ((1.0, 0.0), other))
+    bars = [p for p in parts_of(own, 0) if isinstance(p, Faces) and len(p.corners) == len(sphere())]
+    for (start, end), bar in zip(links, bars, strict=True):
+        along = np.subtract(end, start) / np.linalg.norm(np.subtract(end, start))
+        reached = (bar.corners.reshape(-1, 3)[:, :2] - start) @ along
+        length = float(np.linalg.norm(np.subtract(end, start)))
+        assert (reached.min(), reached.max()) == pytest.approx((0.0, length), abs=0.02 * length)
+
+
 def test_masses_stand_where_they_are() -> None:
     """Closed form: two pendulums of 0.5 m and 0.3 m, seen square on."""
     own = stage("double_pendulum")

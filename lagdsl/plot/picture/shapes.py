@@ -120,17 +120,29 @@ def _ball(pose: Pose) -> list[Part]:
 
 
 def _ellipsoid(pose: Pose) -> list[Part]:
-    """The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m)."""
+    """The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m), or a bar."""
     mass, length = pose.scalar("mass", 1.0), pose.stage.length
     xx, yy, zz, xy, xz, yz = pose.wide("inertia", 6)
     values, own = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     least = 0.012 * length
     squares = 2.5 * (values.sum() - 2.0 * values) / mass if mass > 0.0 else np.zeros(3)
     semi = [min(max(float(np.sqrt(square)), least), length) if square > 0.0 else least for square in squares]
+    com = pose.vector("com")
+    if _is_bar(values, com):
+        semi = [min(float(np.sqrt(3.0 * values[2] / mass)), length), least, least]
+        along = com / np.linalg.norm(com)
+        own = np.array([along, np.cross([0.0, 0.0, 1.0], along), [0.0, 0.0, 1.0]]).T
     if np.linalg.det(own) < 0.0:
         own[:, 0] *= -1.0
     x, y, z = ((own[:, k] @ pose.axes) * semi[k] for k in range(3))
-    return [pose.solid(sphere(), matrix_of(x, y, z, pose.vector("at") + pose.vector("com") @ pose.axes))]
+    return [pose.solid(sphere(), matrix_of(x, y, z, pose.vector("at") + com @ pose.axes))]
+
+
+def _is_bar(moments: Floats, com: Floats) -> bool:
+    """True for the moment about the normal of a plane alone: a slender bar from its frame to both sides of its mass
+    center has it, I = m l^2/12; no ellipsoid does."""
+    flat = abs(moments[1]) <= 1e-9 * moments[2] and abs(com[2]) <= 1e-9 * np.linalg.norm(com)
+    return bool(flat and moments[2] > 0.0 and np.linalg.norm(com[:2]) > 0.0)
 
 
 def _box(pose: Pose) -> list[Part]:

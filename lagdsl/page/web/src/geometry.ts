@@ -68,3 +68,13 @@ export function principal(m: number[]): { values: number[]; axes: number[][] } {
   }
   return { values: [a[0][0], a[1][1], a[2][2]], axes: [0, 1, 2].map((i) => [v[0][i], v[1][i], v[2][i]]) };
 }
+
+/** Axes of a slender bar, I = m l^2/12, for a body with the moment about the normal of a plane alone: no ellipsoid has
+ * it. Null for all others. */
+export function barAlong([xx, yy, zz, xy, xz, yz]: number[], com: Vector3): number[][] | null {
+  const others = Math.max(...[xx, yy, xy, xz, yz].map(Math.abs));
+  const length = Math.hypot(com.x, com.y);
+  if (!(others <= 1e-9 * zz && zz > 0 && length > 0 && Math.abs(com.z) <= 1e-9 * length)) return null;
+  const [c, s] = [com.x / length, com.y / length];
+  return [[c, s, 0], [-s, c, 0], [0, 0, 1]];
+}

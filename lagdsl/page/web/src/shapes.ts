@@ -18,7 +18,7 @@ import {
   TorusGeometry,
   Vector3,
 } from "three";
-import { between, principal, unitCoil, unitCylinder } from "./geometry.ts";
+import { barAlong, between, principal, unitCoil, unitCylinder } from "./geometry.ts";
 import type { Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -137,7 +137,7 @@ function ball(shape: Shape, sizes: Sizes): Drawn {
   };
 }
 
-/** The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m). */
+/** The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m), or a bar. */
 function ellipsoid(shape: Shape, sizes: Sizes): Drawn {
   const object = solid(shape, new SphereGeometry(1, 32, 20));
   return {
@@ -156,8 +156,12 @@ function ellipsoid(shape: Shape, sizes: Sizes): Drawn {
       const [x, y, z] = axes(shape, frame);
       const turned = (v: number[]) =>
         new Vector3().addScaledVector(x, v[0]).addScaledVector(y, v[1]).addScaledVector(z, v[2]);
-      const basis = own.map((axis, i) => turned(axis).multiplyScalar(semi[i]));
       const com = vector(shape, "com", frame);
+      const bar = barAlong(Array.from(frame.numbers.subarray(first, first + 6)), com);
+      const half = Math.min(Math.sqrt((3 * total) / mass), sizes.length);
+      const basis = bar
+        ? bar.map((axis, i) => turned(axis).multiplyScalar(i === 0 ? half : least))
+        : own.map((axis, i) => turned(axis).multiplyScalar(semi[i]));
       const at = vector(shape, "at", frame).add(turned([com.x, com.y, com.z]));
       object.matrix.makeBasis(basis[0], basis[1], basis[2]).setPosition(at);
     },
