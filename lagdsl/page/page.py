@@ -81,10 +81,11 @@ def starts_of(made: Recording) -> list[float]:
 
 
 def _columns(motion: Trajectory) -> bytes:
-    """All numbers in single precision, column by column: seven digits are more than a picture has."""
+    """All numbers in single precision, column by column: more digits and sizes than a picture has."""
     columns = [column.values for column in motion.columns]
     table = np.array([*columns, motion.energy, motion.position_residual, motion.velocity_residual])
-    return np.ascontiguousarray(table, dtype="<f4").tobytes()
+    largest = float(np.finfo(np.float32).max)
+    return np.ascontiguousarray(np.clip(table, -largest, largest), dtype="<f4").tobytes()
 
 
 def _derivation(flat: FlatModel) -> str:

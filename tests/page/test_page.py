@@ -157,3 +157,15 @@ end Pushed;
         path = model.show(tmp_path / "page.html", browser=False, inputs=given)
         (slider,) = Elements(path.read_text()).head["inputs"]
         assert (slider["name"], slider["value"]) == ("u", begun)
+
+
+def test_numbers_beyond_single_precision_are_its_largest() -> None:
+    """A warning of NumPy stood among the words of `lag show`."""
+    text = """model M
+      coordinate Length x(start = 1 m);
+      kinetic 1/2*(1 kg)*der(x)^2;
+      output Real y = 1e300*x/(1 m);
+    end M;"""
+    elements = Elements(page_of(text))
+    table = np.frombuffer(elements.inflated("motion"), dtype="<f4").reshape(-1, elements.head["rows"])
+    assert np.isfinite(table).all() and table.max() == np.finfo("<f4").max

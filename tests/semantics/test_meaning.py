@@ -134,6 +134,16 @@ def test_plain_real_takes_the_dimension_of_its_binding() -> None:
     assert [(o.unit, d.unit) for o in flat.outputs for d in flat.named if isinstance(d, fm.Definition)] == [("N", "N")]
 
 
+@pytest.mark.parametrize(
+    "lengths", ["size = {l, -1 cm, 0}", "size = {-1 m, 1 m, 1 m}", "radius = -1 cm", "scale = -1 m"]
+)
+def test_shapes_have_no_length_below_zero(lengths: str) -> None:
+    """Lengths in braces were not looked at."""
+    text = f"model A parameter Length l = 1 m; coordinate Length x; draw box({lengths}) on world.move({{x, l}}); end A;"
+    assert [code for code, _ in said(run(text)[1])] == ["E0334"]
+    assert said(run(text.replace("-1", "1"))[1]) == []
+
+
 def test_order_is_by_need_and_stable() -> None:
     flat = accepted(
         "Length a = b;\nLength c = l;\nLength b = c + l;\npoint P = Q;\npoint Q = {a, b};\ndraw rod from P to Q;"

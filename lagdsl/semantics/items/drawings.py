@@ -88,15 +88,13 @@ def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> t
         case Text():
             return argument.name, value.value
         case Scalar():
-            if argument.name in _LENGTHS and isinstance(value.expression, flat.Number) and value.expression.value < 0:
-                found = argument.value.span.text
-                ctx.sink.report("E0334", argument.value.span, what=what, expected="positive", found=found)
-                return None
-            return argument.name, value.expression
+            return _sized(ctx, argument, value.expression, (value.expression,))
+        case Vector(expression=flat.Vector() as parts):
+            return _sized(ctx, argument, parts, (parts.x, parts.y, parts.z))
         case Vector():
             return argument.name, value.expression
         case Array(shape=(3,)):
-            return argument.name, flat.Vector(*value.elements)
+            return _sized(ctx, argument, flat.Vector(*value.elements), value.elements)
         case Poison():
             return None
         case Array() | FrameValue() | Reaction() | Component():
@@ -105,3 +103,15 @@ def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> t
             return None
         case _:
             assert_never(value)
+
+
+def _sized(
+    ctx: Context, argument: nodes.Named, value: FlatExpression, parts: tuple[FlatExpression, ...]
+) -> tuple[str, FlatExpression | str] | None:
+    """None after E0334 for a length below zero."""
+    numbers = [part.value for part in parts if isinstance(part, flat.Number)]
+    if argument.name in _LENGTHS and any(number < 0 for number in numbers):
+        span = argument.value.span
+        ctx.sink.report("E0334", span, what=f"`{argument.name}`", expected="positive", found=span.text)
+        return None
+    return argument.name, value
