@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from keyword import iskeyword
 from typing import Any
 
 from lagdsl.api.compile import compile_file
@@ -28,6 +29,10 @@ def lag(shell: Any, line: str, cell: str) -> None:
         words = []
     if not 1 <= len(words) <= 2 or not words[0].isidentifier():
         raise UsageError(_USAGE)
+    if iskeyword(words[0]):
+        raise UsageError(
+            f"`{words[0]}` is a word of Python, by which no cell could reach the model: choose another name"
+        )
     sink = Sink()
     try:
         model = compile_file(SourceFile(words[0], cell), sink, model=words[1] if len(words) == 2 else None)

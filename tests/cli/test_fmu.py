@@ -109,6 +109,9 @@ def test_structural_parameters_recompile(invoke: Invoke, asked: Asked, tmp_path:
         ["--set", "length=1 m"],
         ["-o", "nowhere/p.fmu"],
         ["-o", "."],
+        ["--clocks"],
+        ["--fmi", "2", "--clocks"],
+        ["--output", "theta", "--hide", "theta"],
     ],
 )
 def test_wrong_usage(

@@ -88,6 +88,12 @@ def test_a_cell_without_a_name_says_how_it_is_written(shell: Any, line: str) -> 
     assert "Traceback" not in streams
 
 
+def test_a_word_of_python_is_no_name(shell: Any) -> None:
+    """The model was made, and no cell could reach it."""
+    _, streams = shown(shell, PENDULUM.replace("%%lag pendulum", "%%lag import"), fails=True)
+    assert "`import` is a word of Python" in streams and "import" not in shell.user_ns
+
+
 def test_one_of_several_models_is_chosen(shell: Any) -> None:
     cell = PENDULUM.removeprefix("%%lag pendulum\n") + PENDULUM.removeprefix("%%lag pendulum\n").replace(
         "Pendulum", "B"

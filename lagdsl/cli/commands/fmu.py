@@ -78,6 +78,10 @@ def command(
     require_ending(path, "FMUs are", ".fmu")
     if file_name := next((name for name in outputs if name.endswith(".fmu")), None):
         raise click.UsageError(f"--output names a variable; the file is `-o {file_name}`")
+    if clocks and version == "2":
+        raise click.UsageError("--clocks needs --fmi 3: FMI 2 has no clocks")
+    if both := next((name for name in outputs if name in hide), None):
+        raise click.UsageError(f"`{both}` is asked for by --output and left out by --hide; leave one of them out")
     require_writable(path)
     source = read_or_leave(file, style)
     sink = Sink()
