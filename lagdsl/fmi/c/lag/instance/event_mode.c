@@ -5,6 +5,7 @@
  */
 #include "lag/instance/instance_internal.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -22,6 +23,8 @@ static const double FARTHER = 4.0;
 static const double ROUGH = 100.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
+/* An importer finds an event, which margins delay, within this part of the experiment. */
+static const double LATE = 1e-9;
 
 /* Relations and contacts. */
 static size_t watched(const lag_instance *instance)
@@ -132,10 +135,10 @@ lag_status lag_instance_release(lag_instance *instance)
  * Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has, conditions and
  * values that `pre` reads included.
  */
-static lag_status find(lag_instance *instance, const double *located, int *any)
+static lag_status find(lag_instance *instance, double t, const double *located, int *any)
 {
     const size_t count = watched(instance);
-    const lag_status status = look(instance, instance->held.t, instance->x);
+    const lag_status status = look(instance, t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double behind = instance->latched[i] + CLEARLY * margin(instance, i);
@@ -145,18 +148,27 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
         *any = *any || changed;
     }
     const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
-    return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, instance->held.t, instance->x, any) : status;
+    return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, t, instance->x, any) : status;
+}
+
+/* The present, or an instant before the end that lies so shortly behind it that an importer could not go there by a step. */
+static double present(const lag_instance *instance)
+{
+    const double t = instance->held.t;
+    const lag_instants *instants = &instance->run->instants;
+    const double next = instance->fmu->model->event != NULL ? lag_instants_next(instants) : (double)INFINITY;
+    const double same = ROUNDINGS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
+    return t < instance->held.stop && next - t <= same ? fmax(t, next) : t;
 }
 
 /*
- * Places the run at the present state and moves it onto the constraints down to round-off: a residual rate would act as an
+ * Places the run at time t and the present state and moves it onto the constraints down to round-off: a residual rate would act as an
  * impact, and a residual gap would not be zero when its contact opens. If the run has located an event, it goes back to that
  * event.
  */
-static lag_status place(lag_instance *instance, int located)
+static lag_status place(lag_instance *instance, double t, int located)
 {
     lag_run *run = instance->run;
-    const double t = instance->held.t;
     int moved = 0;
     lag_status status = located ? lag_run_back(run, t) : LAG_OK;
     if (status == LAG_OK) {
@@ -227,20 +239,22 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
+    const double t = located ? held->t : present(instance);
     const double h = length_of_step(instance, located);
     const size_t size = lag_instance_order(instance) * sizeof(double);
     int any = 0;
     instance->known = 0;
     held->jumped = 1;
-    lag_status status = place(instance, located);
+    lag_status status = place(instance, t, located);
     memcpy(instance->tangent, instance->x, size);
     if (status == LAG_OK) {
-        status = find(instance, located ? run->pending : NULL, &any);
+        status = find(instance, t, located ? run->pending : NULL, &any);
     }
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = located ? 0.0 : flight(instance);
+        run->instants.late = located ? 0.0 : LATE * run->instants.contacts.length;
         status = lag_run_event(run, h, run->crossings.changed);
-        run->instants.contacts.flight = 0.0;
+        run->instants.contacts.flight = run->instants.late = 0.0;
     }
     if (status == LAG_OK) {
         status = lag_run_ticks(run);

@@ -244,7 +244,7 @@ static lag_status follow(lag_instants *instants, double t, const double *x)
 {
     lag_motion *motion = instants->motion;
     const lag_model *model = motion->model;
-    const double moment = ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
+    const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
     lag_status status = lag_contacts_apart(
         &instants->contacts, t, x, instants->w_before, instants->iteration.pulling, instants->iteration.guilty + instants->places.contact);
     if (status != LAG_OK || model->nway == 0) {
@@ -379,6 +379,6 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->iteration.lookahead = fmax(AHEAD * h, ULPS * DBL_EPSILON * fabs(t));
+    instants->iteration.lookahead = fmax(fmax(AHEAD * h, instants->late), ULPS * DBL_EPSILON * fabs(t));
     instants->contacts.lookahead = instants->iteration.lookahead;
 }

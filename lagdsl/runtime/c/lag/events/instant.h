@@ -23,6 +23,7 @@ typedef struct lag_instants {
     lag_clock *clock; /* (nclock) */
     double *first, *period; /* (nclock) */
     lag_crowd crowd;
+    double late;             /* an event may be carried out so long after its zero, as an importer finds it [s]; the run's own: 0 */
 } lag_instants;
 
 /* Doubles for them, beside nclock clocks. */

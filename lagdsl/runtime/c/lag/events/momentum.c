@@ -25,7 +25,7 @@ size_t lag_momentum_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t rows = model->nc + most_held(model);
-    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 3 * model->nway + lag_motion_size(model) +
+    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 4 * model->nway + lag_motion_size(model) +
            lag_system_memory(n, rows);
 }
 
@@ -49,7 +49,7 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
     momentum->force = lag_take(&memory, n);
     momentum->change = lag_take(&memory, n);
     momentum->lam = lag_take(&memory, rows);
-    momentum->way = lag_take(&memory, 3 * model->nway);
+    momentum->way = lag_take(&memory, 4 * model->nway);
     momentum->point = lag_take(&memory, lag_motion_size(model));
     momentum->system = memory;
 }
@@ -240,6 +240,7 @@ lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, 
     double *was = momentum->way;
     double *now = was + model->nway;
     double *later = now + model->nway;
+    double *behind = later + model->nway;
     double size = 0.0;
     memcpy(momentum->point, x, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < model->nq; ++j) {
@@ -249,9 +250,10 @@ lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, 
     lag_status status = look_at_ways(motion, t, x, before, was);
     status = status == LAG_OK ? look_at_ways(motion, t, x, motion->w, now) : status;
     status = status == LAG_OK ? look_at_ways(motion, t + moment, momentum->point, before, later) : status;
+    status = status == LAG_OK ? look_at_ways(motion, t + moment, momentum->point, motion->w, behind) : status;
     for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
         const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
-        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]));
+        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));
         status = fabs(now[i] - was[i]) > own + noise ? LAG_WAY_JUMP : LAG_OK;
     }
     return status;

@@ -27,7 +27,7 @@ typedef struct lag_momentum {
     double *chosen, *right;    /* (nc + most held, nq) (nc + most held) */
     double *force, *change;    /* (nq) */
     double *lam;               /* (nc + most held) */
-    double *way, *point;       /* (3 nway) (2 nq + nz) */
+    double *way, *point;       /* (4 nway) (2 nq + nz) */
     double *system;
 } lag_momentum;
 

@@ -1,0 +1,125 @@
+"""Models that are made to go wrong, as FMUs: through FMPy they move as their references say, in both kinds."""
+
+from __future__ import annotations
+
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import fmpy
+import numpy as np
+import pytest
+from attack.rows import Attack, in_bounded_time
+from choice import chosen
+from fmpy import simulate_fmu
+
+import lagdsl
+from fmi.exported import VERSIONS, Exported
+from fmi.texts import export_text
+
+# A row of most kinds of faults runs in `make check`.
+MODULES = {
+    "test_arrays_of_components": "different_sizes",
+    "test_contacts_in_a_row": None,
+    "test_corners": "table",
+    "test_crossings_at_bounds": "crossing_at_a_tick",
+    "test_impulses": "mass_on_a_base_by_max",
+    "test_missed_events": "teeth",
+    "test_scales": "beside_an_odometer_at_1e+07",
+    "test_shapes_and_points": "minus_celsius",
+    "test_starts": "discrete_mass_at_the_start",
+    "test_steps_in_place": None,
+    "test_switched": "clutch_by_a_clock",
+    "test_track_corners": "constraint_that_moves",
+    "test_two_formulations": None,
+}
+SECONDS = 30  # of the processor, compilers left out
+# FMPy integrates with CVODE at this tolerance, from anew at up to a thousand events.
+TOLERANCE, NEAR = 1e-10, 1e-6
+
+
+def _rows() -> dict[str, Attack]:
+    found: dict[str, Attack] = {}
+    for module in MODULES:
+        tables = [v for v in vars(import_module(f"attack.{module}")).values() if isinstance(v, list)]
+        found |= {f"{module[5:]}-{row.name}": row for rows in tables for row in rows if isinstance(row, Attack)}
+    return found
+
+
+def _is_for_importers(row: Attack) -> bool:
+    """False for functions of time, and for tables of smooth inputs, which an importer reads in its own way."""
+    return "smooth" not in row.text and all(isinstance(given, tuple) for given in row.inputs.values())
+
+
+ROWS = {name: row for name, row in _rows().items() if _is_for_importers(row)}
+SOME = [f"{module[5:]}-{name}" for module, name in MODULES.items() if name is not None]
+PAIRS = chosen([(n, v) for n in ROWS for v in VERSIONS], [(n, VERSIONS[i % 2]) for i, n in enumerate(SOME)])
+
+
+@pytest.mark.parametrize(("name", "version"), PAIRS)
+def test_models_made_to_go_wrong_as_fmus(name: str, version: int, tmp_path: Path) -> None:
+    row = ROWS[name]
+    path = tmp_path / "attacked.fmu"
+    try:
+        told = lagdsl.compile(row.text).diagnostics
+    except lagdsl.CompilationFailed as failed:
+        assert failed.diagnostics[0].code in row.refused or "any" in row.refused
+        return
+    if any(each.code in row.refused for each in told):
+        return
+    export_text(row.text, path, version)
+    fmpy.extract(str(path), str(tmp_path / "unpacked"))
+    fmu = Exported(path, tmp_path / "unpacked")
+    for kind, tolerance, near in (("CoSimulation", row.tolerance, row.near), ("ModelExchange", TOLERANCE, NEAR)):
+        ends, failure = in_bounded_time(partial(_ends, row, fmu, kind, tolerance), SECONDS)
+        assert failure is None or row.refused, (kind, failure)
+        for column, value in row.ends.items() if failure is None else ():
+            close = abs(ends[column] - value) <= max(near, row.near) * max(1.0, abs(value))
+            assert close, f"{kind} {column}: {ends[column]!r}, exact {value!r}"
+
+
+def _ends(row: Attack, fmu: Exported, kind: str, tolerance: float) -> tuple[dict[str, float], str | None]:
+    """Values at the end; or the failure of a call."""
+    try:
+        rows = simulate_fmu(
+            str(fmu.folder),
+            fmi_type=kind,
+            stop_time=row.stop,
+            output_interval=row.stop / 10,
+            relative_tolerance=tolerance,
+            start_values=_starts(row, fmu),
+            input=_inputs(row, fmu),
+            output=sorted({fmu.entry(name)[0].name for name in row.ends}),
+        )
+    except fmpy.fmi1.FMICallException as failure:
+        return {}, str(failure)
+    return {name: float(column[-1]) for name, column in fmu.columns(rows, row.ends).items()}, None
+
+
+def _starts(row: Attack, fmu: Exported) -> dict[str, Any]:
+    """Of parameters; an array has one start for all of its entries."""
+    starts: dict[str, Any] = {}
+    for name, value in row.parameters.items():
+        variable, index = fmu.entry(name)
+        if index is None:
+            starts[name] = value
+        else:
+            starts.setdefault(variable.name, np.array(variable.start.split(), dtype=float))[index] = value
+    return starts
+
+
+def _inputs(row: Attack, fmu: Exported) -> Any:
+    """The tables of a row as one structured array."""
+    if not row.inputs:
+        return None
+    times = next(iter(row.inputs.values()))[0]
+    real = {name: fmu.variables[name].type in ("Real", "Float64") for name in row.inputs}
+    table = np.zeros(
+        len(times), dtype=[("time", float), *((name, float if real[name] else int) for name in row.inputs)]
+    )
+    table["time"] = times
+    for name, (own, values) in row.inputs.items():
+        assert tuple(own) == tuple(times)
+        table[name] = values
+    return table
