@@ -21,7 +21,8 @@ ROWS: dict[str, Row] = {
     "E0804": error(
         "event iteration did not converge at t = {time} s; still changing: {text}",
         label="still changing",
-        help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
+        help="two clauses may trigger each other, a force may reverse at every crossing (smooth it, `tanh(v/v0)`), "
+        "or a drive may lead through a contact",
     ),
     "E0805": error(
         "there is no start value `{name}`",
