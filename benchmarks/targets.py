@@ -164,6 +164,33 @@ def targets(found: Results) -> list[Target]:
             "fmus",
             "{:.0f}",
         ),
+        *(_living_pages(found["living_page"]) if "living_page" in found else []),
+    ]
+
+
+def _living_pages(found: Results) -> list[Target]:
+    double, ten, hundred = found["rows"]
+    return [
+        Target(
+            "living page of the double pendulum / of ten links, 10 s [kB]",
+            (1200, 1600),
+            (600, 800),
+            (double["bytes"] / 1e3, ten["bytes"] / 1e3),
+            "living_page",
+            "{:.0f}",
+        ),
+        Target("its first picture [ms]", (1000,), (300,), (double["first"],), "living_page", "{:.0f}"),
+        Target(
+            "10 s of double pendulum anew at the move of a slider [ms]",
+            (16,),
+            (4,),
+            (double["waited"],),
+            "living_page",
+            "{:.1f}",
+        ),
+        Target(
+            "a picture of 100 links, drawn by software [ms]", (50,), (17,), (1e3 / hundred["frames"],), "living_page"
+        ),
     ]
 
 
