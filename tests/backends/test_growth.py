@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import cProfile
 from functools import cache
+from math import log
 from pathlib import Path
 
 import pytest
@@ -62,3 +63,18 @@ def test_the_text_hardly_grows(root: Path, name: str) -> None:
     """Code is loops; only tables grow."""
     _, medium, long = _programs(root / "benchmarks" / "models" / f"{name}.lag")
     assert len(source(long, "chain")) <= 1.3 * len(source(medium, "chain"))
+
+
+def test_work_for_a_chain_of_loops_grows_with_their_number(root: Path) -> None:
+    """From 41 coordinates on constrained machines left C, and accelerations cost the cube of the number of loops."""
+    path = root / "benchmarks" / "models" / "four_bars.lag"
+    few, many = (program_of(path, {"N": n}) for n in (10, 25))
+    assert len(few.layout.coordinates) < 40 < len(many.layout.coordinates)
+    pairs = {"nodes": (len(few.graph), len(many.graph))}
+    both = {function.name for function in few.functions} & {function.name for function in many.functions}
+    for name in sorted(both):
+        roots = [[x for block in p.function(name).results for x in block.elements] for p in (few, many)]
+        pairs[name] = flops(few.graph, roots[0]), flops(many.graph, roots[1])
+    assert pairs["elimination"][0] > 100
+    grown = {name: log(second / first) / log(2.5) for name, (first, second) in pairs.items() if first > 100}
+    assert {name: exponent for name, exponent in grown.items() if exponent > 1.25} == {}
