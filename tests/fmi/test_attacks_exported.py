@@ -71,7 +71,8 @@ def test_models_made_to_go_wrong_as_fmus(name: str, version: int, tmp_path: Path
     export_text(row.text, path, version)
     fmpy.extract(str(path), str(tmp_path / "unpacked"))
     fmu = Exported(path, tmp_path / "unpacked")
-    for kind, tolerance, near in (("CoSimulation", row.tolerance, row.near), ("ModelExchange", TOLERANCE, NEAR)):
+    both = [("ModelExchange", TOLERANCE, NEAR), ("CoSimulation", row.tolerance, row.near)]
+    for kind, tolerance, near in both[:1] if row.inputs else both:  # FMPy holds inputs over a step of co-simulation
         ends, failure = in_bounded_time(partial(_ends, row, fmu, kind, tolerance), SECONDS)
         assert failure is None or row.refused, (kind, failure)
         for column, value in row.ends.items() if failure is None else ():
