@@ -10,6 +10,9 @@ from lagdsl.semantics.events.event_functions import OF_EVENTS
 from lagdsl.semantics.expressions.mechanics_functions import SPECIALS
 from lagdsl.semantics.operators.builtin import BUILTINS
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
+from lagdsl.syntax.vocabulary import vocabulary
+from lagdsl.units.naming import base_text
+from lagdsl.units.parse import UnknownUnit, parse_unit
 
 _ROW = re.compile(r"^\| (`.*?) \| (.*) \|$", re.MULTILINE)
 _CODE = re.compile(r"`([^`]+)`")
@@ -17,6 +20,44 @@ _LINK = re.compile(r"\[([^\]]+)\]\([^)]*\)")
 
 FUNCTIONS = tuple(sorted({*BUILTINS, *SPECIALS, *OF_EVENTS, "sum", "product"}))
 VARIABLES = {"time": "the time [s]", "world": "the frame that does not move: origin and axes `x`, `y`, `z`"}
+
+KEYWORDS = {
+    "model": "a class of what moves: `model Name ... end Name;`",
+    "joint": "a model of two frames that may move against one another",
+    "block": "a class of signals without mechanics",
+    "connector": "a class of what components meet in: potentials, and `flow` quantities that sum to zero",
+    "package": "a class that holds classes, constants and functions",
+    "record": "a class that holds quantities only",
+    "type": "a name for a quantity with attributes: `type Stretch = Length(min = 0);`",
+    "partial": "the class is made to be extended",
+    "protected": "what follows is not seen from outside of the class",
+    "public": "what follows is seen from outside of the class",
+    "replaceable": "another class may be put in its place by `redeclare`",
+    "redeclare": "puts another class in the place of a `replaceable` one",
+    "final": "the value cannot be modified",
+    "each": "every element of the array gets the value: `q(each start = 30 deg)`",
+    "flow": "quantities of this name sum to zero where connectors are connected",
+    "within": "the package of the file: `within Lag.Planar;`",
+    "equation": "begins the equations of the class: `der(z) = ...;`, `when ...`, `connect(a, b);`",
+    "kinematics": "begins the equations of a joint that place `frame_b` against `frame_a`",
+    "closure": "begins the constraints of a joint that closes a loop",
+    "stream": "a prefix of Modelica's connectors that this language has not",
+    "initial": "`initial equation` begins equations that hold at the start",
+    "enumeration": "a type of named values: `type Gear = enumeration(low, high);`",
+    "if": "a value `if c then a else b`; a statement `if c then ... end if;` with a structural condition",
+    "else": "the value or the statements where no condition holds",
+    "elseif": "a further condition of an `if`",
+    "for": "statements for each index: `for i in 1:n loop ... end for;`",
+    "in": "stands between an index and its range: `for i in 1:n loop`",
+    "loop": "begins the statements of a `for`",
+    "end": "ends a class, `end Name;`, or a block: `end if;`, `end for;`, `end when;`",
+    "and": "both conditions hold",
+    "or": "at least one condition holds",
+    "not": "the condition does not hold",
+    "true": "a condition that holds",
+    "false": "a condition that does not hold",
+    "at": "stands before a place: `mass m at {x, y};`",
+}
 
 ATTRIBUTES = {
     "start": "value at the start, or a guess of it",
@@ -48,6 +89,37 @@ def statement_of(word: str) -> tuple[str, str] | None:
         if any(re.match(rf"{re.escape(word)}\b", text) for text in texts):
             return "\n".join(texts), _LINK.sub(r"\1", meaning)
     return None
+
+
+@cache
+def row_with(word: str) -> tuple[str, str] | None:
+    """The first row of the manual whose examples hold a word that begins no statement, such as `on`."""
+    for examples, meaning in _tables():
+        texts = _CODE.findall(examples)
+        if any(re.search(rf"(?<![\w.]){re.escape(word)}\b", text) for text in texts):
+            return "\n".join(texts), _LINK.sub(r"\1", meaning)
+    return None
+
+
+def keyword_text(word: str) -> str | None:
+    """`model`: its form, and the manual's words on it."""
+    if word in KEYWORDS:
+        return f"`{word}`: {KEYWORDS[word]}"
+    found = statement_of(word) or (row_with(word) if word in vocabulary().words else None)
+    return None if found is None else f"```lag\n{found[0]}\n```\n\n{found[1]}"
+
+
+def unit_text(text: str) -> str | None:
+    """`kN.m`: what one of it is in coherent SI base units."""
+    try:
+        unit = parse_unit(text)
+    except UnknownUnit:
+        return None
+    base = base_text(unit.dimension)
+    shown = "rad" if base == "1" else base
+    if unit.shift:
+        return f"unit `{text}`: a temperature is the number plus {float(unit.shift):g} in K"
+    return f"unit `{text}`: `1 {text} = {unit.factor:.10g} {shown}`"
 
 
 @cache

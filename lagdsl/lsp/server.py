@@ -28,7 +28,7 @@ REST = 0.15
 """Seconds without a key before a text is looked at."""
 DEEP_REST = 0.5
 """Seconds before its equations are formed."""
-_LOOKS_PER_COLLECTION = 20
+_VERSIONS_PER_COLLECTION = 20
 
 
 class LagServer(LanguageServer):
@@ -40,7 +40,7 @@ class LagServer(LanguageServer):
         self.pages = Pages()
         self.depths = Depths()
         self.loop: AbstractEventLoop | None = None
-        self._looks = 0
+        self._versions = 0  # since the last collection
         self.quick = Worker(REST, self._look)
         self.deep = Worker(DEEP_REST, self._look_deep)
 
@@ -56,6 +56,7 @@ class LagServer(LanguageServer):
         if document is None:
             self.opened(uri, text, version)
             return
+        self._versions += 1
         document.change(text, version)
         self.deep.forget(uri)
         self.depths.cancel()
@@ -93,8 +94,9 @@ class LagServer(LanguageServer):
         self._publish(document, snapshot, shown(found, snapshot.file))
         if snapshot.is_whole:
             self.deep.ask(uri)
-        self._looks += 1
-        if self._looks % _LOOKS_PER_COLLECTION == 0:
+        if self._versions >= _VERSIONS_PER_COLLECTION:
+            self._versions = 0
+            self._call(self._forget_notifications)
             gc.collect()  # scopes and instances of versions that are gone hold one another
 
     def _look_deep(self, uri: str) -> None:
@@ -126,6 +128,12 @@ class LagServer(LanguageServer):
         """In the thread that talks to the editor."""
         if self.loop is not None and not self.loop.is_closed():
             self.loop.call_soon_threadsafe(action)
+
+    def _forget_notifications(self) -> None:
+        """pygls 2.1 keeps a future for each notification that it handles itself, too: 2 KiB a key."""
+        futures = self.protocol._request_futures
+        for message in [message for message, future in futures.items() if future.done()]:
+            del futures[message]
 
     def _refresh(self) -> None:
         workspace = self.client_capabilities.workspace

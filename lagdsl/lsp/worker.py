@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from threading import Condition, Thread, stack_size
 from time import monotonic
@@ -50,4 +51,7 @@ class Worker(Generic[Key]):
                     return
                 key = min(self._due, key=lambda each: self._due[each])
                 del self._due[key]
-            self._work(key)
+            try:
+                self._work(key)
+            except Exception as failure:  # one text must not end the queue of all
+                print(f"lag lsp: {type(failure).__name__}: {failure}", file=sys.stderr)

@@ -18,7 +18,7 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
         edit = Edit(span, same) if same != quantity else None
         sink.report("E0105", span, help=f"write `{quantity}`", edit=edit, unit=unit)
         return
-    suggestion = None if called else _suggestion(unit)
+    suggestion = None if called or unit == "do" else _suggestion(unit)
     edit = None if suggestion is None else Edit(span, suggestion)
     if len(unit) == 1:  # more likely a factor
         edit = Edit(Span(span.file, span.start, span.start), "*")

@@ -107,6 +107,8 @@ def test_a_coordinate_shows_its_equation(editor: Editor, four_bar: str, folder: 
         ("si|n(", "sin"),
         ("star|t =", "value at the start"),
         ("mass| m at", "a point mass"),
+        ("mod|el Pendulum", "end Name;"),
+        ("60 d|eg", "`1 deg = 0.01745329252 rad`"),
     ],
 )
 def test_words_of_the_language_show_the_manual(editor: Editor, pendulum: str, mark: str, words: str) -> None:

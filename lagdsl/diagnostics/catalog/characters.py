@@ -68,6 +68,10 @@ _QUOTED = re.compile(r"'([^'\n]*)'|[“„«”]([^\n]*)[”“»]|‘([^\n]*)�
 _BARS = re.compile(r"\|([^|\n;]+)\|")
 _PERCENT = re.compile(r"%([A-Za-z]\w*)")
 _NUMBER_BEFORE = re.compile(r"([0-9]+(?:\.[0-9]+)?)[ \t]*$")
+_NAME_BEFORE = re.compile(r"(?<![0-9.A-Za-z_])(?<![0-9] )[A-Za-z_][A-Za-z0-9_]*$")
+_UNIT_BEFORE = re.compile(r"[0-9] ?((?:[A-Za-z][A-Za-z0-9./(]*)?[A-Za-z])$")
+_PRODUCTS = ("·", "⋅", "∙", "•", "∗")
+_EXPONENTS = ("²", "³")
 _LATEX = re.compile(r"\\([A-Za-z]+)(?:\{([^{}]*)\}|\\([A-Za-z]+))?(?:\{([^{}]*)\})?")
 _LATEX_DOTS = {"dot": 1, "ddot": 2}
 _LATEX_MARKS = {"cdot": "*", "times": "*", "le": "<=", "leq": "<=", "ge": ">=", "geq": ">=", "ne": "<>", "neq": "<>"}
@@ -85,6 +89,8 @@ def character_help(text: str, before: str) -> str:
         return _latex(match)
     if not text.isprintable():
         return _HELP.get(text) or _letters(text) or _OTHERWISE
+    if (way := _inside_of_word(text, before)) is not None:
+        return way
     operand = re.search(r"[A-Za-z_][A-Za-z0-9_.]*(?:\[[^\]]*\])?$|der\([^()]*\)$", before)
     if _PRIMES.fullmatch(text) and operand is not None:
         return f"write `{_rate(operand[0], 2 if text == '″' else len(text))}`"
@@ -101,6 +107,19 @@ def character_help(text: str, before: str) -> str:
     if text == "%" and (number := _NUMBER_BEFORE.search(before)):
         return f"write the percentage as a number: `{float(number[1]) / 100:g}`"
     return _HELP.get(text) or _HELP.get(text[0]) or _letters(text) or _OTHERWISE
+
+
+def _inside_of_word(text: str, before: str) -> str | None:
+    """`Länge`, `N·m`, `m²`: the rest of a name or of a unit that has begun."""
+    word = _NAME_BEFORE.search(before)
+    if word is not None and text[0].isalpha() and (spelled := _umlauts(text)).isascii():
+        return f"names consist of the letters a to z, digits and `_`: write `{word[0]}{spelled}`"
+    unit = _UNIT_BEFORE.search(before)
+    if unit is None:
+        return None
+    if text[0] in _EXPONENTS:
+        return f"write the unit `{unit[1]}{unicodedata.normalize('NFKC', text)}`"
+    return "units of a product are joined by `.`, as in `N.m`" if text in _PRODUCTS else None
 
 
 def _latex(match: re.Match[str]) -> str:
@@ -139,6 +158,12 @@ def _letters(text: str) -> str | None:
     if spelled == plain:
         return "names consist of the letters a to z, digits and `_`"
     return f"names consist of the letters a to z, digits and `_`: write `{spelled}`"
+
+
+def _umlauts(text: str) -> str:
+    """`aenge` for `änge`, as German writes it without dots; other letters without their accents."""
+    decomposed = unicodedata.normalize("NFD", text.replace("ß", "ss")).replace("\u0308", "e")
+    return "".join(_latin(letter) for letter in decomposed if not unicodedata.combining(letter))
 
 
 def _latin(text: str) -> str:

@@ -6,6 +6,7 @@ _RATE = "the rate of a quantity is `der({0})`"
 _DECLARED = "declare the quantity: `coordinate Angle q;` or `parameter Mass m = 1 kg;`"
 _ANGLE = "the unit makes an angle of the number: `{0} deg`"
 _PICTURE = "a model prints nothing: declare an `output`, and run the model with `--show`"
+_COMMAND = "a model has no commands: `lag run FILE` computes the motion, `lag plot FILE` draws it"
 _SOLVED = "nothing is solved by hand: the compiler forms and solves the equations of motion"
 
 # Functions by name; {0}, {1} are the texts of the arguments.
@@ -28,6 +29,7 @@ _FUNCTIONS = {
     **dict.fromkeys(("print", "disp", "printf", "display", "plot"), _PICTURE),
     **dict.fromkeys(("solve", "dsolve", "ode45", "odeint", "solve_ivp", "fsolve"), _SOLVED),
     **dict.fromkeys(("simplify", "expand", "subs", "lambdify"), _SOLVED),
+    **dict.fromkeys(("range", "arange"), "a range is written `1:n`"),
     "delay": "delays are not part of the language; a `FirstOrder` of Lag.Blocks lags behind",
 }  # fmt: skip
 
@@ -120,8 +122,11 @@ _FORMS = {
     "for": "`for i in 1:3 loop ... end for;`",
     "when": "`when condition then ... end when;`",
     "import": "`import Lag.Planar.*;`",
+    "assert": '`assert(condition, "text");` in an `equation` section',
+    "initial": "`initial equation`, with equations below it; a start is an attribute: `Angle q(start = 30 deg)`",
 }
 
+_COMMANDS = ("plot", "simulate", "sim", "solve", "run", "print", "disp", "display", "animate", "show")
 _RATE_MEMBERS = ("dot", "d", "dt", "diff", "der", "prime")
 _ENERGIES = {"T": "kinetic", "K": "kinetic", "V": "potential", "U": "potential", "L": "lagrangian", "D": "dissipation"}
 _FUNCTIONS_CALLED = frozenset(("der", "sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sign"))
@@ -193,6 +198,14 @@ def form_help(word: str) -> str | None:
     """The form of the statement that begins with `word`."""
     form = _FORMS.get(word)
     return None if form is None else f"the form is {form}"
+
+
+def call_help(name: str, argument: str) -> str | None:
+    """Help: the text to write for `simulate(10);` or `theta(0) = ...;` among the declarations."""
+    if name in _COMMANDS:
+        return _COMMAND
+    is_start = argument in ("0", "0.0", "t0")
+    return f"a start is an attribute: `coordinate Angle {name}(start = 30 deg);`" if is_start else None
 
 
 def energy_help(name: str) -> str | None:

@@ -141,6 +141,9 @@ _FOREIGN_UNITS = {
     "dyn": (1e-5, "N"),
     "gon": (0.9, "deg"),
     **dict.fromkeys(("U/min", "1/min", "rev/min", "RPM", "upm"), (1.0, "rpm")),
+    **dict.fromkeys(("gr", "gram", "grams"), (1.0, "g")),
+    **dict.fromkeys(("mtr", "meter", "meters", "metre", "metres"), (1.0, "m")),
+    **dict.fromkeys(("grad", "Grad"), (1.0, "deg")),
     **dict.fromkeys(("sec", "secs", "second", "seconds"), (1.0, "s")),
 }
 """Units that the language has not, with what they are."""
@@ -156,6 +159,8 @@ def foreign_unit(number: str, word: str) -> str | None:
 
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
     """Help of E0105."""
+    if word == "do":
+        return "write `loop` behind a range, `then` behind a condition"
     if word[:1] == "_" and word[1:].replace("_", "").isdigit() and len(number + word) <= _LONGEST:
         return f"digits are not grouped: write `{number}{word.replace('_', '')}`"
     if suggestion is None and len(number + word) > _LONGEST:
@@ -177,7 +182,7 @@ def unexpected_help(before: str, found: str, after: str, expected: str) -> str |
     if before.isdigit() and _GROUP.fullmatch(found) and len(before) <= 3:
         return f"digits are not grouped: `{before}{found}`"
     if found in _ATTRIBUTES and before.isidentifier():
-        value = after if after and len(after) <= _LONGEST and after.isprintable() else "..."
+        value = after if after not in ("", "=") and len(after) <= _LONGEST and after.isprintable() else "..."
         return f"attributes stand in brackets: `{before}({found} = {value})`"
     if is_called(before) and after != ")":
         return f"call it: `{before}({found})`"

@@ -18,9 +18,10 @@ from lagdsl.lsp.language import (
     VARIABLES,
     arguments_of,
     constant_text,
+    keyword_text,
     paragraph_on,
-    statement_of,
     type_text,
+    unit_text,
 )
 from lagdsl.lsp.names.declarations import Declaration
 from lagdsl.lsp.names.occurrences import Occurrence
@@ -28,6 +29,8 @@ from lagdsl.lsp.positions import range_of
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
+from lagdsl.syntax.tokens import unit_of
+from lagdsl.syntax.vocabulary import pattern
 
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _PATH_BEFORE = re.compile(r"(?:[A-Za-z_]\w*(?:\[[0-9, ]*\])?\.)+$")
@@ -42,6 +45,9 @@ def hover(snapshot: Snapshot, offset: int, depth: Depth | None) -> lsp.Hover | N
     if found is not None and found.declaration is not None:
         text = _declared(snapshot, found, found.declaration, depth)
         return _hover("\n\n".join(text), found.span)
+    unit = _unit_at(snapshot, offset) if found is None else None
+    if unit is not None and (text_of_unit := unit_text(unit.text)) is not None:
+        return _hover(text_of_unit, unit)
     word = found.span if found is not None else _word_at(snapshot, offset)
     if word is None:
         return None
@@ -62,6 +68,17 @@ def _word_at(snapshot: Snapshot, offset: int) -> Span | None:
     return None
 
 
+def _unit_at(snapshot: Snapshot, offset: int) -> Span | None:
+    """The unit behind a number, without the number."""
+    line = snapshot.file.line_number(offset)
+    start, text = snapshot.file.line_starts[line - 1], snapshot.file.line(line)
+    for match in pattern("QUANTITY").finditer(text):
+        unit = start + match.start() + len(match[0].rstrip()) - len(unit_of(match[0]))
+        if unit <= offset <= start + match.end():
+            return Span(snapshot.file, unit, start + match.end())
+    return None
+
+
 def _of_language(word: str, role: str) -> str | None:
     if role == "attribute" and word in ATTRIBUTES:
         return f"attribute `{word}`: {ATTRIBUTES[word]}"
@@ -73,8 +90,7 @@ def _of_language(word: str, role: str) -> str | None:
         return text
     if word in VARIABLES:
         return f"`{word}`: {VARIABLES[word]}"
-    found = statement_of(word)
-    return None if found is None else f"```lag\n{found[0]}\n```\n\n{found[1]}"
+    return keyword_text(word)
 
 
 def _counted(word: str) -> str | None:

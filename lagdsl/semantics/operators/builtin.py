@@ -34,7 +34,7 @@ from lagdsl.semantics.scope.values import (
 from lagdsl.semantics.types.dimensions import bare_number, fits, joined, product
 from lagdsl.syntax import nodes
 from lagdsl.units.definition import UnitDefinition
-from lagdsl.units.dimension import DIMENSIONLESS
+from lagdsl.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
 Builtin = Callable[[Application], Value]
@@ -57,7 +57,8 @@ def _of_number(call: Application, argument: Scalar) -> Value:
     """`sin` and its kind: argument and value without a dimension."""
     if not fits(argument.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
-        call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
+        way = f"the time needs a frequency: `{call.name}(2*pi*1 Hz*time)`" if argument.dimension == TIME else None
+        call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension), help=way)
         return POISON
     if call.name in ("floor", "ceil"):
         return _rounded(call, argument)

@@ -173,7 +173,8 @@ def _form(session: Session, token: Token) -> str | None:
         return "components of a point stand in braces: `{x, y}`"
     if first.value in ("force", "torque") and token.type == "SEMICOLON":
         return _load(session, first, statement)
-    return form_help(first.value) if first.value in vocabulary().words else None
+    is_known = first.value in vocabulary().words or first.value == "assert"
+    return form_help(first.value) if is_known else None
 
 
 def _import(session: Session, token: Token) -> str | None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from lark import Token
 
 from lagdsl.diagnostics import Edit, Label
-from lagdsl.diagnostics.catalog.habits import energy_help
+from lagdsl.diagnostics.catalog.habits import call_help, energy_help
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
 from lagdsl.syntax.session import CLOSING, Session
@@ -129,8 +129,10 @@ def bare_equation(session: Session, token: Token) -> bool:
         session.reported.told.add(place)
         tokens = list(session.look_ahead(start))
         span = Span(session.file, start, end_of(tokens[-1]))
-        energy = energy_help(first.value) if tokens[1].value in ("=", ":") else None
-        session.sink.report("E0103", span, help=energy, line=session.file.line_number(start))
+        way = energy_help(first.value) if tokens[1].value in ("=", ":") else None
+        if tokens[1].value == "(" and len(tokens) > 2:
+            way = call_help(first.value, tokens[2].value)
+        session.sink.report("E0103", span, help=way, line=session.file.line_number(start))
     session.panic(token)
     return True
 
