@@ -14,6 +14,7 @@ PUBLIC = {"_replace", "_asdict", "_fields", "_make", "_fields_"}
 # Names of other packages that have no public one.
 FOREIGN = {
     "_parse_table": "Lark has no public name for its table",
+    "_request_futures": "pygls 2.1 keeps futures of notifications there and drops none",
     "_width": "Lark keeps the widths of a pattern by it",
     "_get_width": "Lark computes the widths of a pattern by it",
     "_NamedFuncPointer": "typeshed names the type of a function of a library by it",
