@@ -30,3 +30,9 @@ def test_the_notices_of_others_are_there() -> None:
     notices = (DIST / "licenses.txt").read_text()
     assert re.findall(r"^(three|uplot) \d+\.\d+\.\d+$", notices, re.MULTILINE) == ["three", "uplot"]
     assert notices.count("Permission is hereby granted") == 2
+
+
+def test_dots_over_letters_are_no_dots_of_curves() -> None:
+    """Formulas of the derivation have a class of that name."""
+    styles = (DIST / "page.css").read_text(encoding="utf-8")
+    assert ".dot:not(mo)" in styles and not re.search(r"\.dot[ ,{]", styles)
