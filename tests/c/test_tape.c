@@ -220,7 +220,7 @@ static size_t change(unsigned long long *seed, unsigned char *bytes, size_t coun
 /* Forty random models, or as many as the argument says. */
 int main(int count, char **arguments)
 {
-    const int models = count > 1 ? atoi(arguments[1]) : 10;
+    const int models = count > 1 ? atoi(arguments[1]) : 40;
     static random_tape tape;
     unsigned long long seed = 7;
     unsigned char *changed = malloc(MOST_BYTES);
