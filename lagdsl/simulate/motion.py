@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from time import perf_counter
 from typing import NoReturn
 
@@ -86,7 +87,7 @@ class Motion:
                 status = self._ended(run.jump())
         self._ended(run.end())
         found = self._so_far()
-        self._check_outputs(found)
+        found = self._check_outputs(found)
         self._tell_rounded(found)
         return found
 
@@ -99,11 +100,11 @@ class Motion:
                 value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
                 self._task.sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)
 
-    def _check_outputs(self, found: Trajectory) -> None:
-        """E0857 for the first output that is no number, with all rows."""
+    def _check_outputs(self, found: Trajectory) -> Trajectory:
+        """E0857 for the first output that is no number, with all rows; a note for each without a limit."""
         columns = [column.values for column in found.columns if column.kind == "output"]
         if not columns:
-            return
+            return found
         asked = self._asked
         states = [column.values for column in found.columns if column.kind in _STATE]
 
@@ -118,6 +119,9 @@ class Motion:
             name = outputs.report(which, t, float(columns[which][row]), sink)
             state = {column.name: float(column.values[row]) for column in found.columns if column.kind in _STATE}
             raise SimulationFailed(sink.diagnostics[-1], t, state, name, found)
+        notes = (outputs.note(which, float(found.time[row])) for row, which in outputs.left)
+        statistics = replace(found.statistics, notes=(*found.statistics.notes, *notes))
+        return replace(found, statistics=statistics)
 
     def _segment(self, stop: float) -> Status:
         """Up to `stop`; whether the motion goes on there."""

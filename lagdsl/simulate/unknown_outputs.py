@@ -15,12 +15,15 @@ from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.traversal import postorder
 from lagdsl.numerics.connected_blocks import Flags
-from lagdsl.numerics.rank import Floats
+from lagdsl.numerics.rank import Floats, rank
 from lagdsl.runtime.engines.engine import Engine, SingularSystem
 from lagdsl.simulate.state_words import time_text
 
 # So many derivatives of a quantity of this kind come from the equations of motion.
 _SOLVED = {"coordinate": 2, "state": 1}
+# Singular values below this part of the largest count as lost: those of a row on a singular position, by the runtime's
+# own bound of 1e-7 in natural sizes.
+_LOST = 1e-6
 # The state (2 nq + nz,) of a row, inputs (nu,) and parameters (np,) there.
 State: TypeAlias = tuple[Floats, Floats, Floats]
 
@@ -28,41 +31,55 @@ State: TypeAlias = tuple[Floats, Floats, Floats]
 class UnknownOutputs:
     """Finds outputs that are infinite or not a number.
 
-    Where constraints lose rank there are no accelerations and no multipliers for an instant: all outputs that read them
-    are nan there, and none is at fault. They are where they are nan in rows that follow each other, or where the
-    equations of motion have a solution. Constraints that come and go may be others at the row: there the equations are
-    not looked at.
+    Where constraints lose rank there are no accelerations for an instant, or multipliers without a limit: outputs that
+    read them are nan there, and are not at fault. They are where they are nan in rows that follow each other, or where
+    the equations of motion have a solution. Constraints that come and go may be others at the row: there the equations
+    are not looked at. `left` are row and column of outputs that were left alone.
     """
 
     def __init__(self, flat: FlatModel, engine: Engine) -> None:
         self._flat, self._engine = flat, engine
         held = bool(flat.constraints or flat.events.contacts)
         self._solved = np.array([held and reads for reads in _reading(flat)], dtype=np.bool_)
+        self.left: list[tuple[int, int]] = []
         self._changing = bool(flat.events.contacts) or any(each.switched for each in flat.constraints)
 
     def first(self, values: Floats, times: Floats, state: Callable[[int], State]) -> tuple[int, int] | None:
         """Row and column of the first one in `values` (rows, outputs) at `times` (rows,); `state` of a row."""
         wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
-            lost = np.asarray(np.isnan(values[:, self._solved]).all(axis=1))
-            instants = _instants(lost, times)
+            unknown = np.isnan(values) & self._solved
+            instants = _instants(unknown.any(axis=1), times)
             for row in np.flatnonzero(instants).tolist():
-                instants[row] = not self._is_solvable(float(times[row]), *state(row))
+                instants[row] = not self._is_solvable(row, times, state)
             wrong[:, self._solved] &= ~instants[:, None]
+            self.left += [(row, column) for row, column in np.argwhere(unknown & instants[:, None]).tolist()]
         rows = np.flatnonzero(wrong.any(axis=1))
         return (int(rows[0]), int(np.argmax(wrong[rows[0]]))) if len(rows) else None
 
-    def _is_solvable(self, t: float, x: Floats, u: Floats, p: Floats) -> bool:
-        """True if there are accelerations and multipliers at this state."""
+    def _is_solvable(self, row: int, times: Floats, state: Callable[[int], State]) -> bool:
+        """True if accelerations and multipliers exist at this row, and rank is not less than beside it."""
         if self._changing:
             return False
         engine, n = self._engine, len(self._flat.coordinates)
-        w = engine.evaluate("discrete_start", t, p)[0] if engine.layout.discretes else np.zeros(0)
-        try:
-            found = engine.solve(t, x[:n], x[n : 2 * n], x[2 * n :], u, w, p)
-        except SingularSystem:
-            return False
-        return all(bool(np.isfinite(each).all()) for each in found)
+        ranks = []
+        for each in sorted({max(row - 1, 0), row, min(row + 1, len(times) - 1)}, key=lambda other: other != row):
+            t, (x, u, p) = float(times[each]), state(each)
+            w = engine.evaluate("discrete_start", t, p)[0] if engine.layout.discretes else np.zeros(0)
+            arguments = (t, x[:n], x[n : 2 * n], x[2 * n :], u, w, p)
+            try:
+                found = engine.solve(*arguments)
+            except SingularSystem:
+                return False
+            if not all(bool(np.isfinite(values).all()) for values in found):
+                return False
+            ranks.append(rank(engine.evaluate("velocity_constraint", *arguments)[1], _LOST))
+        return ranks[0] == max(ranks)
+
+    def note(self, which: int, time: float) -> str:
+        """A note for an output that was left alone."""
+        name = self._flat.outputs[which].name
+        return f"the constraints lose rank at t = {time_text(time)} s, where `{name}` has no limit and is nan"
 
     def report(self, which: int, time: float, value: float, sink: Sink) -> str:
         """E0857 for an output; returns its name."""

@@ -40,14 +40,18 @@ static void find_residuals(lag_run *run, double *residual)
 }
 
 /* Outputs, energy and residuals at x. Without accelerations those outputs are no numbers that read them. */
-static void observe(lag_run *run, double t, const double *x, double *values)
+static void observe(lag_run *run, double t, const double *x, int after_event, double *values)
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
     double *energy = values + model->ny;
     double parts[3];
     if (model->ny > 0) {
-        lag_event_iteration_solve(motion, t, x);
+        if (lag_run_crosses(model, &run->options)) {
+            lag_singular_row(&run->singular, t, x, after_event);
+        } else {
+            lag_event_iteration_solve(motion, t, x);
+        }
         if (model->output(&motion->at, values) != LAG_OK) {
             lag_fill(model->ny, (double)NAN, values);
         }
@@ -96,7 +100,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     row[0] = t;
     memcpy(row + 1, x, size * sizeof(double));
     memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
-    observe(run, t, x, row + 1 + size + variables);
+    observe(run, t, x, results->any && results->after == t, row + 1 + size + variables);
     if (results->turning != NULL) {
         unwind(results, model->ny, row + 1 + size + variables);
     }

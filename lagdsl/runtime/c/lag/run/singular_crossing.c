@@ -36,7 +36,7 @@ size_t lag_singular_memory(const lag_model *model)
     const size_t k = m < n ? m : n;
     const size_t values = larger(lag_singular_value_memory(m, n), lag_eigenvalues_memory(k));
     return lag_parts_memory(m, n) + 2 * (m + n) + 5 * m * n + k * k + 4 * m + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) +
-           lag_branch_point_memory(model) + larger(values, lag_svd_memory(n, m));
+           (2 * NODES + 1) * m + lag_branch_point_memory(model) + larger(values, lag_svd_memory(n, m));
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
@@ -68,6 +68,8 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
         *along[i] = lag_take(&memory, NODES * (n + model->nz));
         *states[i] = lag_take(&memory, lag_motion_size(model));
     }
+    s->multipliers = lag_take(&memory, 2 * NODES * m);
+    s->limits = lag_take(&memory, m);
     s->memory = memory;
     lag_fill(m * n, entries != NULL ? 0.0 : 1.0, s->now);
     for (size_t i = 0; entries != NULL && i < entries->count; ++i) {
@@ -224,15 +226,22 @@ static double lost_at(lag_singular *s)
 
 /* ---- the way on ---- */
 
+void lag_singular_project(lag_singular *s, double t, double *x)
+{
+    int moved = 0;
+    if (lag_singular_margin(s, t, x, s->now) > BESIDE) {
+        (void)lag_projection_apply(&s->run->projection, t, x, &moved); /* where it cannot, it is as it was fitted */
+    }
+}
+
 /* The fitted motion ends at `limit` at the latest. */
 static double cut(lag_singular *s, double t, const double *x, double length, double limit)
 {
-    int moved = 0;
     if (t + length <= limit) {
         return t + length;
     }
     lag_fit_state(s, x, length, (limit - t) / length, s->end);
-    (void)lag_projection_apply(&s->run->projection, limit, s->end, &moved); /* where it cannot, it is as it was fitted */
+    lag_singular_project(s, limit, s->end);
     return limit;
 }
 
@@ -335,7 +344,8 @@ lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
     const double before = lag_singular_margin(s, t, stepper->x_before, s->before);
     s->seen = 0;
     *shorter = SHORTER * step;
-    if (before < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
+    const double behind = lag_singular_margin(s, stepper->t, stepper->x, s->now);
+    if (fmin(before, behind) < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {
             return *shorter < stepper->h_least ? LAG_PROJECTION_FAILED : LAG_ATTENTION;
         }

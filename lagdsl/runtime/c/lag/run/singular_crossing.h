@@ -41,6 +41,7 @@ typedef struct lag_singular {
     lag_branch_point saddle;
     double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */
     double *state, *rates, *origin, *end; /* (2 nq + nz) */
+    double *multipliers, *limits; /* (2, 7, nc) at the points of a fitted motion, (nc) at its beginning */
     double *memory;              /* of singular and other values */
 } lag_singular;
 
@@ -75,6 +76,16 @@ lag_status lag_singular_ahead(lag_singular *singular, double limit, int *done);
  * a singular position. LAG_ATTENTION: it is to be tried with the length *shorter. LAG_PROJECTION_FAILED, LAG_BRANCH_POINT.
  */
 lag_status lag_singular_after(lag_singular *singular, double limit, double *shorter);
+
+/*
+ * Accelerations and multipliers into motion.qdd and motion.lam for a row of the state x at time t. Where J is singular, or nearly,
+ * and the state moves, they are the limits along the motion; a multiplier without a limit is no number. After an event at that time
+ * the motion is another one than before it.
+ */
+void lag_singular_row(lag_singular *singular, double t, const double *x, int after_event);
+
+/* A fitted state back onto the constraints; near the singular position, where round-off would move it, it stays as it is. */
+void lag_singular_project(lag_singular *singular, double t, double *x);
 
 /* For its parts. */
 
