@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 
+from lagdsl.lsp.protocol import quiet
 from lagdsl.lsp.server import LagServer
 from lagdsl.lsp.wiring import wired
 
@@ -18,6 +19,7 @@ def serve() -> None:
     sys.setrecursionlimit(_DEEPEST)
     gc.freeze()
     gc.set_threshold(_OBJECTS_PER_COLLECTION, 20, 20)
+    quiet()
     server = wired(LagServer())
     # Other output than messages goes to standard error, where it breaks none of them.
     source, target = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")

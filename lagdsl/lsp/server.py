@@ -20,6 +20,7 @@ from lagdsl.lsp.documents import Document, Documents
 from lagdsl.lsp.features.diagnostics import deeper, shown
 from lagdsl.lsp.findings import findings
 from lagdsl.lsp.pages import Pages
+from lagdsl.lsp.protocol import LagProtocol
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.lsp.worker import Worker
 from lagdsl.version import __version__
@@ -35,7 +36,8 @@ class LagServer(LanguageServer):
     """The server with its documents, its two queues and its pages."""
 
     def __init__(self) -> None:
-        super().__init__("lag", __version__, text_document_sync_kind=lsp.TextDocumentSyncKind.Full)
+        full = lsp.TextDocumentSyncKind.Full
+        super().__init__("lag", __version__, protocol_cls=LagProtocol, text_document_sync_kind=full)
         self.documents = Documents()
         self.pages = Pages()
         self.depths = Depths()
@@ -43,6 +45,11 @@ class LagServer(LanguageServer):
         self._versions = 0  # since the last collection
         self.quick = Worker(REST, self._look)
         self.deep = Worker(DEEP_REST, self._look_deep)
+
+    def report_server_error(self, error: Exception, source: Any) -> None:
+        """Answer a message that is not JSON; the user is shown what nobody asked for."""
+        if not (isinstance(self.protocol, LagProtocol) and self.protocol.refuse_text(error)):
+            super().report_server_error(error, source)
 
     # ---- texts -------------------------------------------------------------------------------------------------------
 

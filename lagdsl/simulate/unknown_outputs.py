@@ -49,7 +49,7 @@ class UnknownOutputs:
         wrong: Flags = ~np.isfinite(values)
         if self._solved.any() and len(values):
             unknown = np.isnan(values) & self._solved
-            instants = _instants(unknown.any(axis=1), times)
+            instants = _instants(np.asarray(unknown.any(axis=1)), times)
             for row in np.flatnonzero(instants).tolist():
                 instants[row] = not self._is_solvable(row, times, state)
             wrong[:, self._solved] &= ~instants[:, None]
