@@ -13,10 +13,14 @@ from lagdsl.program.program import Layout
 from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.runtime.structures import InitialFault
 from lagdsl.simulate.contradictions import report_contradiction
+from lagdsl.structure.constraints import ENDLESS
 from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
 _HOLDS = 1e-7
+# In natural sizes: a start that was moved this far ran away, and a step as long as this does not lead to a zero nearby.
+_FAR = 1e4
+_LONG_STEP = 0.1
 _MOST_JOINTS = 6
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
@@ -31,7 +35,7 @@ def report_no_start(
         return
     match found.fault:
         case InitialFault.NONE:
-            return
+            _report_endless(flat, layout, run, t, found, sink)
         case InitialFault.NUMBERS:
             _report_numbers(layout, run, t, found, sink)
         case InitialFault.POSITIONS if not found.excess:
@@ -126,6 +130,25 @@ def _report_positions(flat: FlatModel, layout: Layout, run: RunView, t: float, f
         residual=f"{found.residual:.3g}{unit_suffix(item.constraint)}",
         name=name,
     )
+
+
+def _report_endless(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
+    """E0802 for rows such as x/(1 + x^2) that count as met far away, where they are small: a zero nearby is as far
+    along their gradient as the start has moved."""
+    n, count = len(layout.coordinates), len(layout.constraints)
+    natural = run.settings.natural[:n]
+    moved = np.abs(found.x[:n] - found.starts[:n]) > _FAR * natural
+    if not moved.any():
+        return
+    values = run.evaluate("position_constraint", t, found.x, count * (1 + n))
+    slopes = np.linalg.norm(values[count:].reshape(count, n) * natural * moved, axis=1)
+    for item in located(flat):
+        endless = [r for r in item.rows if layout.position_level[r] and abs(values[r]) > _LONG_STEP * slopes[r] > 0.0]
+        if endless and not item.constraint.contact:
+            residual = f"{abs(values[endless[0]]):.3g}{unit_suffix(item.constraint)}"
+            name = seat(item.constraint) if item.constraint.closure else layout.constraints[endless[0]].name
+            notes = (f"configuration reached: {configuration(flat, found.x[:n])}", ENDLESS)
+            sink.report("E0802", place(item.constraint), notes=notes, residual=residual, name=name)
 
 
 def _left_over(items: list[Located], layout: Layout, phi: Floats, sizes: Floats) -> tuple[str, ...]:

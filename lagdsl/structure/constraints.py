@@ -26,6 +26,8 @@ _LEAST_TRIES = 2
 _ROUNDING = 1e-12
 # A step, in natural sizes, that does not lead to a zero nearby.
 _LONG_STEP = 0.1
+# Parts of the natural sizes at which a zero near zero is looked for.
+_NEARER = (1.0, 0.1, 1e-2, 1e-3, 1e-5)
 # So many independent parts of a mechanism that cannot be assembled are looked into.
 _EXAMINED = 2
 
@@ -83,12 +85,11 @@ def report_impossible(flat: FlatModel, space: Geometry, sink: Sink) -> bool:
     endless = [] if len(wrong) else _endless(space, together, rows)
     for item in position:
         if not item.constraint.contact and any(row in endless for row in item.rows):
-            subject = grammatical_subject(flat, item.constraint)
-            sink.report("E0602", place(item.constraint), notes=(_ENDLESS,), subject=subject, verb="hold")
+            _report_endless(flat, space, item, together, sink)
     return len(wrong) > 0 or len(endless) > 0
 
 
-_ENDLESS = "its residual goes to zero where coordinates grow without end, and is zero nowhere"
+ENDLESS = "its residual goes to zero where coordinates grow without end, and the search meets no zero of it"
 
 
 def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
@@ -98,6 +99,29 @@ def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
     moved = np.abs(space.position(space.q)[0]) > HOLDS * space.row_sizes
     steps = np.abs(phi) / np.linalg.norm(jacobian * space.sizes, axis=1)
     return [row for row in rows if moved[row] and steps[row] > _LONG_STEP]
+
+
+def _report_endless(flat: FlatModel, space: Geometry, item: Located, found: Closest, sink: Sink) -> None:
+    """E0602, or E0802 for a row such as x/(1 + x^2), where the search leads to the zero from small x only."""
+    rows = list(item.rows)
+    if _holds_elsewhere(flat, space, rows):
+        residual = float(np.max(np.abs(space.position(found.point)[0][rows])))
+        text, name = f"{residual:.3g}{unit_suffix(item.constraint)}", item.constraint.name
+        sink.report("E0802", place(item.constraint), notes=(ENDLESS,), residual=text, name=name)
+    else:
+        subject = grammatical_subject(flat, item.constraint)
+        sink.report("E0602", place(item.constraint), notes=(ENDLESS,), subject=subject, verb="hold")
+
+
+def _holds_elsewhere(flat: FlatModel, space: Geometry, rows: list[int]) -> bool:
+    """True if a search from elsewhere, near or far from zero, ends where the rows hold."""
+    split, scale = space.parts(rows), space.row_sizes[rows]
+    for start in random_points(flat.coordinates, space.q, space.sizes, _LEAST_TRIES):
+        for beginning in (start, *(part * (start - space.q) for part in _NEARER)):
+            found = _closest(split, space.project(beginning, rows), scale)
+            if found.size <= HOLDS and not _endless(space, found, rows):
+                return True
+    return False
 
 
 def _more(others: int) -> tuple[str, ...]:
