@@ -119,6 +119,16 @@ def test_hidden_variables(version: Version) -> None:
     assert broken(tree(table)) == []
 
 
+def test_hidden_inputs_are_told() -> None:
+    """They were left out without a word, and the FMU ran without force."""
+    sink = Sink()
+    text = ARMS.replace("  Link left", "  input Force u, ux[2];\n  input Real other;\n  Link left")
+    table = table_of(of_text(text), 2, ports=Ports(outputs=("w",), hidden=("u", "u*")), sink=sink)
+    assert names(table, "input") == ["other"]
+    told = [(each.code, each.message.partition(";")[0].partition(": ")[2]) for each in sink.diagnostics]
+    assert told == [("N0929", "`u`"), ("N0929", "`ux[1]`, `ux[2]`")]
+
+
 @pytest.mark.parametrize(
     ("wishes", "codes"),
     [

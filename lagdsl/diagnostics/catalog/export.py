@@ -59,4 +59,8 @@ ROWS: dict[str, Row] = {
         label="sizes, branches, limits or other structural parameters depend on it",
         help="`--set '{first}=...'` gives an FMU another number",
     ),
+    "N0929": note(
+        "inputs that --hide leaves out: {names}; in the FMU they keep their start values",
+        help="name what shall be hidden, so that `{pattern}` does not fit inputs; or make them parameters",
+    ),
 }

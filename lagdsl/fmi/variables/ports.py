@@ -35,7 +35,7 @@ def shown(scalars: Sequence[Scalar], ports: Ports, sink: Sink, *, arrays: bool) 
     states) where there are none. An array is an output as a whole, where there are `arrays`.
 
     Reports E0925 for a name that is no variable which can be an output, E0926 for one that hides nothing, N0927 for
-    coordinates that become outputs.
+    coordinates that become outputs, N0929 for inputs that are hidden.
     """
     asked = _asked(scalars, ports.outputs, sink)
     if not ports.outputs and not any(scalar.attributes.role is Role.OUTPUT for scalar in scalars):
@@ -90,8 +90,16 @@ def _hidden(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> s
         if not own:
             others = [scalars[place].name.text for place in possible]
             sink.report("E0926", None, help=did_you_mean(pattern, others), name=pattern)
+        _tell_inputs([scalars[place] for place in own if place not in hidden], pattern, sink)
         hidden.update(own)
     return hidden
+
+
+def _tell_inputs(hidden: Sequence[Scalar], pattern: str, sink: Sink) -> None:
+    names = [f"`{scalar.name.text}`" for scalar in hidden if scalar.attributes.role is Role.INPUT]
+    if names:
+        more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+        sink.report("N0929", None, names=f"{', '.join(names[:_MOST_NAMED])}{more}", pattern=pattern)
 
 
 def _fits(name: Name, pattern: str) -> bool:
