@@ -10,6 +10,7 @@ from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.flat.spans import place as place_of
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
+from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.runtime.structures import InitialFault
 from lagdsl.simulate.contradictions import report_contradiction
@@ -35,7 +36,7 @@ def report_no_start(
         return
     match found.fault:
         case InitialFault.NONE:
-            _report_endless(flat, layout, run, t, found, sink)
+            return
         case InitialFault.NUMBERS:
             _report_numbers(layout, run, t, found, sink)
         case InitialFault.POSITIONS if not found.excess:
@@ -132,7 +133,7 @@ def _report_positions(flat: FlatModel, layout: Layout, run: RunView, t: float, f
     )
 
 
-def _report_endless(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
+def report_endless(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
     """E0802 for rows such as x/(1 + x^2) that count as met far away, where they are small: a zero nearby is as far
     along their gradient as the start has moved."""
     n, count = len(layout.coordinates), len(layout.constraints)

@@ -15,7 +15,7 @@ from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_view import Found
 from lagdsl.runtime.structures import InitialFault
 from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
-from lagdsl.simulate.initial_words import report_found, report_no_start, report_numbers
+from lagdsl.simulate.initial_words import report_endless, report_found, report_no_start, report_numbers
 from lagdsl.simulate.placed import placed
 
 
@@ -85,6 +85,7 @@ def find_start(
     n = len(flat.coordinates)
     starts = _starts(flat, run, found, given)
     if found.fault is InitialFault.NONE:
+        report_endless(flat, engine.layout, run, t, found, sink)
         report_found(flat, engine.layout, found.p, sink)
     rows: tuple[MovedRow, ...] = ()
     if not _wrong(sink, before):
