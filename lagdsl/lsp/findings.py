@@ -6,6 +6,7 @@ from lagdsl.diagnostics import Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.lsp.shape import Shape, moved, shape_of
 from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.lsp.unfinished import without_unfinished
 from lagdsl.record import mutable_record
 from lagdsl.semantics.classes.selection import complete_models
 from lagdsl.semantics.flatten import flatten
@@ -17,8 +18,11 @@ _NO_MODEL = ("E0135", "E0218")
 """A file that holds no model is a fault for who runs it, not for who writes it."""
 
 _OF_STATEMENTS = ("01", "02", "03", "04")
-_ABSENT = frozenset({"E0201", "E0204", "E0210", "E0223", "E0318", "E0319", "E0320", "E0322", "E0384"})
-"""Faults that may come from a statement that is missing, in families that else are about one statement."""
+_ABSENT = frozenset({"E0201", "E0204", "E0210", "E0223", "E0303", "E0318", "E0319", "E0320", "E0322", "E0337", "E0384"})
+"""Faults that may come from a statement that is missing, in families that else are about one statement.
+
+A parameter has no value where the statement that gives it is missing: the component, or the `extends` of its class.
+"""
 
 
 @mutable_record()
@@ -40,11 +44,14 @@ def findings(snapshot: Snapshot, memory: Memory | None = None) -> tuple[Diagnost
         return snapshot.syntax_diagnostics
     syntax = [each for each in snapshot.syntax_diagnostics if each.code not in _NO_MODEL]
     memory = Memory() if memory is None else memory
-    found = _of_models(snapshot, unit, memory) if snapshot.is_whole else _of_statements(unit, memory)
+    if snapshot.is_whole:
+        found = _of_models(snapshot, unit, memory)
+    else:
+        found = _of_statements(without_unfinished(unit, syntax), memory)
     return tuple(dict.fromkeys((*syntax, *found)))
 
 
-def _of_models(snapshot: Snapshot, unit: nodes.Unit, memory: Memory) -> list[Diagnostic]:
+def _of_models(snapshot: Snapshot, unit: nodes.Unit, memory: Memory) -> tuple[Diagnostic, ...]:
     found: list[Diagnostic] = []
     for name in complete_models(unit) or (None,) if unit.items else ():
         sink = Sink()
@@ -55,7 +62,7 @@ def _of_models(snapshot: Snapshot, unit: nodes.Unit, memory: Memory) -> list[Dia
     # no error in all statements is no error in the same statements beside one that is not understood
     memory.shape = None if any(each.severity is Severity.ERROR for each in found) else shape_of(unit)
     memory.found = ()
-    return found
+    return tuple(found)
 
 
 def _flat(unit: nodes.Unit, sink: Sink, name: str | None) -> FlatModel | None:

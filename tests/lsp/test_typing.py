@@ -89,6 +89,26 @@ def test_a_broken_statement_is_the_only_one_that_is_told(name: str) -> None:
             assert is_near or each.code in EXCEPTIONS or each.severity is not Severity.ERROR, (text[start:end], each)
 
 
+@pytest.mark.parametrize(
+    ("typed", "rest", "codes"),
+    [
+        ("point P", "for i in 1:2 loop point P[i] = {i*l, l}; end for;", ["E0101"]),
+        ("point P[", "for i in 1:2 loop point P[i] = {i*l, l}; end for;", ["E0111"]),
+        ("Length k = 2 kg", "mass 1 kg at {k, l};", ["E0101"]),
+        ("for i in 1:2 loop", "point P = {l, l}; coordinate Length x;", ["E0113"]),
+        ("when l > 0 then", "protected Length k = l; public output Length w = l;", ["E0113", "E0118"]),
+        ("point P", "force {1 N, 1 kg} at P;", ["E0101", "E0401"]),
+        ("Bar b(r = 1 m", "gravity = -g_n*world.y;", ["E0111"]),
+    ],
+)
+def test_what_the_parser_completes_is_not_judged_elsewhere(typed: str, rest: str, codes: list[str]) -> None:
+    """`rest` stands behind an unfinished declaration or block; a fault of its own is told nevertheless."""
+    bar = "model Bar\n  parameter Length r;\nequation\n  mass 1 kg at {r, 0 m};\nend Bar;\n"
+    text = f"{bar}model A\n  parameter Length l = 1 m;\n  {typed}\n  {rest}\nend A;\n"
+    found = findings(Snapshot("<typed>", text, 1))
+    assert sorted({each.code for each in found if each.severity is Severity.ERROR}) == codes
+
+
 FAULTY = """model Two
   parameter Mass m = 1 m;
   coordinate Length x, y;

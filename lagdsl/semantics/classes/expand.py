@@ -203,6 +203,8 @@ class Expander:
         """`point P[i] = ...;` in a loop: one element of an array declared outside."""
         for declarator in item.declarators:
             entry = lookup(scope, declarator.name)
+            if entry is None and declarator.subscripts and self.ctx.reports.incomplete:
+                continue
             if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
                 self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
                 continue
