@@ -38,6 +38,9 @@ NAMES = sorted(
 )
 CHOSEN = NAMES if EXPLORE else ["pendulum", "bouncing_ball", "clutch", "four_bar", "newtons_cradle"]
 FEW = NAMES if EXPLORE else ["pendulum", "bouncing_ball", "four_bar"]
+# Nothing feeds the gear of a servo drive within another model: it is a constant there, and a clause that waits for it
+# is an error (E0372).
+ALONE = {"servo_drive"}
 # Of a second; how far two motions of one model may be from each other, as a part of the range of a column: so much, or
 # so many times what a motion is from itself at a tenth of the tolerance.
 STOP, TOLERANCE, PART, FACTOR = 0.5, 1e-12, 1e-8, 10.0
@@ -118,7 +121,7 @@ def test_other_order(name: str, rewrite: Rewrite) -> None:
     assert_same(name, rewrite(source(ROOT / "models" / f"{name}.lag")))
 
 
-@pytest.mark.parametrize("name", CHOSEN)
+@pytest.mark.parametrize("name", [name for name in CHOSEN if name not in ALONE])
 def test_in_a_class(name: str) -> None:
     assert_same(name, wrapped(source(ROOT / "models" / f"{name}.lag")), prefix="inner.")
 
@@ -133,7 +136,7 @@ def test_by_other_names(name: str) -> None:
     )
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", [name for name in FEW if name not in ALONE])
 def test_in_another_file(name: str, tmp_path: Path) -> None:
     s = source(ROOT / "models" / f"{name}.lag")
     for file, text in in_files(s).items():
@@ -144,7 +147,7 @@ def test_in_another_file(name: str, tmp_path: Path) -> None:
     assert_columns(original(name, TOLERANCE), original(name, 10 * TOLERANCE), other, prefix="inner.")
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", [name for name in FEW if name not in ALONE])
 def test_twice_with_different_values(name: str) -> None:
     """Two instances in one model, of which one has another mass: each moves as it does alone."""
     s = source(ROOT / "models" / f"{name}.lag")
