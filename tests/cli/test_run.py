@@ -197,7 +197,7 @@ class TestSet:
             ("m=", "name=value"),
             ("m=heavy", "expected a number"),
             ("m=1 kgg", "unknown unit `kgg`"),
-            ("m=1 gram", "did you mean `g`?"),
+            ("m=1 gram", "write `1 g`"),
             ("m=1e999", "this number is too large"),
             ("der(theta)=1", "set its start value with --set 'der(theta).start=...'"),
             ("m=" + "(" * 3000, "(((...: expected a number"),

@@ -195,7 +195,7 @@ def test_crowds() -> None:
         (CLOCK.replace("(fixed = false, start = 0.5 m)", "(fixed = false, start = 0.5 m) = 1 m"), "E0347"),
         (CLOCK.replace("Length l(fixed = false, start = 0.5 m)", "Length l(start = 0.5 m) = 1 m"), "E0213"),
         (CLOCK.replace("parameter Mass m = 1 kg", "parameter Integer n(fixed = false, start = 1), m = 1"), "E0348"),
-        (CLOCK.replace("initial equation", "initial equation l = 1 m; l = 2 m;"), "E0815"),
+        (CLOCK.replace("initial equation", "initial equation l = 1 m; l = 2 m;"), "E0839"),
     ],
 )
 def test_diagnostics(text: str, code: str) -> None:
