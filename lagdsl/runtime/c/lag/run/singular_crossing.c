@@ -15,6 +15,8 @@ static const double LOST = LAG_LOST;
 static const double NEAR = 0.05;
 /* A motion that begins where they are smaller than this is fitted away from there. */
 static const double BESIDE = 1e-3;
+/* Where they are smaller than this, round-off of a projection is larger than the error of a fit, and may lead to another branch. */
+static const double BLURRED = 1e-6;
 static const double UNDECIDED = 1e-5;
 /* J has turned by much in a step where less than this part of a direction is left; so often a step is halved to see whether steadily. */
 static const double TURNED = 0.25;
@@ -229,7 +231,7 @@ static double lost_at(lag_singular *s)
 void lag_singular_project(lag_singular *s, double t, double *x)
 {
     int moved = 0;
-    if (lag_singular_margin(s, t, x, s->now) > BESIDE) {
+    if (lag_singular_margin(s, t, x, s->now) > BLURRED) {
         (void)lag_projection_apply(&s->run->projection, t, x, &moved); /* where it cannot, it is as it was fitted */
     }
 }
