@@ -26,6 +26,8 @@ _LEAST_TRIES = 2
 _ROUNDING = 1e-12
 # A step, in natural sizes, that does not lead to a zero nearby.
 _LONG_STEP = 0.1
+# A way, in natural sizes, that no search goes to a zero.
+_FAR = 10.0
 # Parts of the natural sizes at which a zero near zero is looked for.
 _NEARER = (1.0, 0.1, 1e-2, 1e-3, 1e-5)
 # So many independent parts of a mechanism that cannot be assembled are looked into.
@@ -93,8 +95,10 @@ ENDLESS = "its residual goes to zero where coordinates grow without end, and the
 
 
 def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
-    """Rows such as 1/x that count as met where they are small only: the step along their gradient to a zero is as long
-    as the motion itself."""
+    """Rows such as 1/x that count as met where they are small only: the search has gone far, and the step along their
+    gradient to a zero is as long as the motion itself."""
+    if not np.any(np.abs(found.point - space.q) > _FAR * space.sizes):
+        return []
     phi, jacobian = space.position(found.point)
     moved = np.abs(space.position(space.q)[0]) > HOLDS * space.row_sizes
     steps = np.abs(phi) / np.linalg.norm(jacobian * space.sizes, axis=1)

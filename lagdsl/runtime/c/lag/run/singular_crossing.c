@@ -15,7 +15,7 @@ static const double LOST = LAG_LOST;
 static const double NEAR = 0.05;
 /* A motion that begins where they are smaller than this is fitted away from there. */
 static const double BESIDE = 1e-3;
-/* Where they are smaller than this, round-off of a projection is larger than the error of a fit, and may lead to another branch. */
+/* Round-off of a projection exceeds the error of a fit where they are smaller than this, and may lead to another branch. */
 static const double BLURRED = 1e-6;
 static const double UNDECIDED = 1e-5;
 /* J has turned by much in a step where less than this part of a direction is left; so often a step is halved to see whether steadily. */
