@@ -54,7 +54,7 @@ def test_a_standard_output_that_is_full_is_status_2(pendulum: Path) -> None:
     assert done.stderr == "cannot write standard output: No space left on device\n"
 
 
-@pytest.mark.parametrize("moment", [0.05, 0.2])
+@pytest.mark.parametrize("moment", [0.01, 0.03])
 @pytest.mark.skipif(os.name != "posix", reason="signals of Unix")
 def test_an_interrupt_while_modules_are_loaded(tmp_path: Path, moment: float) -> None:
     """There was a traceback of the import machinery."""
