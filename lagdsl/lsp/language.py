@@ -82,23 +82,23 @@ def _tables() -> list[tuple[str, str]]:
 
 
 @cache
+def _row_with(pattern: str) -> tuple[str, str] | None:
+    """Examples and meaning of the first row of which an example matches."""
+    for examples, meaning in _tables():
+        texts = _CODE.findall(examples)
+        if any(re.search(pattern, text) for text in texts):
+            return "\n".join(texts), _LINK.sub(r"\1", meaning)
+    return None
+
+
 def statement_of(word: str) -> tuple[str, str] | None:
     """Examples of the statement that `word` begins, and its meaning."""
-    for examples, meaning in _tables():
-        texts = _CODE.findall(examples)
-        if any(re.match(rf"{re.escape(word)}\b", text) for text in texts):
-            return "\n".join(texts), _LINK.sub(r"\1", meaning)
-    return None
+    return _row_with(rf"\A{re.escape(word)}\b")
 
 
-@cache
 def row_with(word: str) -> tuple[str, str] | None:
     """The first row of the manual whose examples hold a word that begins no statement, such as `on`."""
-    for examples, meaning in _tables():
-        texts = _CODE.findall(examples)
-        if any(re.search(rf"(?<![\w.]){re.escape(word)}\b", text) for text in texts):
-            return "\n".join(texts), _LINK.sub(r"\1", meaning)
-    return None
+    return _row_with(rf"(?<![\w.]){re.escape(word)}\b")
 
 
 def keyword_text(word: str) -> str | None:
