@@ -15,6 +15,7 @@ def import_robot(
     actuators: Literal["file", "all", "none"] = "file",
     floating: bool = False,
     lenient: bool = False,
+    folder: Path | str = ".",
     sink: Sink | None = None,
 ) -> str:
     """The text of the model of a robot, from its URDF or MJCF file: for `lagdsl.compile`, or to write to a file.
@@ -22,14 +23,17 @@ def import_robot(
     `limits` of joints become ranges of their coordinates, contacts, or nothing. `actuators`: the inputs are those of
     the file (of every joint where the file tells none), those of `all` joints, or `none`. With `floating` the base
     moves freely, by a quaternion; else it is fixed to the world. With `lenient` parts that the language has no place
-    for, or that no body can have, are left out with a warning. Notes and warnings go to `sink`. Raises
-    CompilationFailed with the lines of the file that stand in the way.
+    for, or that no body can have, are left out with a warning. `folder` is that of the text, from which it names files
+    of meshes. Notes and warnings go to `sink`. Raises CompilationFailed with the
+    lines of the file that stand in the way.
     """
     from lagdsl.robots.plan import Style
     from lagdsl.robots.read import robot_text
 
     own = Sink() if sink is None else sink
-    text = robot_text(Path(path), Style(limits=limits, actuators=actuators, floating=floating), own, lenient)
+    text = robot_text(
+        Path(path), Style(limits=limits, actuators=actuators, floating=floating), own, Path(folder), lenient
+    )
     own.raise_if_errors()
     assert text is not None, "internal error: the import gave up without saying why"
     return text

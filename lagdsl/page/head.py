@@ -9,6 +9,7 @@ from typing import TypeAlias
 from lagdsl.flat.display import Display, display
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Quantity, Spans
+from lagdsl.page.meshes import PackedMesh, packed_meshes
 from lagdsl.page.words import WORDS
 from lagdsl.plot.picture.recording import up_of
 from lagdsl.scene.living import Living
@@ -41,6 +42,7 @@ def head_of(
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
+    meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
     docs = {item.name: item.doc for item in (*model.coordinates, *model.states, *model.outputs)}
     return {
         "name": model.name,
@@ -62,7 +64,8 @@ def head_of(
             }
             for column in motion.columns[:first]
         ],
-        "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source)},
+        "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source, numbers)},
+        "meshes": [_mesh(mesh) for mesh in meshes],
         "rows": len(motion),
         "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in motion.events],
         "parameters": [
@@ -71,7 +74,7 @@ def head_of(
         ],
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
         "lasting": sorted(contact_rows(model)),
-        "said": said,
+        "said": " ".join(filter(None, (said, undrawn))),
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
     }
@@ -104,11 +107,25 @@ def _display(shown: Display) -> Json:
     return {"unit": shown.unit, "scale": shown.scale, "shift": shown.shift}
 
 
-def shapes_of(scene: Scene, source: SourceFile | None) -> list[Json]:
-    return [_shape(shape, source) for shape in scene.shapes]
+def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] | None = None) -> list[Json]:
+    """`meshes` has the numbers of meshes by those of shapes."""
+    known = meshes or {}
+    return [
+        {**_shape(shape, source), **({"mesh": known[k]} if k in known else {})} for k, shape in enumerate(scene.shapes)
+    ]
 
 
-def _shape(shape: Shape, source: SourceFile | None) -> Json:
+def _mesh(mesh: PackedMesh) -> Json:
+    return {
+        "points": mesh.points,
+        "triangles": mesh.triangles,
+        "low": mesh.low,
+        "step": mesh.step,
+        "data": mesh.data,
+    }
+
+
+def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
     return {
         "kind": shape.kind,
         "name": shape.name,

@@ -6,6 +6,7 @@ SI units. Every part has the place in the file that it comes from.
 from __future__ import annotations
 
 from dataclasses import field
+from pathlib import Path
 from typing import Literal, TypeAlias
 
 from lagdsl.record import record
@@ -79,9 +80,12 @@ class Capsule(Part):
 
 @record(kw_only=True)
 class Mesh(Part):
-    """A shape in a file of its own, which the text names only."""
+    """A shape in the file of that name, which the text names; `scale`: metres of a unit of the file, by axis."""
 
     file: str
+    place: Path
+    pose: Pose
+    scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
 
 Visual: TypeAlias = Box | Cylinder | Sphere | Capsule | Mesh

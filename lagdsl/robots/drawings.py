@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import assert_never
 
+from lagdsl.meshes.files import place_of
+from lagdsl.meshes.triangles import MeshError
 from lagdsl.robots.description import Box, Capsule, Cylinder, Mesh, Pose, Sphere, Visual
 from lagdsl.robots.numbers import angle, array, number, quantity
 from lagdsl.robots.plan import Plan, frame_of
+from lagdsl.syntax.print_expressions import quoted
 
 
-def drawings(plan: Plan) -> Iterator[str]:
-    """A statement for each primitive; a comment names the file of a mesh."""
+def drawings(plan: Plan, folder: Path) -> Iterator[str]:
+    """A statement for each shape; a comment names the file of a mesh that a text in that folder cannot draw."""
     for link in plan.robot.links:
         for visual in link.visuals:
-            yield from _drawn(visual, frame_of(plan, link), plan.links[link.name])
+            yield from _drawn(visual, frame_of(plan, link), plan.links[link.name], folder)
 
 
-def _drawn(visual: Visual, frame: str, name: str) -> Iterator[str]:
+def undrawn(plan: Plan, folder: Path) -> Iterator[tuple[Mesh, str]]:
+    """Meshes whose files a text in that folder cannot name, and the reasons."""
+    for link in plan.robot.links:
+        for visual in link.visuals:
+            if isinstance(visual, Mesh) and isinstance(file := _file_of(visual, folder), MeshError):
+                yield visual, str(file)
+
+
+def _drawn(visual: Visual, frame: str, link: str, folder: Path) -> Iterator[str]:
     match visual:
         case Box():
             sizes = zip(("length", "width", "height"), visual.size, strict=True)
@@ -34,9 +47,32 @@ def _drawn(visual: Visual, frame: str, name: str) -> Iterator[str]:
         case Sphere():
             yield f"draw sphere(radius = {number(visual.radius)}) on {_placed(frame, visual.pose)};"
         case Mesh():
-            yield f"// {name} looks like {_on_one_line(visual.file)}"
+            file = _file_of(visual, folder)
+            if isinstance(file, MeshError):
+                yield f"// {link} looks like {_on_one_line(visual.file)}"
+            else:
+                yield f"draw mesh(file = {quoted(file)}{_scaled(visual)}) on {_placed(frame, visual.pose)};"
         case _:
             assert_never(visual)
+
+
+def _file_of(mesh: Mesh, folder: Path) -> str | MeshError:
+    """The name of its file as a text in that folder writes it."""
+    try:
+        name = Path(os.path.relpath(mesh.place.resolve(), folder.resolve())).as_posix()
+        place_of(name, folder)
+    except ValueError:  # two disks of Windows
+        return MeshError("it lies on another disk than the text")
+    except MeshError as fault:
+        return fault
+    return name
+
+
+def _scaled(mesh: Mesh) -> str:
+    x, y, z = mesh.scale
+    if x == y == z:
+        return "" if x == 1.0 else f", scale = {quantity(x, 'm')}"
+    return f", scale = {array(quantity(value, 'm') for value in mesh.scale)}"
 
 
 def _placed(frame: str, pose: Pose) -> str:

@@ -40,7 +40,7 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
     if model.nbody > MAX_LINKS:
         findings.error("E1002", root.head, what="this robot", limit=MAX_LINKS, unit="bodies")
         return None
-    places = Places(mujoco, model, root.head, _named(elements))
+    places = Places(mujoco, model, root.head, _named(elements), path.parent)
     tell_features(mujoco, model, places, findings)
     _tell_left_out(elements, findings)
     links, base = links_of(places, findings), places.body(0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,7 @@ class Places:
     model: Any
     head: Span
     named: dict[tuple[str, str], Span]
+    folder: Path
 
     def body(self, index: int) -> str:
         """The name of a body; those without one are counted."""
@@ -110,8 +112,25 @@ def _visuals(places: Places, body: int, span: Span) -> tuple[Visual, ...]:
         elif kind == kinds.mjGEOM_BOX:
             found.append(Box(pose=pose, size=(2 * a, 2 * b, 2 * c), span=span))
         elif kind == kinds.mjGEOM_MESH:
-            found.append(Mesh(file=f"the mesh {model.mesh(int(model.geom_dataid[index])).name}", span=span))
+            found.append(_mesh(places, index, span))
     return tuple(found)
+
+
+def _mesh(places: Places, geom: int, span: Span) -> Mesh:
+    """MuJoCo has moved the points of the file: the principal axes of the solid are those of the shape."""
+    model = places.model
+    mesh = int(model.geom_dataid[geom])
+    first = int(model.mesh_pathadr[mesh])
+    file = bytes(model.paths[first:]).partition(b"\0")[0].decode("utf-8", "replace") if first >= 0 else ""
+    axes = _matrix(model.geom_quat[geom]) @ _matrix(model.mesh_quat[mesh]).T
+    at = model.geom_pos[geom] - axes @ model.mesh_pos[mesh]
+    return Mesh(
+        file=file or f"the mesh {model.mesh(mesh).name}",
+        place=places.folder / file,
+        pose=Pose(xyz=_vector(np.round(at, 12)), rpy=fixed_angles(axes)),
+        scale=_vector(model.mesh_scale[mesh]),
+        span=span,
+    )
 
 
 # ---- joints ----------------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from lagdsl.diagnostics import Sink
 from lagdsl.robots.description import Robot
+from lagdsl.robots.drawings import undrawn
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.plan import Style, planned, rigid_with_root
 from lagdsl.robots.text import model_text
@@ -16,8 +17,8 @@ from lagdsl.source import SourceFile
 from lagdsl.syntax.printer import format_text
 
 
-def robot_text(path: Path, style: Style, sink: Sink, lenient: bool = False) -> str | None:
-    """The text of the model of a robot file, formatted; None after errors.
+def robot_text(path: Path, style: Style, sink: Sink, folder: Path, lenient: bool = False) -> str | None:
+    """The text of the model of a robot file, formatted; None after errors. `folder` is that of the text.
 
     URDF and MJCF are told apart by their root elements. With `lenient` what the language has no place for is left out,
     with warnings.
@@ -46,7 +47,10 @@ def robot_text(path: Path, style: Style, sink: Sink, lenient: bool = False) -> s
     if not style.floating and all(joint.kind == "fixed" for joint in robot.joints):
         sink.report("E1018", robot.span)
         return None
-    text = format_text(SourceFile(str(path), model_text(planned(robot, style, findings))), sink)
+    plan = planned(robot, style, findings)
+    for mesh, reason in undrawn(plan, folder):
+        findings.note("N1023", mesh.span, file=mesh.file, reason=reason)
+    text = format_text(SourceFile(str(path), model_text(plan, folder)), sink)
     assert text is not None, sink.diagnostics
     return text
 

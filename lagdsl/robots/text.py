@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import assert_never
 
 from lagdsl.robots.description import ZERO, Joint, Link, Pose
@@ -16,8 +17,9 @@ from lagdsl.syntax.print_expressions import quoted
 _DEFAULT_AXES = {"revolute": (0.0, 0.0, 1.0), "prismatic": (1.0, 0.0, 0.0), "planar": (0.0, 0.0, 1.0)}
 
 
-def model_text(plan: Plan) -> str:
-    """The text of the model, a statement a line; the printer of the language breaks and indents the lines."""
+def model_text(plan: Plan, folder: Path) -> str:
+    """The text of the model for a file in `folder`, a statement a line; the printer of the language breaks and indents
+    the lines."""
     gravity = plan.robot.gravity
     parts = [
         ["import Lag.Spatial.*;"],
@@ -30,7 +32,7 @@ def model_text(plan: Plan) -> str:
         list(tendons(plan)),
         list(servos(plan)),
         [f"gravity = {'-g_n*world.z' if gravity is None else _acceleration(gravity)};"],
-        list(drawings(plan)),
+        list(drawings(plan, folder)),
         activations(plan),
         ["annotation(experiment(StopTime = 1, Tolerance = 1e-8));"],
     ]

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import unquote
 
+from lagdsl.meshes.files import in_folder, package_of
+from lagdsl.meshes.triangles import MeshError
 from lagdsl.robots.attributes import Attributes
 from lagdsl.robots.description import Box, Cylinder, Mesh, Pose, Sphere, Visual
 from lagdsl.robots.findings import Findings
@@ -41,26 +43,28 @@ def _shape(element: Element, pose: Pose, path: Path, read: Attributes, findings:
         case "sphere":
             return Sphere(pose=pose, radius=read.required(element, "radius", element, "sphere"), span=element.head)
         case "mesh":
-            return _mesh(element, path, read, findings)
+            return _mesh(element, pose, path, read, findings)
         case _:
             read.leave_out(element)
             return None
 
 
-def _mesh(element: Element, path: Path, read: Attributes, findings: Findings) -> Mesh | None:
+def _mesh(element: Element, pose: Pose, path: Path, read: Attributes, findings: Findings) -> Mesh | None:
     name = read.text(element, "filename")
     if name is None:
         return None
-    reason = mesh_fault(name, path)
-    if reason is not None:
-        place = element.place("filename")
-        findings.error("E1013", place, file=name, reason=reason, instead="the shape is left out")
+    scale = read.vector(element, "scale") if "scale" in element.attributes else (1.0, 1.0, 1.0)
+    try:
+        place = mesh_place(name, path)
+    except MeshError as fault:
+        head = element.place("filename")
+        findings.error("E1013", head, file=name, reason=str(fault), instead="the shape is left out")
         return None
-    return Mesh(file=name, span=element.head)
+    return Mesh(file=name, place=place, pose=pose, scale=scale, span=element.head)
 
 
-def mesh_fault(name: str, path: Path) -> str | None:
-    """The reason for which the file of a mesh cannot be taken, or None.
+def mesh_place(name: str, path: Path) -> Path:
+    """The file of a mesh; raises MeshError where it cannot be taken.
 
     `package://NAME/rest` is `rest` in the folder of the package NAME, which is looked for around the robot's file;
     other names count from that file. A mesh lies in the package of the robot: a name never leads out of it.
@@ -71,32 +75,21 @@ def mesh_fault(name: str, path: Path) -> str | None:
         package, _, inner = unquote(rest).partition("/")
         home = _package(package, folder)
         if home is None:
-            return f"there is no folder `{package}` around the robot's file"
-        return _in_folder(home / inner, home)
+            raise MeshError(f"there is no folder `{package}` around the robot's file")
+        return in_folder(home / inner, home)
     if separator and scheme != "file":
-        return f"`{scheme}` is no folder of this machine"
-    place = Path(unquote(rest)) if separator else folder / name
-    return _in_folder(place, _root(folder))
+        raise MeshError(f"`{scheme}` is no folder of this machine")
+    return in_folder(Path(unquote(rest)) if separator else folder / name, package_of(folder))
 
 
 def leads_out(name: str, path: Path, folders: Sequence[str]) -> bool:
     """True if a name, behind one of the folders that a file gives, leads out of the folder of the robot."""
     home = path.resolve().parent
-    root = _root(home)
+    root = package_of(home)
     try:
         return any(not (home / folder / name).resolve().is_relative_to(root) for folder in folders)
     except (OSError, ValueError, RuntimeError):
         return True
-
-
-def _in_folder(file: Path, home: Path) -> str | None:
-    try:
-        file = file.resolve()
-        if not file.is_relative_to(home):
-            return f"it lies outside of the folder `{home.name}`"
-        return None if file.is_file() else f"the folder `{home.name}` has no such file"
-    except (OSError, ValueError, RuntimeError):  # a name that no file can have, a circle of links
-        return "no file has such a name"
 
 
 def _package(name: str, folder: Path) -> Path | None:
@@ -109,8 +102,3 @@ def _package(name: str, folder: Path) -> Path | None:
         if (around / name).is_dir():
             return (around / name).resolve()
     return None
-
-
-def _root(folder: Path) -> Path:
-    """The package of a robot: the nearest folder around its file that has a package.xml, else that of the file."""
-    return next((each for each in (folder, *folder.parents) if (each / "package.xml").is_file()), folder)

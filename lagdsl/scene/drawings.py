@@ -15,6 +15,16 @@ _VECTORS = (
 )
 
 
+_SYMBOLS = frozenset({"rod", "cylinder", "box", "sphere", "circle"})
+_SIZES = frozenset({"radius", "length", "width", "height", "size"})
+
+
+def is_symbol(drawing: fm.Drawing) -> bool:
+    """True for a solid without a size of its own that a component draws: a joint, a massless arm, a mass centre."""
+    sized = any(role in _SIZES for role, _ in drawing.arguments)
+    return drawing.shape in _SYMBOLS and len(drawing.spans) > 1 and not sized
+
+
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     """The shape of one statement."""
     numbers, vectors = dict(placed(drawing.anchors, columns)), []

@@ -10,7 +10,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, Values
 from lagdsl.record import record
-from lagdsl.scene.drawings import drawn
+from lagdsl.scene.drawings import drawn, is_symbol
 from lagdsl.scene.implied import (
     arms,
     bodies,
@@ -62,12 +62,16 @@ def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -
 
 
 def scene_of(flat: fm.FlatModel) -> Scene:
-    """Shapes of the drawings, then those that the rules add."""
+    """Shapes of the drawings, then those that the rules add. Meshes show the links themselves: symbols of joints and
+    massless arms would stand in them."""
     columns = Columns()
-    shapes: list[Shape] = [drawn(drawing, columns) for drawing in flat.drawings]
+    has_meshes = any(drawing.shape == "mesh" for drawing in flat.drawings)
+    seen = [drawing for drawing in flat.drawings if not (has_meshes and is_symbol(drawing))]
+    shapes: list[Shape] = [drawn(drawing, columns) for drawing in seen]
     machine = machine_of(flat, columns)
     for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads, gauges, frames):
-        shapes += rule(machine)
+        if not (has_meshes and rule is arms):
+            shapes += rule(machine)
     return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(machine, shapes))
 
 

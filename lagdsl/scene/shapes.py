@@ -21,6 +21,7 @@ ShapeKind: TypeAlias = Literal[
     "arrow",
     "trace",
     "text",
+    "mesh",
     "mass",
     "body",
     "rope",
@@ -45,7 +46,8 @@ class Shape:
     """`numbers` tells by role the column of the scene at which a scalar stands or a vector (three columns) begins.
 
     Roles: `at`, `to` positions [m]; `x`, `y`, `z` axes of a frame; `vector`, `normal` directions; `axis` a direction in
-    the axes of the frame; lengths `radius`, `length`, `width`, `height`, `size`, `scale` [m]; `mass` [kg], `com` [m]
+    the axes of the frame; lengths `radius`, `length`, `width`, `height`, `size` [m]; `scale`, the length of a unit of
+    the `file` of a mesh [m], one for all axes or three; `mass` [kg], `com` [m]
     and `inertia` [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate.
     """
 

@@ -6,9 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from meshes.solids import binary_stl, corners
 
 import lagdsl
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.scene.living import scene_of
 from lagdsl.source import SourceFile
 from lagdsl.syntax.printer import format_text
 from robots.imported import FILES, imported, refusal
@@ -137,3 +140,28 @@ def test_warnings_of_mujoco_are_notes(tmp_path: Path, monkeypatch: pytest.Monkey
     _, told = imported(path)
     assert [each.code for each in told] in (["N1021"], [])  # a later version may say nothing
     assert [each.name for each in tmp_path.iterdir()] == ["robot.xml"]
+
+
+def test_a_mesh_stands_where_mujoco_has_its_points(tmp_path: Path) -> None:
+    """MuJoCo moves the points of a file to their centre: the text places the file itself."""
+    (tmp_path / "b.stl").write_bytes(binary_stl())
+    path = tmp_path / "robot.xml"
+    seat = 'pos="1 2 3" euler="10 20 30" type="mesh" mesh="m"'
+    path.write_text(body(f"<geom {seat}/>", '<asset><mesh name="m" file="b.stl" scale="0.1 0.2 0.3"/></asset>'))
+    text, told = imported(path, folder=tmp_path)
+    assert "scale = {0.1 m, 0.2 m, 0.3 m}" in text and not told
+    flat = lagdsl.compile(text)._compilation.flat
+    scene = scene_of(flat)
+    (shape,) = [each for each in scene.shapes if each.kind == "mesh"]
+    evaluator = Evaluator(flat, Values())
+    at, x, y, z = (
+        np.array([evaluator.scalar(scene.columns[dict(shape.numbers)[role] + k]) for k in range(3)])
+        for role in ("at", "x", "y", "z")
+    )
+    own = np.array([0.1, 0.2, 0.3]) * np.array(corners()) @ np.array([x, y, z]) + at
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    theirs = model.mesh_vert @ data.geom_xmat[1].reshape(3, 3).T + data.geom_xpos[1]
+    distances = np.linalg.norm(own[:, None] - theirs[None], axis=2)
+    assert len(theirs) == 8 and np.all(distances.min(axis=0) < 1e-6) and np.all(distances.min(axis=1) < 1e-6)

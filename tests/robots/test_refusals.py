@@ -171,9 +171,15 @@ def test_meshes_of_packages_are_found(tmp_path: Path, name: str) -> None:
         (tmp_path / place).parent.mkdir(parents=True)
         (tmp_path / place).write_text("solid")
     path = tmp_path / "robot" / "robot.urdf"
-    path.write_text(with_mesh(name))
-    text, told = imported(path)
-    assert f"// b looks like {name}\n" in text and told == ()
+    path.write_text(with_mesh(name).replace("<mesh ", '<mesh scale="0.1 0.1 -0.1" '))
+    found = "../beside/b.stl" if "beside" in name else "meshes/b.stl"
+    text, told = imported(path, folder=tmp_path)
+    place = (tmp_path / "robot" / found).resolve().relative_to(tmp_path)
+    assert f'draw mesh(file = "{place}", scale = {{0.1 m, 0.1 m, -0.1 m}}) on b.frame_a;' in " ".join(text.split())
+    assert told == ()
+    text, told = imported(path, folder=tmp_path / "beside" / "text")
+    assert f"// b looks like {name}\n" in text and "draw" not in text
+    assert [each.code for each in told] == ["N1023"] and "lies outside of the folder `text`" in told[0].message
 
 
 def test_a_rod_of_a_file_with_impossible_moments_keeps_its_moments(tmp_path: Path) -> None:

@@ -53,7 +53,8 @@ def command(
     require_ending(output, "models are", ".lag")
     require_writable(output)
     sink = Sink()
-    text = robot_text(file, Style(limits=limits, actuators=actuators, floating=floating), sink, lenient)
+    choices = Style(limits=limits, actuators=actuators, floating=floating)
+    text = robot_text(file, choices, sink, Path() if output is None else output.parent, lenient)
     if text is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -71,4 +71,9 @@ ROWS: dict[str, Row] = {
         label="the acceleration of its root link is not determined",
         help="give the root link a mass, or import the robot without `--floating`",
     ),
+    "N1023": note(
+        "the text does not draw the mesh `{file}`: {reason}",
+        label="named here",
+        help="write the text into the folder of the robot with `-o` (in Python `folder=`)",
+    ),
 }

@@ -168,6 +168,11 @@ ROWS: dict[str, Row] = {
         label="known only after the equations are solved",
         help="`der` may be taken twice of coordinates",
     ),
+    "E0343": error(
+        "`draw mesh` needs the name of a file",
+        label="no file",
+        help='write `draw mesh(file = "link.stl") on F`; the file is STL, OBJ or COLLADA',
+    ),
     "E0344": error(
         "`each` does not fit {what}: there is one only", label="`each` without an array", help="delete `each`"
     ),
@@ -200,6 +205,11 @@ ROWS: dict[str, Row] = {
         "the fixed start of `{name}` depends on a free parameter",
         label="depends on an unknown of the initialization",
         help="delete `fixed = true` and write the condition as an `initial equation`",
+    ),
+    "W0351": warning(
+        "the mesh `{file}` is not drawn: {reason}",
+        label="named here",
+        help="put the file into the folder of this text, or correct its name",
     ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(

@@ -14,7 +14,7 @@ _COLORS = {
     "spring": "#0d9488", "damper": "#7c3aed", "mass": "#2563eb", "body": "#3b82f6", "box": "#3b82f6",
     "cylinder": "#60a5fa", "cone": "#3b82f6", "disc": "#3b82f6", "sphere": "#2563eb", "circle": "#475569",
     "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706", "slider": "#2563eb",
-    "dial": "#2563eb", "ground": "#94a3b8",
+    "dial": "#2563eb", "ground": "#94a3b8", "mesh": "#94a3b8",
 }  # fmt: skip
 PAPER = "#f8fafc"
 GRID = "#dbe3ec"

@@ -18,6 +18,7 @@ from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.scene.living import START, Living, living
+from lagdsl.scene.meshes import meshes_of
 from lagdsl.scene.shapes import Scene
 from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
@@ -83,9 +84,10 @@ def record_motion(flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None 
 def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
     """The motion with `rows` rows of equal distance, and two at the time of an event.
 
-    Notes of the run go to `sink`, and so do the errors of a run that ends early: the motion so far is the result.
-    Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
+    Notes of the run and of meshes go to `sink`, and so do the errors of a run that ends early: the motion so far is
+    the result. Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
     """
+    meshes_of(prepared.scene.shapes, sink)
     experiment = prepared.own.experiment
     p = parameters_of(prepared.engine.layout, wishes)
     t = experiment.start_time

@@ -40,6 +40,7 @@ class Pose:
     stage: Stage
     row: int
     numbers: dict[str, int] = field(default_factory=dict)
+    mesh: Floats | None = None
 
     def vector(self, role: str) -> Floats:
         return self.wide(role, 3)
@@ -79,11 +80,11 @@ Maker = Callable[[Pose], list[Part]]
 def parts_of(stage: Stage, row: int, without: Collection[ShapeKind] = ()) -> list[Part]:
     """Everything that is drawn of the machine at a row, but for some kinds of shapes."""
     found: list[Part] = []
-    for shape in stage.scene.shapes:
+    for k, shape in enumerate(stage.scene.shapes):
         maker = MAKERS.get(shape.kind)
         if maker is None or shape.kind in without:
             continue
-        pose = Pose(shape=shape, stage=stage, row=row, numbers=dict(shape.numbers))
+        pose = Pose(shape=shape, stage=stage, row=row, numbers=dict(shape.numbers), mesh=stage.meshes.get(k))
         used = {role: stage.rows[row, column] for role, column in shape.numbers}
         if all(np.isfinite(value) for value in used.values()):
             found += maker(pose)
@@ -202,6 +203,16 @@ def _circle(pose: Pose) -> list[Part]:
     return [pose.solid(unit, matrix_of(x, y, z, pose.vector("at")))]
 
 
+def _surface(pose: Pose) -> list[Part]:
+    """Triangles of a file; none where the file has none."""
+    if pose.mesh is None:
+        return []
+    sizes = pose.vector("scale") if "scale" in pose.shape.vectors else np.full(3, pose.scalar("scale", 1.0))
+    x, y, z = pose.axes * sizes[:, None]
+    turned = pose.mesh[:, ::-1] if np.prod(sizes) < 0.0 else pose.mesh
+    return [pose.solid(turned, matrix_of(x, y, z, pose.vector("at")))]
+
+
 def _load(kind: str) -> Maker:
     """Loads are as long as they are large."""
     return lambda pose: _arrow(pose, pose.vector("vector") * pose.stage.scales[kind])
@@ -272,6 +283,7 @@ MAKERS: dict[str, Maker] = {
     "mass": _ball,
     "body": _ellipsoid,
     "circle": _circle,
+    "mesh": _surface,
     "arrow": _direction,
     "force": _load("force"),
     "torque": _load("torque"),

@@ -8,11 +8,14 @@ from dataclasses import field
 
 import numpy as np
 
+from lagdsl.meshes.triangles import Triangles, thinned
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.scene.meshes import meshes_of
 from lagdsl.scene.shapes import Scene
 
 _ROWS_LOOKED_AT = 200
+_FEW = 1000  # triangles of a mesh: a picture has less detail than a page, and Matplotlib sorts all of them
 _GAUGES = ("slider", "dial")
 
 
@@ -22,7 +25,8 @@ class Stage:
     `high`.
 
     `length` [m] is the size of the machine, `mass` [kg] the largest, `force` and `torque` the length of an arrow for a
-    unit of its load [m/N, 1/N]. `right`, `up` and `back` (towards the viewer) are unit directions.
+    unit of its load [m/N, 1/N]. `axes`: the unit directions right, up
+    and back (towards the viewer). `meshes`: corners (n, 4, 3) by the number of the shape, in units of its file.
     """
 
     scene: Scene
@@ -32,6 +36,7 @@ class Stage:
     high: Floats
     length: float
     scales: dict[str, float] = field(default_factory=dict)
+    meshes: dict[int, Floats] = field(default_factory=dict)
     axes: tuple[Floats, Floats, Floats]
 
     @property
@@ -63,7 +68,14 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
         "torque": scaled(largest("torque", "vector", 3)),
     }
     axes = _facing(scene, np.array(up, dtype=np.float64))
-    return Stage(scene=scene, rows=rows, points=points, low=low, high=high, length=length, scales=scales, axes=axes)
+    meshes = {k: _corners(thinned(mesh, _FEW)) for k, mesh in meshes_of(scene.shapes).items()}
+    box = {"low": low, "high": high}
+    return Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
+
+
+def _corners(mesh: Triangles) -> Floats:
+    """Triangles as quadrilaterals (n, 4, 3) whose last corner is the third one again."""
+    return np.asarray(mesh.points[mesh.corners[:, (0, 1, 2, 2)]])
 
 
 def _finite(rows: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:

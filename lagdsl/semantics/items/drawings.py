@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Literal, assert_never
 
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.meshes.files import place_of
+from lagdsl.meshes.triangles import MeshError
 from lagdsl.semantics.operators.conditions import structural_condition
 from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
@@ -18,10 +21,24 @@ from lagdsl.semantics.types.dimensions import require
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import LENGTH
 
-SHAPES = ("rod", "spring", "damper", "box", "cylinder", "cone", "disc", "sphere", "circle", "arrow", "trace", "text")
+SHAPES = (
+    "rod",
+    "spring",
+    "damper",
+    "box",
+    "cylinder",
+    "cone",
+    "disc",
+    "sphere",
+    "circle",
+    "arrow",
+    "trace",
+    "text",
+    "mesh",
+)
 _BETWEEN = ("rod", "spring", "damper")
 _LENGTHS = ("radius", "length", "width", "height", "size", "scale")
-_ARGUMENTS = (*_LENGTHS, "color", "text", "coils", "vector", "axis")
+_ARGUMENTS = (*_LENGTHS, "color", "text", "coils", "vector", "axis", "file")
 
 
 def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing | None:
@@ -34,8 +51,9 @@ def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing 
         return None
     arguments = [_argument(ctx, scope, node, argument) for argument in node.arguments]
     place = _PLACES.get(node.place or "")
-    if place is None or (node.shape in _BETWEEN and place != "between"):
-        ways = "`from A to B`" if node.shape in _BETWEEN else "`at P`, `on F` or `from A to B`"
+    if place is None or (node.shape in _BETWEEN and place != "between") or (node.shape == "mesh" and place != "on"):
+        ways = {"mesh": "`on F`"}.get(node.shape, "`at P`, `on F` or `from A to B`")
+        ways = "`from A to B`" if node.shape in _BETWEEN else ways
         ctx.sink.report("E0331", node.span, shape=node.shape, ways=ways)
         return None
     anchors = [_anchor(ctx, scope, anchor, place) for anchor in node.anchors]
@@ -43,12 +61,27 @@ def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing 
     given = [argument for argument in arguments if argument is not None]
     if len(known) < len(anchors) or len(given) < len(arguments):
         return None
+    if node.shape == "mesh" and not _has_file(ctx, node, dict(given)):
+        return None
     return flat_model.Drawing(
         spans=(node.span, *scope.spans), shape=node.shape, arguments=tuple(given), place=place, anchors=tuple(known)
     )
 
 
 _PLACES: dict[str, Literal["at", "on", "between"]] = {"at": "at", "on": "on", "between": "between"}
+
+
+def _has_file(ctx: Context, node: nodes.Draw, arguments: dict[str, FlatExpression | str]) -> bool:
+    """False after E0343. A file that is not there leaves the motion as it is: a warning, W0351."""
+    file = arguments.get("file")
+    if not isinstance(file, str):
+        ctx.sink.report("E0343", node.span)
+        return False
+    try:
+        place_of(file, Path(node.span.file.name).parent)
+    except MeshError as fault:
+        ctx.sink.report("W0351", node.span, file=file, reason=str(fault))
+    return True
 
 
 def _anchor(
@@ -108,9 +141,9 @@ def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> t
 def _sized(
     ctx: Context, argument: nodes.Named, value: FlatExpression, parts: tuple[FlatExpression, ...]
 ) -> tuple[str, FlatExpression | str] | None:
-    """None after E0334 for a length below zero."""
+    """None after E0334 for a length below zero; a scale below zero mirrors."""
     numbers = [part.value for part in parts if isinstance(part, flat.Number)]
-    if argument.name in _LENGTHS and any(number < 0 for number in numbers):
+    if argument.name in _LENGTHS and argument.name != "scale" and any(number < 0 for number in numbers):
         span = argument.value.span
         ctx.sink.report("E0334", span, what=f"`{argument.name}`", expected="positive", found=span.text)
         return None

@@ -38,6 +38,15 @@ export interface Shape {
   vectors: string[];
   texts: Record<string, string>;
   span: Span | null;
+  mesh?: number; // of Head.meshes
+}
+
+export interface PackedMesh {
+  points: number;
+  triangles: number;
+  low: number[]; // in units of the file
+  step: number[];
+  data: string;
 }
 
 export interface Head {
@@ -52,6 +61,7 @@ export interface Head {
   tolerance: number;
   columns: Column[]; // of a row; the scene, the energy and two residuals follow
   scene: { first: number; count: number; shapes: Shape[] };
+  meshes: PackedMesh[];
   vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
   events: { time: number; name: string; kind: string }[];
@@ -105,14 +115,18 @@ export function readHead(): Head {
   return JSON.parse(text("head")) as Head;
 }
 
-export function bytesOf(id: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(text(id).trim());
+function bytesOf(packed: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(packed.trim());
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
   return bytes;
 }
 
-export async function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("deflate"));
+export async function inflate(packed: string): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+export function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
+  return inflate(text(id));
 }

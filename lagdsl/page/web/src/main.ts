@@ -1,9 +1,11 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
+import type { BufferGeometry } from "three";
 import { Curves } from "./curves.ts";
 import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
 import { inflated, readHead, type Head, type Shape, type Span } from "./head.ts";
 import { Live, type Outcome } from "./live.ts";
+import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
 import { SWITCHES } from "./overlay.ts";
 import { Player } from "./player.ts";
@@ -48,11 +50,12 @@ class Page {
   constructor(
     private readonly head: Head,
     private readonly motions: Motion[],
+    meshes: readonly BufferGeometry[],
   ) {
     const [motion] = motions;
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
-    this.stage = new Stage(head, together(motions), place("stage"));
+    this.stage = new Stage(head, together(motions), meshes, place("stage"));
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, place("sliders"), () => this.again());
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
@@ -363,7 +366,8 @@ class Page {
 
 async function main(): Promise<void> {
   const head = readHead();
-  const page = new Page(head, recorded(head, await inflated("motion")));
+  const meshes = await Promise.all(head.meshes.map(geometryOf));
+  const page = new Page(head, recorded(head, await inflated("motion")), meshes);
   await page.begin();
 }
 

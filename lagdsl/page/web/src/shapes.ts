@@ -5,6 +5,7 @@ import {
   BufferGeometry,
   CanvasTexture,
   type ColorRepresentation,
+  DoubleSide,
   Group,
   Line,
   LineBasicMaterial,
@@ -35,6 +36,7 @@ export interface Sizes {
   planar: boolean;
   first: number;
   center: Vector3; // of the machine
+  meshes: readonly BufferGeometry[];
 }
 export interface Drawn {
   object: Object3D;
@@ -46,7 +48,7 @@ type Maker = (shape: Shape, sizes: Sizes) => Drawn;
 
 const COLORS: Record<string, ColorRepresentation> = {
   rod: 0x64748b, rope: 0x64748b, spring: 0x0d9488, damper: 0x7c3aed, mass: 0x2563eb, body: 0x3b82f6, box: 0x3b82f6,
-  cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, arrow: 0xd97706,
+  cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, mesh: 0x94a3b8, arrow: 0xd97706,
   force: 0xdc2626, torque: 0xea580c, trace: 0xd97706, slider: 0x2563eb, dial: 0x2563eb,
   ground: 0x94a3b8, velocity: 0x16a34a, acceleration: 0x9333ea, admissible: 0xdb2777, reaction: 0x0284c7,
   "reaction torque": 0x0e7490, constraint: 0xb45309,
@@ -252,6 +254,21 @@ function circle(shape: Shape, sizes: Sizes): Drawn {
   };
 }
 
+/** Triangles of a file; none where the file has none. */
+function surface(shape: Shape, sizes: Sizes): Drawn {
+  const object = solid(shape, sizes.meshes[shape.mesh ?? -1] ?? new BufferGeometry());
+  (object.material as MeshStandardMaterial).side = DoubleSide;
+  return {
+    object,
+    shape,
+    update(frame) {
+      const one = scalar(shape, "scale", frame, 1);
+      const { x, y, z } = shape.vectors.includes("scale") ? vector(shape, "scale", frame) : new Vector3(one, one, one);
+      object.matrix.copy(posed(shape, frame, x, y, z));
+    },
+  };
+}
+
 /** From tail to tip. Loads are as long as they are large; a direction of the user has one length, two points theirs. */
 type Way = (shape: Shape, frame: Frame, sizes: Sizes) => Vector3;
 
@@ -401,6 +418,7 @@ export const MAKERS: Record<string, Maker> = {
   mass: ball,
   body: ellipsoid,
   circle,
+  mesh: surface,
   arrow: arrow(direction),
   force: arrow(load("force")),
   torque: arrow(load("torque")),

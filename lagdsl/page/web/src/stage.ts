@@ -2,6 +2,7 @@
 import {
   AmbientLight,
   Box3,
+  type BufferGeometry,
   Color,
   DirectionalLight,
   GridHelper,
@@ -30,7 +31,7 @@ import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
 const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
-const SOLID = new Set(["box", "disc", "sphere", "mass", "body", "circle"]);
+const SOLID = new Set(["box", "disc", "sphere", "mass", "body", "circle", "mesh"]);
 const POSTURES = 13;
 
 export class Stage {
@@ -51,6 +52,7 @@ export class Stage {
   constructor(
     private readonly head: Head,
     private readonly whole: Motion,
+    meshes: readonly BufferGeometry[],
     private readonly place: HTMLElement,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: false });
@@ -60,7 +62,7 @@ export class Stage {
     place.append(this.canvas);
     this.box = extent(head, whole);
     const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = sizesOf(head, whole, length, this.box.getCenter(new Vector3()));
+    this.sizes = { ...sizesOf(head, whole, length, this.box.getCenter(new Vector3())), meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.up);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -331,7 +333,7 @@ function extent(head: Head, motion: Motion): Box3 {
   return box;
 }
 
-function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Sizes {
+function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Omit<Sizes, "meshes"> {
   const largest = (kind: string, role: string, width: number): number => {
     let most = 0;
     for (const shape of head.scene.shapes) {

@@ -1,0 +1,1 @@
+"""Files of triangles that a `draw mesh` names: STL, OBJ, COLLADA."""
