@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import pickle
+import pydoc
 from functools import cache
 
 import numpy as np
@@ -144,6 +146,26 @@ def test_regressor_times_parameters_is_inverse_dynamics(source: str) -> None:
     np.testing.assert_allclose(chosen @ (base.combination @ pi), product, atol=1e-10)
 
 
+def test_springs_dampers_loads_and_rotors_are_beside_the_regressor() -> None:
+    """Joint by joint k (q - rest) + d qd + c tanh(qd/creep) + J qdd - u, whatever the bodies do."""
+    beside = """
+      input Torque u;
+      potential 1/2*(3 N.m)*(a - 20 deg)^2;
+      dissipation 1/2*(0.7 N.m.s)*der(a)^2;
+      torque -(0.4 N.m)*tanh(der(b)/(0.1 rad/s)) on b;
+      kinetic 1/2*(0.05 kg.m2)*der(b)^2;
+      torque u on b;
+    """
+    subject = model(TWO_LINKS.replace("end Arm;", beside + "end Arm;"))
+    q, qd, qdd = states(2)
+    pi = subject.inertial_parameters()
+    assert subject.inertial_parameter_names == model(TWO_LINKS).inertial_parameter_names
+    rest = subject.inverse_dynamics(0.0, q, qd, qdd, u=np.full((len(q), 1), 1.5))
+    rest = rest - times(subject.regressor(0.0, q, qd, qdd), np.broadcast_to(pi, (len(q), len(pi))))
+    expected = [3 * (q[:, 0] - np.radians(20)) + 0.7 * qd[:, 0], 0.4 * np.tanh(10 * qd[:, 1]) + 0.05 * qdd[:, 1] - 1.5]
+    np.testing.assert_allclose(rest, np.transpose(expected), atol=1e-12)
+
+
 def test_puma_has_36_base_parameters() -> None:
     """Gautier and Khalil, *IEEE Trans. Robotics and Automation* 6(3), 1990: a PUMA 560 has 36, drives apart."""
     assert len(model(ARM).base_parameters.columns) == 36
@@ -226,3 +248,14 @@ def test_a_model_travels_to_another_process() -> None:
 
 def test_completion_offers_what_users_call() -> None:
     assert [name for name in dir(lagdsl) if not name.startswith("_")] == sorted(lagdsl.__all__)
+
+
+def test_help_shows_signatures_as_they_are_written() -> None:
+    """Types are words, not the unions of private classes that they stand for."""
+    subject = model(TWO_LINKS)
+    for owner in (subject, subject.point("tool"), subject.frame("lower"), lagdsl.Trajectory, lagdsl):
+        called = [getattr(owner, name) for name in dir(owner) if not name.startswith("_")]
+        shown = [str(inspect.signature(each)) for each in called if inspect.isroutine(each)]
+        assert shown
+        assert [text for text in shown if "._" in text or "typing." in text] == []
+    assert pydoc.plaintext.document(subject.mass_matrix).startswith("mass_matrix(t: 'ArrayLike', q: 'Entries'")

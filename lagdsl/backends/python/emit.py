@@ -84,6 +84,7 @@ def module(program: Program) -> str:
     """The text of the module."""
     parts = [
         _INTRODUCTION,
+        "from __future__ import annotations\n",
         "import re\nfrom collections.abc import Callable, Mapping, Sequence\nfrom typing import Any\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),

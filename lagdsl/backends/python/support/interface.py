@@ -1,5 +1,7 @@
 """The functions that users call."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Position, velocity and Jacobian of one frame or one point of a model."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 import numpy as np
