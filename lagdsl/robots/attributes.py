@@ -11,7 +11,8 @@ from lagdsl.robots.findings import Findings
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_LARGEST = 1e100  # of lengths, angles, masses and inertias: squares and products of larger ones are not finite
 _LONGEST = 60  # characters of a text that a message repeats
 
 
@@ -39,20 +40,21 @@ class Attributes:
         return None if found is None else found[0]
 
     def required(self, element: Element | None, name: str, owner: Element, tag: str) -> float:
-        """The number of the element `tag` of `owner`; 0 after E1005 or E1006."""
+        """The number of the element `tag` of `owner`, at most 1e100; 0 after E1005 or E1006."""
         if element is None:
             self.findings.error("E1005", owner.head, element=owner.tag, what=f"element `<{tag}>`")
             return 0.0
         if name not in element.attributes:
             self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
             return 0.0
-        return self.number(element, name) or 0.0
+        found = self._numbers(element, name, 1, _LARGEST)
+        return 0.0 if found is None else found[0]
 
     def vector(self, element: Element | None, name: str, default: Vector = ZERO) -> Vector:
-        """Three finite numbers; `default` where there are none, and after an error."""
+        """Three numbers of at most 1e100; `default` where there are none, and after an error."""
         if element is None or name not in element.attributes:
             return default
-        found = self._numbers(element, name, 3)
+        found = self._numbers(element, name, 3, _LARGEST)
         return default if found is None else (found[0], found[1], found[2])
 
     def pose(self, owner: Element) -> Pose:
@@ -85,12 +87,14 @@ class Attributes:
             times = "once" if count == 1 else f"{count} times"
             self.findings.note("N1019", self.first_left_out[tag], tag=tag, times=times)
 
-    def _numbers(self, element: Element, name: str, count: int) -> list[float] | None:
+    def _numbers(self, element: Element, name: str, count: int, most: float = math.inf) -> list[float] | None:
         words = element.attributes[name].split()
         values = [float(word) for word in words if _NUMBER.fullmatch(word)]
-        if len(values) == len(words) == count and all(map(math.isfinite, values)):
+        if len(values) == len(words) == count and all(math.isfinite(value) and abs(value) <= most for value in values):
             return values
         expected = "a finite number" if count == 1 else f"{count} finite numbers"
+        if any(math.isfinite(value) and abs(value) > most for value in values):
+            expected = f"{'a number' if count == 1 else f'{count} numbers'} of at most {most:g}"
         shown = element.attributes[name][:_LONGEST]
         self.findings.error("E1006", element.place(name), name=name, text=shown, expected=expected)
         return None
