@@ -112,10 +112,12 @@ def test_every_entry_of_the_model_is_there_once(name: str | None, version: Versi
     hidden = {item.name for item in (*quantities, *definitions) if item.protected}
     absent = {output.name for output in flat.outputs} | hidden
     independent, settled = layout.parameters, [p for p in flat.parameters if p.structural and p.kind != "String"]
+    following = [each.place + first for first in (0, n) for each in given.dependent]
     whole = {
         Role.PARAMETER: [i for i, slot in enumerate(independent) if slot.name not in hidden],
         Role.CONSTANT: [i for i, parameter in enumerate(settled) if parameter.name not in hidden],
-        Role.STATE: range(2 * n + nz),
+        Role.STATE: [i for i in range(2 * n + nz) if i not in following],
+        Role.DEPENDENT: following,
         Role.DERIVATIVE: range(n, 2 * n + nz),
         Role.INPUT: range(len(layout.inputs)),
         Role.OUTPUT: [i for i, slot in enumerate(layout.outputs) if slot.name not in hidden],
@@ -133,8 +135,8 @@ def test_every_entry_of_the_model_is_there_once(name: str | None, version: Versi
     for role, expected in whole.items():
         assert entries[role] == Counter(expected), role
     assert [v.starts for _, v in given.of(Role.PARAMETER)]
-    starts = [start for _, v in given.of(Role.STATE) for start in v.starts]
-    assert starts == list(given.settings.start.x)
+    entries_of_x = [v for v in given.variables if v.attributes.role in (Role.STATE, Role.DEPENDENT)]
+    assert [start for v in entries_of_x for start in v.starts] == list(given.settings.start.x)
 
 
 def test_texts_and_limits_reach_c(tmp_path: Path) -> None:

@@ -32,7 +32,7 @@ _TAGS = {
     "CLOCK": "Clock",
 }
 # Roles of variables that can be read inside a communication step.
-_INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
+_INTERMEDIATE = (Role.STATE, Role.DEPENDENT, Role.DERIVATIVE, Role.OUTPUT)
 
 
 def fmi3_description(table: Table, *, identifier: str, token: str, attribution: Attribution | None = None) -> str:

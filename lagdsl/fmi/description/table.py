@@ -38,6 +38,8 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "continuous_inputs": ("unsigned char", _continuous_inputs(table)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
+    if table.dependent:
+        tables |= _dependent_coordinates(table)
     if table.version == 3:
         tables |= _dependencies(table)
     experiment = flat.experiment
@@ -51,6 +53,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         f".stop_time = {number(experiment.stop_time)}",
         f".tolerance = {number(experiment.tolerance)}",
         f".general = {settings.general}",
+        *(f".n{name[:-1]} = {len(tables[name][1])}" for name in ("states", "dependents") if name in tables),
         f".kinds = {' | '.join(_KINDS[kind] for kind in table.kinds)}",
     ]
     return "".join(
@@ -80,6 +83,23 @@ def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
         rows += [f"{{{d.element}, {d.other}, {d.other_element}, LAG_DEPENDENCE_{d.kind.upper()}}}" for d in own]
         firsts.append(len(rows))
     return {"dependency_first": ("size_t", _counts(firsts)), "dependencies": ("lag_dependency", rows)}
+
+
+def _dependent_coordinates(table: Table) -> dict[str, tuple[str, list[str]]]:
+    """The entries of x that are states, and how others follow from them."""
+    n, size = len(table.flat.coordinates), 2 * len(table.flat.coordinates) + len(table.flat.states)
+    follow = {each.place + first for each in table.dependent for first in (0, n)}
+    firsts, terms = [0], list[tuple[int, float]]()
+    for each in table.dependent:
+        terms += each.terms
+        firsts.append(len(terms))
+    return {
+        "states": ("size_t", _counts([entry for entry in range(size) if entry not in follow])),
+        "dependents": ("size_t", _counts([each.place for each in table.dependent])),
+        "term_first": ("size_t", _counts(firsts)),
+        "term_of": ("size_t", _counts([other for other, _ in terms])),
+        "term_weight": ("double", _numbers([weight for _, weight in terms])),
+    }
 
 
 def _counts(values: Sequence[int]) -> list[str]:

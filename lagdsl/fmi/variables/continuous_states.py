@@ -1,8 +1,9 @@
-"""The continuous states of an exported model, x = (q, qd, z), and their time derivatives."""
+"""The state x = (q, qd, z) of an exported model, and its time derivatives. Dependent coordinates and their rates are
+entries of x, and no states of the FMU."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from lagdsl.flat.model import Coordinate, FlatModel, State
@@ -14,13 +15,14 @@ from lagdsl.fmi.variables.settings import Settings
 from lagdsl.program.program import Program
 
 
-def states(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Scalar]:
-    """q, qd and z. The rate of a coordinate is its derivative and a state itself."""
+def states(flat: FlatModel, program: Program, settings: Settings, dependent: Collection[int] = ()) -> Iterator[Scalar]:
+    """q, qd and z. The rate of a coordinate is its derivative and a state itself. `dependent` are places of q."""
     n, x = len(flat.coordinates), settings.start.x
     initial, reset = _initials(flat, program), _reset(flat, program)
 
     def state(place: int, item: Coordinate | State) -> Scalar:
-        attributes = _state_attributes(item, settings.nominal[place], x[place])
+        follows = place in dependent
+        attributes = _state_attributes(item, settings.nominal[place], x[place], follows=follows)
         return Scalar(
             name=named(item.name),
             first=place,
@@ -28,12 +30,13 @@ def states(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Sc
             initial=initial[place],
             start=x[place],
             key=attributes,
-            reinit=reset[place],
+            reinit=reset[place] and not follows,
         )
 
     yield from (state(place, item) for place, item in enumerate(flat.coordinates))
     for index, item in enumerate(flat.coordinates):
-        attributes = _state_attributes(item, settings.nominal[index], x[index])
+        follows = index in dependent
+        attributes = _state_attributes(item, settings.nominal[index], x[index], follows=follows)
         yield Scalar(
             name=named(item.name, 1),
             first=n + index,
@@ -41,21 +44,22 @@ def states(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Sc
             initial=initial[n + index],
             start=x[n + index],
             key=(attributes, settings.nominal[n + index]),
-            derivative_of=index,
-            reinit=reset[n + index],
+            derivative_of=None if follows else index,
+            reinit=reset[n + index] and not follows,
         )
     yield from (state(place, item) for place, item in enumerate(flat.states, 2 * n))
 
 
-def derivatives(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
-    """Of rates and of first-order states."""
+def derivatives(flat: FlatModel, settings: Settings, dependent: Collection[int] = ()) -> Iterator[Scalar]:
+    """Of rates and of first-order states; `dependent` are places of q."""
     n, x = len(flat.coordinates), settings.start.x
     every: list[tuple[Coordinate | State, int, int]] = [
         *((item, index, 2) for index, item in enumerate(flat.coordinates)),
         *((item, 2 * n + index, 1) for index, item in enumerate(flat.states)),
     ]
     for item, own, order in every:
-        attributes = _state_attributes(item, settings.nominal[own], x[own])
+        follows = own in dependent
+        attributes = _state_attributes(item, settings.nominal[own], x[own], follows=follows)
         of = own + n if order == 2 else own
         yield Scalar(
             name=named(item.name, order),
@@ -63,12 +67,13 @@ def derivatives(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
             attributes=replace(_rate(item, attributes, order, None), role=Role.DERIVATIVE, setting="NEVER"),
             initial="calculated",
             key=(attributes, settings.nominal[of]),
-            derivative_of=of,
+            derivative_of=None if follows else of,
         )
 
 
-def _state_attributes(item: Coordinate | State, nominal: float, start: float) -> Attributes:
-    return replace(attributes_of(item, Role.STATE), setting="START", nominal=nominal, **bounds(item, start))
+def _state_attributes(item: Coordinate | State, nominal: float, start: float, *, follows: bool) -> Attributes:
+    role = Role.DEPENDENT if follows else Role.STATE
+    return replace(attributes_of(item, role), setting="START", nominal=nominal, **bounds(item, start))
 
 
 def _rate(item: Coordinate | State, of: Attributes, order: int, nominal: float | None) -> Attributes:

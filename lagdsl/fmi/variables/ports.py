@@ -13,9 +13,18 @@ from lagdsl.fmi.variables.scalar import Role, Scalar
 from lagdsl.record import record
 
 # Roles of variables that importers cannot do without.
-_ALWAYS = (Role.TIME, Role.STATE, Role.DERIVATIVE, Role.INDICATOR)
+_ALWAYS = (Role.TIME, Role.STATE, Role.INDICATOR)
 # Roles of values that a simulation computes.
-_COMPUTED = (Role.STATE, Role.DERIVATIVE, Role.LOCAL, Role.DISCRETE, Role.MULTIPLIER, Role.ENERGY, Role.RESIDUAL)
+_COMPUTED = (
+    Role.STATE,
+    Role.DEPENDENT,
+    Role.DERIVATIVE,
+    Role.LOCAL,
+    Role.DISCRETE,
+    Role.MULTIPLIER,
+    Role.ENERGY,
+    Role.RESIDUAL,
+)
 _MOST_NAMED = 4
 
 
@@ -66,9 +75,10 @@ def _asked(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> li
 
 def _natural(scalars: Sequence[Scalar], sink: Sink) -> list[Name]:
     """Coordinates, without them the states of first order."""
-    states = [scalar for scalar in scalars if scalar.attributes.role is Role.STATE and scalar.derivative_of is None]
-    moving = {scalar.derivative_of for scalar in scalars if scalar.attributes.role is Role.STATE}
-    chosen = [scalar.name for scalar in states if scalar.first in moving] or [scalar.name for scalar in states]
+    entries = [scalar for scalar in scalars if scalar.attributes.role in (Role.STATE, Role.DEPENDENT)]
+    rates = {_identity(scalar.name, arrays=False) for scalar in entries if scalar.name.order == 1}
+    states = [scalar.name for scalar in entries if scalar.name.order == 0]
+    chosen = [name for name in states if _identity(replace(name, order=1), arrays=False) in rates] or states
     if chosen:
         names = [f"`{name.text}`" for name in chosen[:_MOST_NAMED]]
         more = f" and {len(chosen) - len(names)} more" if len(chosen) > len(names) else ""
@@ -83,7 +93,11 @@ def _as_output(scalar: Scalar) -> Scalar:
 
 def _hidden(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> set[int]:
     """Places of what is protected or fits a pattern."""
-    possible = [place for place, scalar in enumerate(scalars) if scalar.attributes.role not in _ALWAYS]
+    possible = [
+        place
+        for place, scalar in enumerate(scalars)
+        if scalar.attributes.role not in _ALWAYS and scalar.derivative_of is None
+    ]
     hidden = {place for place in possible if scalars[place].protected}
     for pattern in patterns:
         own = [place for place in possible if _fits(scalars[place].name, pattern)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from lagdsl.fmi.sparsity.influence import Kind
 from lagdsl.fmi.variables.dependencies import Dependencies, Entry, Row
@@ -45,22 +45,33 @@ class Structure:
 
 
 def structure(
-    variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str], held: Sequence[bool]
+    variables: Sequence[Variable],
+    found: Dependencies,
+    kinds: Sequence[str],
+    held: Sequence[bool],
+    leaders: Mapping[int, Sequence[int]],
 ) -> Structure:
     """Derivatives in the order of the states, all others in that of the variables. `kinds` are those of the
-    discretes, `held` flags relations that are no event indicators."""
-    return _Search(variables, found, kinds, held).structure()
+    discretes, `held` flags relations that are no event indicators, `leaders` are the states from which dependent
+    entries of x follow."""
+    return _Search(variables, found, kinds, held, leaders).structure()
 
 
 class _Search:
     def __init__(
-        self, variables: Sequence[Variable], found: Dependencies, kinds: Sequence[str], held: Sequence[bool]
+        self,
+        variables: Sequence[Variable],
+        found: Dependencies,
+        kinds: Sequence[str],
+        held: Sequence[bool],
+        leaders: Mapping[int, Sequence[int]],
     ) -> None:
         self._variables, self._found, self._kinds, self._held = variables, found, tuple(kinds), tuple(held)
+        self._leaders = leaders
         watched = sum(role is Role.INDICATOR for role, _ in found.moving)
         self._indicators = [index for index in range(watched) if not (index < len(held) and held[index])]
         self._place: dict[Entry, tuple[int, int]] = {
-            (v.attributes.role, entry): (index, element)
+            (_role_of_entries(v), entry): (index, element)
             for index, v in enumerate(variables)
             if v.attributes.type not in ("STRING", "CLOCK")
             for element, entry in enumerate(v.entries, 1)
@@ -105,16 +116,26 @@ class _Search:
         """Of its entries. A state that is an output, or a derivative, as the rate of a coordinate is, follows from
         itself."""
         role, output = variable.attributes.role, variable.attributes.causality == "output"
-        if role is Role.STATE or (role is Role.DISCRETE and output):
-            own: list[Row] = [(((role, entry), Kind.CONSTANT),) for entry in variable.entries]
-            rows = own if output or variable.derivative_of is not None else []
+        if role in (Role.STATE, Role.DEPENDENT) or (role is Role.DISCRETE and output):
+            own: list[Row] = [(((_role_of_entries(variable), e), Kind.CONSTANT),) for e in variable.entries]
+            rows = own if output or role is Role.DEPENDENT or variable.derivative_of is not None else []
         elif role is Role.INDICATOR:
             rows = [self._indicator(self._indicators[entry]) for entry in variable.entries]
         else:
             rows = [self._found.moving.get((role, entry), ()) for entry in variable.entries]
         rows = [self._at_events(row) if output else self._when_set(row) for row in rows]
+        rows = [self._of_states(row) for row in rows]
         known = self._place.keys()
         return [tuple((e, kind) for e, kind in row if e[0] in _KNOWN and e in known) for row in rows]
+
+    def _of_states(self, row: Row) -> Row:
+        """With the states from which dependent coordinates follow in place of these."""
+        found: dict[Entry, Kind] = {}
+        for (role, index), kind in row:
+            follows = role is Role.STATE and index in self._leaders
+            for entry in self._leaders[index] if follows else (index,):
+                found[role, entry] = max(kind, found.get((role, entry), kind))
+        return tuple(found.items())
 
     def _at_events(self, row: Row) -> Row:
         """With what decides upon the discretes in it: outputs are told for event mode, too."""
@@ -203,7 +224,7 @@ class _Search:
     def _initial(self, index: int) -> Unknown:
         """Discretes get their first values from all that is known, and so does what depends on them."""
         variable = self._variables[index]
-        role, real = variable.attributes.role, variable.attributes.type == "REAL"
+        role, real = _role_of_entries(variable), variable.attributes.type == "REAL"
         rows = [self._found.initial.get((role, entry), ()) for entry in variable.entries]
         if any(entry[0] is Role.DISCRETE for row in rows for entry, _ in row):
             return Unknown(variable=index, dependencies=tuple((known, "dependent") for known in sorted(self._given)))
@@ -217,6 +238,11 @@ class _Search:
     def _start_word(self, known: int, kind: Kind, real: bool) -> str:
         linear = kind is Kind.CONSTANT and real and self._variables[known].attributes.type == "REAL"
         return "constant" if linear else "dependent"
+
+
+def _role_of_entries(variable: Variable) -> Role:
+    """Dependent coordinates and their rates are entries of x, as states are."""
+    return Role.STATE if variable.attributes.role is Role.DEPENDENT else variable.attributes.role
 
 
 def _at(element: int, dependency: tuple[int, int, str]) -> ElementDependency:

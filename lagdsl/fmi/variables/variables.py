@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Literal, TypeAlias
@@ -13,6 +13,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables import builtin_variables, continuous_states, declared
 from lagdsl.fmi.variables.arrays import grouped
 from lagdsl.fmi.variables.dependencies import dependencies
+from lagdsl.fmi.variables.dependent_coordinates import DependentCoordinate, dependent_coordinates, leading
 from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.names import apart
 from lagdsl.fmi.variables.parameter_use import free_places
@@ -32,7 +33,7 @@ KINDS: tuple[Kind, ...] = ("me", "cs")
 
 @record(kw_only=True)
 class Table:
-    """Value references are indices of `variables`; the first is time."""
+    """Value references are indices of `variables`; the first is time. `dependent` coordinates are no states."""
 
     version: Version
     kinds: tuple[Kind, ...]
@@ -40,6 +41,7 @@ class Table:
     program: Program
     settings: Settings
     variables: tuple[Variable, ...]
+    dependent: tuple[DependentCoordinate, ...]
     structure: Structure
 
     def of(self, role: Role) -> Iterator[tuple[int, Variable]]:
@@ -66,7 +68,9 @@ def table(
     known = settings(compilation, start, engine, redundant, parameters)
     wishes = Ports() if ports is None else ports
     arrays = version == 3 and not wishes.scalar
-    scalars = _scalars(flat, program, known, version, kinds, clocks=wishes.clocks)
+    dependent = dependent_coordinates(flat, program)
+    leaders = leading(dependent)
+    scalars = _scalars(flat, program, known, version, kinds, leaders, clocks=wishes.clocks)
     variables = grouped(shown(scalars, wishes, Sink() if sink is None else sink, arrays=arrays), arrays=arrays)
     return Table(
         version=version,
@@ -75,25 +79,39 @@ def table(
         program=program,
         settings=known,
         variables=variables,
+        dependent=dependent,
         structure=structure(
             variables,
             dependencies(program, free_places(flat)),
             program.layout.kinds,
             held_relations(flat, program),
+            _leading_states(leaders, len(flat.coordinates)),
         ),
     )
 
 
+def _leading_states(leaders: Mapping[int, Sequence[int]], n: int) -> dict[int, list[int]]:
+    """By dependent entry of (q, qd), the states that it follows from."""
+    return {place + first: [leader + first for leader in own] for first in (0, n) for place, own in leaders.items()}
+
+
 def _scalars(
-    flat: FlatModel, program: Program, known: Settings, version: Version, kinds: Collection[Kind], *, clocks: bool
+    flat: FlatModel,
+    program: Program,
+    known: Settings,
+    version: Version,
+    kinds: Collection[Kind],
+    dependent: Collection[int],
+    *,
+    clocks: bool,
 ) -> Sequence[Scalar]:
     own = list(
         chain(
             [builtin_variables.time()],
             declared.parameters(flat, program, known),
             declared.constants(flat),
-            continuous_states.states(flat, program, known),
-            continuous_states.derivatives(flat, known),
+            continuous_states.states(flat, program, known, dependent),
+            continuous_states.derivatives(flat, known, dependent),
             declared.inputs(flat, known),
             declared.outputs(flat),
             declared.definitions(flat, program),

@@ -194,6 +194,17 @@ lag_status lag_instance_set_time(lag_instance *instance, double t)
     return LAG_OK;
 }
 
+size_t lag_instance_state_count(const lag_fmu *fmu)
+{
+    return 2 * fmu->model->nq + fmu->model->nz;
+}
+
+size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
+{
+    (void)fmu;
+    return i;
+}
+
 lag_status lag_instance_set_states(lag_instance *instance, const double *x)
 {
     memcpy(instance->held.x, x, sizeof instance->held.x);

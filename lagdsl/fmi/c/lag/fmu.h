@@ -13,6 +13,7 @@ typedef enum lag_role {
     LAG_ROLE_PARAMETER,  /* p (np) */
     LAG_ROLE_CONSTANT,   /* `constants` of the FMU: structural parameters and constants of the model */
     LAG_ROLE_STATE,      /* x = (q, qd, z) (2 nq + nz) */
+    LAG_ROLE_DEPENDENT,  /* entries of x that follow from states: starts until initialization ends, computed from there on */
     LAG_ROLE_DERIVATIVE, /* dx/dt (2 nq + nz) */
     LAG_ROLE_INPUT,      /* u (nu) */
     LAG_ROLE_OUTPUT,     /* y (ny) */
@@ -108,6 +109,17 @@ typedef struct lag_fmu {
     const lag_range *parameter_range; /* (np) null: any */
     const lag_range *input_range;     /* (nu) of those that change at events only; null: any */
     const unsigned char *held_relations; /* (nindicator) 1: only values that are set at events change it: no event indicator. Null: none */
+    size_t nstate;
+    const size_t *states; /* (nstate) entries of x that importers integrate; null: all of them */
+    /*
+     * q[dependents[i]] = sum of term_weight[k] q[term_of[k]] over term_first[i] <= k < term_first[i + 1], + an offset that is constant
+     * between events; rates without it. Terms are independent coordinates, or dependent ones that come before.
+     */
+    size_t ndependent;
+    const size_t *dependents;   /* (ndependent) */
+    const size_t *term_first;   /* (ndependent + 1) */
+    const size_t *term_of;
+    const double *term_weight;
 } lag_fmu;
 
 #endif

@@ -56,6 +56,8 @@ static double *place_of(lag_instance *instance, const lag_known *known)
         return &instance->derivatives.time;
     case LAG_ROLE_STATE:
         return x + index;
+    case LAG_ROLE_DEPENDENT:
+        return instance->held.phase == LAG_PHASE_START ? x + index : NULL;
     case LAG_ROLE_INPUT:
         return x + lag_motion_size(model) + index;
     case LAG_ROLE_PARAMETER:
@@ -211,6 +213,7 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
     }
     switch ((lag_role)variable->role) {
     case LAG_ROLE_STATE:
+    case LAG_ROLE_DEPENDENT:
         array = instance->derivatives.x;
         break;
     case LAG_ROLE_DERIVATIVE:
@@ -279,6 +282,9 @@ static lag_status aim(lag_instance *instance, int pulled, const lag_known *known
                 instance, LAG_MISSING, "there are no derivatives with respect to %s", instance->fmu->variables[known[k].variable].name);
         }
         *place += seed[k];
+    }
+    if (instance->held.phase == LAG_PHASE_MOTION) {
+        lag_instance_follow_direction(instance->fmu, instance->derivatives.x);
     }
     return status == LAG_OK ? go(instance) : status;
 }

@@ -245,6 +245,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     int any = 0;
     instance->known = 0;
     held->jumped = 1;
+    held->tied = 0;
     lag_status status = place(instance, t, located);
     memcpy(instance->tangent, instance->x, size);
     if (status == LAG_OK) {

@@ -2,7 +2,6 @@
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Projections are too many where there are less than so many steps between them; the limit becomes so many times larger, up to this. */
 static const double SELDOM = 50.0;
@@ -24,26 +23,31 @@ lag_status lag_instance_set_time(lag_instance *instance, double t)
 
 lag_status lag_instance_set_states(lag_instance *instance, const double *x)
 {
-    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
+    const size_t count = lag_instance_state_count(instance->fmu);
+    for (size_t i = 0; i < count; ++i) {
         if (!isfinite(x[i])) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "state number %zu is infinite or not a number", i);
         }
     }
-    memcpy(instance->x, x, lag_instance_order(instance) * sizeof(double));
+    lag_instance_tie(instance);
+    for (size_t i = 0; i < count; ++i) {
+        instance->x[lag_instance_state_entry(instance->fmu, i)] = x[i];
+    }
+    lag_instance_follow_states(instance);
     instance->known = 0;
     return LAG_OK;
 }
 
 void lag_instance_states(const lag_instance *instance, double *x)
 {
-    memcpy(x, instance->x, lag_instance_order(instance) * sizeof(double));
+    lag_instance_gather_states(instance->fmu, instance->x, x);
 }
 
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
     const lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
     if (status == LAG_OK) {
-        memcpy(xd, instance->xd, lag_instance_order(instance) * sizeof(double));
+        lag_instance_gather_states(instance->fmu, instance->xd, xd);
     }
     return status;
 }

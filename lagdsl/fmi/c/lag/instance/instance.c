@@ -39,7 +39,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 3 * lag_instance_watched(fmu) +
-           model->ncorner + 2 * lag_instance_node(fmu) + model->ny;
+           model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -111,6 +111,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->side = lag_take(&memory, model->ncorner);
     instance->base = lag_take(&memory, lag_instance_node(fmu));
     instance->tip = lag_take(&memory, lag_instance_node(fmu));
+    instance->offsets = lag_take(&memory, fmu->ndependent);
     instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));

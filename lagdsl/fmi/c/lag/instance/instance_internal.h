@@ -55,6 +55,7 @@ typedef struct lag_held {
     int entered;            /* event mode: nothing has been looked at yet */
     double reach;           /* the last piece of this path that was looked at was so long [s]; 0: none yet */
     int nodes;              /* so many of `base` and `tip` are known */
+    int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
 } lag_held;
@@ -86,6 +87,7 @@ struct lag_instance {
     double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */
+    double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
@@ -134,6 +136,17 @@ size_t lag_instance_kept(const lag_fmu *fmu);
 double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
 void lag_instance_renew(lag_instance *instance);
+
+/* ---- dependent_coordinates.c ---- */
+
+/* Offsets of dependent coordinates at the present state, unless they are known. */
+void lag_instance_tie(lag_instance *instance);
+/* Dependent entries of x follow from the states; lag_instance_tie() comes before these are changed. */
+void lag_instance_follow_states(lag_instance *instance);
+/* The same in a direction x (2 nq + nz) from a state. */
+void lag_instance_follow_direction(const lag_fmu *fmu, double *x);
+/* Entries of x (2 nq + nz) that are states of the FMU. */
+void lag_instance_gather_states(const lag_fmu *fmu, const double *x, double *states);
 
 /* ---- instance_messages.c ---- */
 

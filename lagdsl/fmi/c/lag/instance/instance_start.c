@@ -131,7 +131,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     lag_fill(instance->fmu->model->ny, (double)NAN, instance->turned); /* angles begin as they are */
-    held->stopped = held->following = 0;
+    held->stopped = held->following = held->tied = 0;
     held->left_at = held->t;
     held->left_for = 0.0;
     held->implicit = -1;

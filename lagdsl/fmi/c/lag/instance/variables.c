@@ -18,6 +18,7 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     case LAG_ROLE_CONSTANT:
         return instance->fmu->constants;
     case LAG_ROLE_STATE:
+    case LAG_ROLE_DEPENDENT:
         return instance->x;
     case LAG_ROLE_DERIVATIVE:
         return instance->xd;
@@ -67,6 +68,7 @@ static unsigned needed(lag_role role)
     case LAG_ROLE_PARAMETER:
     case LAG_ROLE_CONSTANT:
     case LAG_ROLE_STATE:
+    case LAG_ROLE_DEPENDENT:
     case LAG_ROLE_INPUT:
     case LAG_ROLE_DISCRETE:
     case LAG_ROLE_OPTION:
@@ -76,10 +78,16 @@ static unsigned needed(lag_role role)
     return 0;
 }
 
+/* 1: entries of x. */
+static int is_state(lag_role role)
+{
+    return role == LAG_ROLE_STATE || role == LAG_ROLE_DEPENDENT;
+}
+
 /* Numbers that only a motion gone wrong lets be none. */
 static int is_motion(lag_role role)
 {
-    return role == LAG_ROLE_STATE || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
+    return is_state(role) || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
 }
 
 /* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
@@ -105,8 +113,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const lag_variable *which = &instance->fmu->variables[variable];
     const lag_role role = (lag_role)which->role;
     const unsigned what = needed(role);
-    const int follows =
-        role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
+    const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
     lag_status status = LAG_OK;
     if ((what & ~instance->known) != 0) {
         status = lag_instance_know(instance, what);
@@ -174,7 +181,10 @@ static int put_states(lag_instance *instance, const lag_variable *variable, cons
 {
     int changed = 0;
     if (instance->held.phase == LAG_PHASE_MOTION) {
-        return put(variable->count, values, instance->x + variable->first);
+        lag_instance_tie(instance);
+        changed = put(variable->count, values, instance->x + variable->first);
+        lag_instance_follow_states(instance);
+        return changed;
     }
     for (size_t i = 0; i < variable->count; ++i) {
         double *given = &instance->given[variable->first + i];
@@ -200,6 +210,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
         held->prepared = held->prepared && !changed;
         break;
     case LAG_ROLE_STATE:
+    case LAG_ROLE_DEPENDENT:
         changed = put_states(instance, which, values);
         break;
     case LAG_ROLE_INPUT:

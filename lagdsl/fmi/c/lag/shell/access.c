@@ -71,7 +71,7 @@ static lag_answer ready(lag_shell *shell, uint32_t reference)
     if (lag_instance_is_free(shell->instance, variable)) {
         return lag_shell_initialized(shell);
     }
-    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE) {
+    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE && role != LAG_ROLE_DEPENDENT) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of %s is known from initialization mode on", variable->name);
     }
     return plain(role) ? LAG_ANSWER_OK : lag_shell_initialized(shell);

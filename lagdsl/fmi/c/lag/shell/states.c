@@ -6,7 +6,7 @@
 
 size_t lag_shell_order(const lag_shell *shell)
 {
-    return 2 * shell->fmu->model->nq + shell->fmu->model->nz;
+    return lag_instance_state_count(shell->fmu);
 }
 
 /* True if an array of the importer has `expected` numbers. */
@@ -89,7 +89,7 @@ lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)
         return LAG_ANSWER_ERROR;
     }
     for (size_t i = 0; i < n; ++i) {
-        nominal[i] = shell->fmu->nominal[i];
+        nominal[i] = shell->fmu->nominal[lag_instance_state_entry(shell->fmu, i)];
     }
     return LAG_ANSWER_OK;
 }
