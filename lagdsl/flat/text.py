@@ -181,6 +181,8 @@ def _input(item: fm.Input) -> _Line:
 
 def _output(item: fm.Output) -> _Line:
     limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    if item.value == fx.Variable(item.name):
+        return _quantity(item, f"the discrete variable{limits}")
     return _quantity(item, f"{text_of(item.value)}{limits}")
 
 

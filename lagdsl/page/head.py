@@ -43,7 +43,8 @@ def head_of(
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
-    docs = {item.name: item.doc for item in (*model.coordinates, *model.states, *model.outputs)}
+    quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
+    docs = {item.name: item.doc for item in quantities}
     return {
         "name": model.name,
         "doc": model.doc,

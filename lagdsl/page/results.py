@@ -42,7 +42,7 @@ def results_page(
         own.raise_if_errors()
         raise ValueError(f"{path.name} holds no rows")
     prepared = prepare(flat)
-    times, values = _checked(flat, tables, path.name)
+    times, values = _checked(prepared.own, tables, path.name)
     if len(times) > _MOST_ROWS:  # thinned evenly; the last row stays
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))
         times, values = times[kept], {name: each[kept] for name, each in values.items()}

@@ -8,6 +8,7 @@ from dataclasses import replace
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.events import Discrete
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
 from lagdsl.flat.quantity import Spans
@@ -148,6 +149,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     coordinates: list[Coordinate] = []
     states: list[State] = []
     inputs: list[Input] = []
+    discretes: dict[str, list[Discrete]] = {}
     for symbol in contents.symbols:
         with ctx.current.inside(symbol.scope):
             attributes(ctx, symbol)
@@ -162,7 +164,8 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
             elif symbol.kind == "input" and not symbol.is_name:
                 inputs += quantities.inputs(ctx, symbol)
             elif symbol.kind == "discrete":
-                ctx.product.occurrences.discretes += quantities.discretes(ctx, symbol)
+                discretes[symbol.name] = quantities.discretes(ctx, symbol)
+                ctx.product.occurrences.discretes += discretes[symbol.name]
     physics = Physics()
     for placed in contents.items:
         with ctx.current.inside(placed.scope):
@@ -171,11 +174,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     for placed in contents.initial:
         with ctx.current.inside(placed.scope):
             initial_equation(ctx, physics, placed)
-    outputs: list[Output] = []
-    for symbol in contents.symbols:
-        if symbol.kind == "output":
-            with ctx.current.inside(symbol.scope):
-                outputs += quantities.outputs(ctx, symbol)
+    outputs = _outputs(ctx, contents, discretes)
     return FlatModel(
         name=node.name,
         doc=node.doc,
@@ -201,6 +200,18 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         events=ctx.product.occurrences.events(),
         observed=tuple(ctx.product.observed),
     )
+
+
+def _outputs(ctx: Context, contents: Contents, discretes: Mapping[str, list[Discrete]]) -> list[Output]:
+    """Outputs of the text; `discretes` by the names of their symbols."""
+    outputs: list[Output] = []
+    for symbol in contents.symbols:
+        if symbol.kind == "output":
+            with ctx.current.inside(symbol.scope):
+                outputs += quantities.outputs(ctx, symbol)
+        elif "output" in symbol.prefixes:
+            outputs += quantities.discrete_outputs(discretes.get(symbol.name, []))
+    return outputs
 
 
 def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:

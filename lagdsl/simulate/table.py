@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.flat.display import Display, display, display_rate
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import FlatModel, discrete_outputs
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
 from lagdsl.signals.moved import MovedRow
@@ -16,14 +16,14 @@ def trajectory(
     flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
 ) -> Trajectory:
     """All rows so far."""
-    heads = heads_of(flat)
+    heads, places = heads_of(flat), places_of_columns(flat)
     results = run.results
     rows = results.rows()
-    table = np.ascontiguousarray(rows[:, : len(heads)].T)
+    table = np.ascontiguousarray(rows[:, places].T)
     low, high = (
-        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)]) for ends in run.results.extremes()
+        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)])[places] for ends in run.results.extremes()
     )
-    energy, *residuals = np.ascontiguousarray(rows[:, len(heads) :].T)
+    energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
     return Trajectory(
         model=flat.name,
         columns=tuple(
@@ -72,13 +72,23 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
 
 
 def heads_of(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
-    """Names, units and kinds of the columns, in the order of result files."""
+    """Names, units and kinds of the columns, in the order of result files. Discrete outputs stand among the outputs."""
     heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
     heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
     for c in flat.coordinates:
         unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
         heads.append((f"der({c.name})", unit, "rate", display_rate(c)))
     heads += [(s.name, s.unit, "state", display(s)) for s in flat.states]
-    heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes]
+    outputs = discrete_outputs(flat)
+    heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes if d.name not in outputs]
     heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
     return heads
+
+
+def places_of_columns(flat: FlatModel) -> list[int]:
+    """Place of each column in a row of the runtime, which has all discrete variables, then all outputs."""
+    outputs = discrete_outputs(flat)
+    first = 1 + 2 * len(flat.coordinates) + len(flat.states)
+    discretes = [first + k for k, item in enumerate(flat.events.discretes) if item.name not in outputs]
+    end = first + len(flat.events.discretes)
+    return [*range(first), *discretes, *range(end, end + len(flat.outputs))]

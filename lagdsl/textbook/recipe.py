@@ -17,7 +17,7 @@ from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
 
-from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.flat.model import Definition, FlatModel, Output, computed_outputs
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     Applied,
@@ -187,7 +187,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         (symbol, tidy(reading.values.scalar(state.derivative)))
         for symbol, state in zip(table.z, flat.states, strict=True)
     )
-    outputs = tuple((output.name, _written(reading, output)) for output in flat.outputs)
+    outputs = tuple((output.name, _written(reading, output)) for output in computed_outputs(flat))
     definitions = _definitions(reading, reading.abbreviations)
     abbreviations = _used(definitions, actions, (*states, *outputs))
     printed = [

@@ -20,6 +20,7 @@ from lagdsl.backends.modelica.variables import (
     units_of_motion,
 )
 from lagdsl.flat.events import entries
+from lagdsl.flat.model import computed_outputs, discrete_outputs
 from lagdsl.graph.operation import Group
 
 _FIXED = ("fixed", "true")
@@ -90,19 +91,23 @@ def _unknowns(body: Body) -> Iterator[str]:
 
 
 def _outputs(body: Body) -> Iterator[str]:
-    for item in body.flat.outputs:
-        yield declaration("output Real", quoted(item.name), unit(item.unit), doc=item.doc)
+    for item in computed_outputs(body.flat):
+        if item.base == "Boolean":
+            yield declaration("output Boolean", quoted(item.name), [], doc=item.doc)
+        else:
+            yield declaration("output Real", quoted(item.name), unit(item.unit), doc=item.doc)
 
 
 def _discretes(body: Body) -> Iterator[str]:
+    outputs = discrete_outputs(body.flat)
     for item in body.flat.events.discretes:
-        node = body.nodes.discrete_starts[item.name]
+        node, word = body.nodes.discrete_starts[item.name], "output " if item.name in outputs else ""
         if item.kind == "Boolean":
             attributes = [("start", body.expressions.condition(node)), _FIXED]
-            yield declaration("Boolean", quoted(item.name), attributes, doc=item.doc)
+            yield declaration(f"{word}Boolean", quoted(item.name), attributes, doc=item.doc)
         else:
             attributes = [("start", body.expressions.number(node)), _FIXED, *unit(item.unit)]
-            yield declaration("discrete Real", quoted(item.name), attributes, doc=item.doc)
+            yield declaration(f"discrete {word}Real", quoted(item.name), attributes, doc=item.doc)
     for index, entry in enumerate(entries(body.flat.events)):
         if entry.name in body.nodes.standing:
             truth = body.expressions.is_truth(body.graph.symbol(Group.W, index))

@@ -10,6 +10,7 @@ from lagdsl.backends.modelica.clauses import Action, Clause
 from lagdsl.backends.modelica.names import quoted, text
 from lagdsl.backends.modelica.variables import acceleration, multiplier, rate
 from lagdsl.flat.events import Assign, Check, Discrete, Reset, Terminate, entries
+from lagdsl.flat.model import discrete_outputs
 from lagdsl.graph.operation import Group
 
 
@@ -44,8 +45,10 @@ def _motion(body: Body) -> Iterator[str]:
 
 
 def _outputs(body: Body) -> Iterator[str]:
+    discrete = discrete_outputs(body.flat)  # clauses give them their values
     for item, node in zip(body.flat.outputs, body.nodes.outputs, strict=True):
-        yield f"{quoted(item.name)} = {body.expressions.number(node)};"
+        if item.name not in discrete:
+            yield f"{quoted(item.name)} = {_value(body, node, item.base == 'Boolean')};"
 
 
 def _standing(body: Body) -> Iterator[str]:

@@ -41,7 +41,7 @@ ROWS: dict[str, Row] = {
     "E0214": error(
         "the prefixes `{prefixes}` do not fit together",
         label="no such kind of quantity",
-        help="a quantity is a `parameter`, `structural parameter`, `constant`, `input`, `output`, `state` or plain",
+        help="{hint}",
     ),
     "E0215": error("unknown shape `{shape}`", label="cannot be drawn"),
     "W0216": warning("annotation `{name}` has no effect", label="not known"),

@@ -18,7 +18,7 @@ from lagdsl.fmi.description.description import (
     unit_elements,
 )
 from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
-from lagdsl.fmi.variables.scalar import Role, Variable
+from lagdsl.fmi.variables.scalar import Attributes, Role, Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
 from lagdsl.version import __version__
@@ -106,7 +106,7 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
         _TAGS[attributes.type],
         parent,
         **identity_of(variable, reference),
-        intermediateUpdate=True if attributes.role in _INTERMEDIATE and attributes.type == "REAL" else None,
+        intermediateUpdate=_moves_within_steps(attributes) or None,
         **range_of(variable, types),
         derivative=variable.derivative_of,
         reinit=True if variable.reinit else None,
@@ -116,6 +116,12 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
         element("Dimension", defined, start=extent)
     for start in variable.starts if text else ():
         element("Start", defined, value=str(start))
+
+
+def _moves_within_steps(attributes: Attributes) -> bool:
+    """True if a step of the importer may ask for it while it is under way."""
+    moving = attributes.type == "REAL" and attributes.variability == "continuous"
+    return moving and attributes.role in _INTERMEDIATE
 
 
 def _clock(parent: Element, reference: int, variable: Variable) -> None:

@@ -8,7 +8,7 @@ from typing import assert_never
 
 from lagdsl.flat import quantity as fq
 from lagdsl.flat.events import Contact, Discrete, entries
-from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.flat.model import Definition, FlatModel, Output, discrete_outputs
 from lagdsl.fmi.variables.attributes import attributes_of, bounds
 from lagdsl.fmi.variables.names import belonging, named
 from lagdsl.fmi.variables.parameter_use import parameters_of, tunable
@@ -80,8 +80,11 @@ def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
 
 
 def outputs(flat: FlatModel) -> Iterator[Scalar]:
+    """Discrete variables among them change at events only."""
+    discrete = discrete_outputs(flat)
     for index, item in enumerate(flat.outputs):
-        yield _computed(item, Role.OUTPUT, index, "output", "continuous")
+        variability: Variability = "discrete" if item.name in discrete else "continuous"
+        yield _computed(item, Role.OUTPUT, index, "output", variability)
 
 
 def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
@@ -104,9 +107,10 @@ def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
 
 
 def discretes(flat: FlatModel) -> Iterator[Scalar]:
-    """Variables of the vector w."""
+    """Variables of the vector w that are no outputs."""
+    outputs = discrete_outputs(flat)
     for index, entry in enumerate(entries(flat.events)):
-        if isinstance(entry.item, Discrete):
+        if isinstance(entry.item, Discrete) and entry.name not in outputs:
             attributes = replace(attributes_of(entry.item, Role.DISCRETE), variability="discrete")
             yield Scalar(
                 name=named(entry.name),

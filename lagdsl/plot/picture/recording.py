@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import FlatModel, computed_outputs
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation, compile_flat
 from lagdsl.program.program import Layout
@@ -39,7 +39,8 @@ class Wishes:
 
 @record(kw_only=True)
 class Prepared:
-    """A model with its scene among its outputs, compiled."""
+    """A model with its scene among its outputs, compiled. Columns are those of the runtime's rows: discrete outputs are
+    discrete variables only."""
 
     own: FlatModel
     living: Living
@@ -70,10 +71,11 @@ class Recording:
 
 def prepare(flat: FlatModel, starts: Collection[str] = ()) -> Prepared:
     """Start values that depend on parameters stay so, but for those named in `starts`."""
-    shown = living(flat, starts)
+    own = replace(flat, outputs=computed_outputs(flat))
+    shown = living(own, starts)
     made = compile_flat(shown.flat, Sink())
     assert made is not None, "a model that compiles does so with further outputs"
-    return Prepared(own=flat, living=shown, compilation=made, engine=engine_of(made.program))
+    return Prepared(own=own, living=shown, compilation=made, engine=engine_of(made.program))
 
 
 def record_motion(flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:

@@ -119,7 +119,7 @@ class Made:
 
 @mutable_record()
 class Symbol:
-    """A declared name, before and while it gets its value. `flow`: the values of connected ones sum up to zero."""
+    """A declared name, before and while it gets its value. `prefixes` are the words before its type."""
 
     name: str
     kind: SymbolKind
@@ -128,7 +128,7 @@ class Symbol:
     title: str
     declarator: nodes.Declarator | None = None
     info: TypeInfo | None = None
-    flow: bool = False
+    prefixes: tuple[str, ...] = ()
     given: Given = field(default_factory=Given)
     made: Made = field(default_factory=Made)
 
@@ -138,6 +138,11 @@ class Symbol:
         return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(
             self.kind, self.kind
         )
+
+    @property
+    def flow(self) -> bool:
+        """True if the values of connected ones sum up to zero."""
+        return "flow" in self.prefixes
 
     @property
     def is_name(self) -> bool:

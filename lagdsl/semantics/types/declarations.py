@@ -138,7 +138,7 @@ def _component(ctx: Context, scope: Scope, item: nodes.Component, declarator: no
         symbol = _quantity(ctx, scope, kind, words, item.type_name, declarator)
     if symbol is not None:
         symbol.given.final = "final" in item.prefixes
-        symbol.flow = "flow" in item.prefixes
+        symbol.prefixes = item.prefixes
     return symbol
 
 

@@ -8,25 +8,30 @@ from lagdsl.semantics.scope.scope import SymbolKind, TypeInfo
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
-_KINDS: dict[tuple[str, ...], SymbolKind] = {
-    (): "algebraic",
-    ("parameter",): "parameter",
-    ("final", "parameter"): "parameter",
-    ("structural", "parameter"): "structural",
-    ("final", "structural", "parameter"): "structural",
-    ("structural",): "structural",
-    ("constant",): "constant",
-    ("final", "constant"): "constant",
-    ("input",): "input",
-    ("output",): "output",
-    ("state",): "state",
-    ("discrete",): "discrete",
-    ("discrete", "output"): "discrete",
-    ("output", "discrete"): "discrete",
-    ("final",): "algebraic",
-    ("final", "output"): "output",
-    ("flow",): "algebraic",
+_KINDS: dict[frozenset[str], SymbolKind] = {
+    frozenset(): "algebraic",
+    frozenset({"parameter"}): "parameter",
+    frozenset({"structural", "parameter"}): "structural",
+    frozenset({"structural"}): "structural",
+    frozenset({"constant"}): "constant",
+    frozenset({"input"}): "input",
+    frozenset({"output"}): "output",
+    frozenset({"state"}): "state",
+    frozenset({"discrete"}): "discrete",
+    frozenset({"discrete", "output"}): "discrete",
+    frozenset({"flow"}): "algebraic",
 }
+_MEANINGS = {
+    "parameter": "is set before a run",
+    "structural": "parameter shapes the model before it is compiled",
+    "constant": "never changes",
+    "input": "is given from outside during a run",
+    "output": "is computed and shown",
+    "state": "changes by its `der`",
+    "discrete": "variable changes in `when` clauses",
+    "flow": "variable belongs to a port, where those of connected ports sum up to zero",
+}
+_SHOWN = ("parameter", "structural", "constant", "state")
 _LATER = {
     "replaceable": "components and classes are replaceable; a quantity gets another value by a modifier",
     "redeclare": "redeclare in a modifier: `extends Base(redeclare model Part = Other)`",
@@ -36,8 +41,9 @@ _LATER = {
 
 def kind_of_component(ctx: Context, item: nodes.Component) -> SymbolKind | None:
     """Kind of a declaration by its prefixes; None after E0214 or E0311."""
-    kind = _KINDS.get(item.prefixes)
-    if kind is not None:
+    words = frozenset(item.prefixes)
+    kind = _KINDS.get(words - {"final"})
+    if kind is not None and len(words) == len(item.prefixes):
         return kind
     span = Span(item.span.file, item.span.start, item.type_name.span.start)
     text = span.text.rstrip()
@@ -46,8 +52,27 @@ def kind_of_component(ctx: Context, item: nodes.Component) -> SymbolKind | None:
         if prefix in _LATER:
             ctx.sink.report("E0311", span, what=f"`{prefix}`", hint=_LATER[prefix])
             return None
-    ctx.sink.report("E0214", span, prefixes=" ".join(item.prefixes))
+    ctx.sink.report("E0214", span, prefixes=" ".join(item.prefixes), hint=_way_out(item))
     return None
+
+
+def _way_out(item: nodes.Component) -> str:
+    """The prefixes by their meanings, and which of them to keep."""
+    words = [word for word in dict.fromkeys(item.prefixes) if word != "final"]
+    if len(set(item.prefixes)) < len(item.prefixes):
+        return f"each of them is written once: `{' '.join(dict.fromkeys(item.prefixes))}`"
+    strangers = [word for word in words if word not in _MEANINGS]
+    if strangers:
+        return f"`{strangers[0]}` is for classes: leave it out"
+    told = ", ".join(f"{an(word).removesuffix(word)}`{word}` {_MEANINGS[word]}" for word in words)
+    kept = next((word for word in words if word in _SHOWN), None)
+    if "output" in words and len(words) == 2 and kept is not None:
+        name, of = item.declarators[0].name, ".".join(item.type_name.parts)
+        return f"{told}: keep `{kept}`, and show it by an output of another name, `output {of} y = {name};`"
+    if set(words) == {"discrete", "input"}:
+        reads = "`when sample(...)` reads it at instants, Integers and Booleans change at instants by themselves"
+        return f"{told}: keep `input`; {reads}"
+    return f"{told}: keep one of them"
 
 
 def check_component(ctx: Context, item: nodes.Component) -> None:
