@@ -5,7 +5,9 @@ from __future__ import annotations
 import gc
 import os
 import sys
+from typing import BinaryIO, cast
 
+from lagdsl.lsp.bodies import Bodies
 from lagdsl.lsp.protocol import quiet
 from lagdsl.lsp.server import LagServer
 from lagdsl.lsp.wiring import wired
@@ -25,6 +27,6 @@ def serve() -> None:
     source, target = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     try:
-        server.start_io(source, target)
+        server.start_io(cast(BinaryIO, Bodies(source)), target)
     finally:
         server.end()

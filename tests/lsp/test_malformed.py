@@ -33,6 +33,10 @@ MALFORMED: list[tuple[str, Any]] = [
 BODIES: list[tuple[bytes, object, int]] = [
     (b"{not json", None, NOT_JSON),
     (b"\xff\xfe", None, NOT_JSON),
+    (b"[" * 100_000, None, NOT_JSON),
+    (b'{"a":' * 100_000, None, NOT_JSON),
+    (b'{"a":' + b"[" * 600 + b"]" * 600 + b"}", None, NOT_JSON),
+    (b'{"jsonrpc": "2.0", "id": "v", "method": "no/such", "params": ["' + b"[" * 600 + b'"]}', "v", NO_METHOD),
     (b"[]", None, INVALID_REQUEST),
     (b"5", None, INVALID_REQUEST),
     (b'{"id": 77, "method": "textDocument/hover"}', 77, INVALID_REQUEST),
