@@ -12,8 +12,8 @@ from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
-_LARGEST = 1e100  # of lengths, angles, masses and inertias: squares and products of larger ones are not finite
-_LONGEST = 60  # characters of a text that a message repeats
+LARGEST = 1e100  # of lengths, angles, masses and inertias: squares and products of larger ones are not finite
+LONGEST = 60  # characters of a text that a message repeats
 
 
 class Attributes:
@@ -47,14 +47,14 @@ class Attributes:
         if name not in element.attributes:
             self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
             return 0.0
-        found = self._numbers(element, name, 1, _LARGEST)
+        found = self._numbers(element, name, 1, LARGEST)
         return 0.0 if found is None else found[0]
 
     def vector(self, element: Element | None, name: str, default: Vector = ZERO) -> Vector:
         """Three numbers of at most 1e100; `default` where there are none, and after an error."""
         if element is None or name not in element.attributes:
             return default
-        found = self._numbers(element, name, 3, _LARGEST)
+        found = self._numbers(element, name, 3, LARGEST)
         return default if found is None else (found[0], found[1], found[2])
 
     def pose(self, owner: Element) -> Pose:
@@ -95,6 +95,6 @@ class Attributes:
         expected = "a finite number" if count == 1 else f"{count} finite numbers"
         if any(math.isfinite(value) and abs(value) > most for value in values):
             expected = f"{'a number' if count == 1 else f'{count} numbers'} of at most {most:g}"
-        shown = element.attributes[name][:_LONGEST]
+        shown = element.attributes[name][:LONGEST]
         self.findings.error("E1006", element.place(name), name=name, text=shown, expected=expected)
         return None

@@ -12,6 +12,7 @@ from typing import Any
 from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.mjcf_actuators import actuators_of, tendons_of
+from lagdsl.robots.mjcf_bounds import check_bounds, check_numbers
 from lagdsl.robots.mjcf_features import tell_features
 from lagdsl.robots.mjcf_parts import Places, joints_of, links_of
 from lagdsl.robots.tree import MAX_LINKS, weightless_as_rigid
@@ -32,6 +33,8 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
         findings.error("E1014", None)
         return None
     elements = _all_elements(path, root, findings)
+    if elements is not None:
+        check_bounds(elements, root, findings)
     if elements is None or findings.sink.has_errors:
         return None
     model = _model(mujoco, path, root, findings)
@@ -39,6 +42,9 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
         return None
     if model.nbody > MAX_LINKS:
         findings.error("E1002", root.head, what="this robot", limit=MAX_LINKS, unit="bodies")
+        return None
+    check_numbers(model, root, findings)
+    if findings.sink.has_errors:
         return None
     places = Places(mujoco, model, root.head, _named(elements), path.parent)
     tell_features(mujoco, model, places, findings)
@@ -75,7 +81,7 @@ def _model(mujoco: Any, path: Path, root: Element, findings: Findings) -> Any:
     mujoco.set_mju_user_warning(warnings.append)
     try:
         model = mujoco.MjModel.from_xml_path(str(path))
-    except (ValueError, mujoco.FatalError) as fault:
+    except (ValueError, MemoryError, RuntimeError, mujoco.FatalError) as fault:
         findings.error("E1015", root.head, reason=_one_line(str(fault)))
         return None
     finally:

@@ -74,8 +74,7 @@ def actuators_of(places: Places, joints: list[Joint], findings: Findings) -> lis
             continue
         users.update(joint for joint, _ in way)
         own = name or f"u_{way[0][0] if len(way) == 1 else f'actuator_{index + 1}'}"
-        while own in taken:
-            own += "_2"
+        own = next(each for each in (own, *(f"{own}_{count}" for count in range(2, index + 3))) if each not in taken)
         taken.add(own)
         found.append(_actuator(places, index, own, way, _force_range(places, index, way), span))
         if len(way) > 1 or users[way[0][0]] > 1:

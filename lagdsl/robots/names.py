@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
+from itertools import count
 
 from lagdsl.robots.findings import Findings
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
@@ -21,6 +23,7 @@ class Names:
     def __init__(self, findings: Findings) -> None:
         self._findings = findings
         self._used: set[str] = set()
+        self._numbers: dict[tuple[str, str], int] = {}
 
     def of(self, original: str, kind: str, span: Span | None = None) -> str:
         """A new name: `original` if it is free, else one that says more; told if the original has the place `span`."""
@@ -31,9 +34,13 @@ class Names:
             self._findings.note("N1020", span, kind=kind, old=original, new=free)
         return free
 
-    def _proposals(self, plain: str, kind: str) -> list[str]:
-        numbered = [f"{plain}_{kind}_{number}" for number in range(2, len(self._used) + 4)]
-        return [plain, f"{plain}_{kind}", *numbered]
+    def _proposals(self, plain: str, kind: str) -> Iterator[str]:
+        """Numbers go on from the last one that was given to names of this spelling."""
+        yield plain
+        yield f"{plain}_{kind}"
+        for number in count(self._numbers.get((plain, kind), 2)):
+            self._numbers[plain, kind] = number
+            yield f"{plain}_{kind}_{number}"
 
 
 def identifier(original: str, kind: str) -> str:
