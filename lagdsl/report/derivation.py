@@ -11,7 +11,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Document, filled
 from lagdsl.report.html import html
-from lagdsl.report.intermediate import Intermediates, nodes
+from lagdsl.report.intermediate import Intermediates
 from lagdsl.report.latex import latex
 from lagdsl.report.markdown import markdown
 from lagdsl.report.notation import notation
@@ -39,6 +39,7 @@ from lagdsl.textbook.reading import STANDARD_GRAVITY, needed
 from lagdsl.textbook.recipe import Derivation, Recipe
 from lagdsl.textbook.small_motions.study import study
 from lagdsl.textbook.symbols import replaced
+from lagdsl.textbook.tidy import size
 from lagdsl.units.dimension import MASS
 
 Format: TypeAlias = Literal["text", "markdown", "latex", "html"]
@@ -110,7 +111,7 @@ def _written_out(derivation: Derivation) -> dict[Expr, Symbol]:
     values: dict[Symbol, Expr] = {}
     for symbol, value in derivation.definitions:
         values[symbol] = replaced(value, values)
-    return {value: symbol for symbol, value in values.items() if nodes(value) >= _LONG_DEFINITION}
+    return {value: symbol for symbol, value in values.items() if size(value) >= _LONG_DEFINITION}
 
 
 def _page(familiar: Familiar, derivation: Derivation, units: bool) -> Page:

@@ -13,6 +13,7 @@ from typing import TypeAlias
 from sympy import Expr, Symbol
 
 from lagdsl.textbook.symbols import replaced
+from lagdsl.textbook.tidy import size
 
 LONGEST = 700
 """Nodes of an expression that is printed as it is."""
@@ -52,7 +53,7 @@ class Intermediates:
 
     def reach(self, expression: Expr) -> bool:
         """True if a handful of new symbols makes the expression short."""
-        total = nodes(expression)
+        total = size(expression, _LARGEST + 1)
         if total <= LONGEST or total > _LARGEST:
             return total <= LONGEST
         made, known, values = list(self.made), dict(self._by_value), dict(self._values)
@@ -66,7 +67,7 @@ class Intermediates:
     def short(self, expression: Expr) -> tuple[Expr, Rules]:
         """The expression itself if it is short enough, else one with symbols. A part of it becomes a part of that one
         by the same replacements, one after the other."""
-        total = nodes(expression)
+        total = size(expression)
         if total <= _LONGEST_UNNAMED:
             return expression, []
         if total <= LONGEST:
@@ -86,7 +87,7 @@ class Intermediates:
     def _shortened(self, expression: Expr) -> tuple[Expr, Rules]:
         rules: Rules = [dict(self.named), dict(self._by_value)]
         found = self._with_names(expression).xreplace(self._by_value)
-        while (total := nodes(found)) > _SHORT:
+        while (total := size(found)) > _SHORT:
             part = _best(found, self.unnamed, forced=total > LONGEST)
             if part is None:
                 break
@@ -105,11 +106,6 @@ class Intermediates:
             self._by_value |= {value: symbol, part: symbol, replaced(part, self._values): symbol}
             self._values[symbol] = replaced(value, self._values)
         return symbol
-
-
-def nodes(expression: Expr) -> int:
-    """Of the tree: shared parts count as often as they occur."""
-    return _sizes(expression)[expression]
 
 
 def _sizes(expression: Expr) -> dict[Expr, int]:

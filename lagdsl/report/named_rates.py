@@ -10,13 +10,12 @@ from sympy import Expr, Symbol
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.report.intermediate import nodes
 from lagdsl.report.page import Page
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE
 from lagdsl.textbook.symbols import rates_of_motion
-from lagdsl.textbook.tidy import Tidy
+from lagdsl.textbook.tidy import Tidy, size
 from lagdsl.textbook.to_graph import ToGraph
 
 _LONG = 60
@@ -29,7 +28,7 @@ def velocity(page: Page, position: Vector, written_out: Vector) -> Vector:
     """Of a position; `written_out` where no definition of the model makes that shorter."""
     named = page.typeset.intermediates.named
     x, y, z = (each.xreplace(named) for each in position)
-    if not named or max(map(nodes, written_out)) <= _LONG or (x, y, z) == tuple(position):
+    if not named or max(map(size, written_out)) <= _LONG or (x, y, z) == tuple(position):
         return written_out
     rates = _rates(page)
     shown = (along(x, rates), along(y, rates), along(z, rates))
@@ -39,7 +38,7 @@ def velocity(page: Page, position: Vector, written_out: Vector) -> Vector:
 
 def spin(page: Page, written_out: Expr) -> Expr:
     """An angular velocity in a plane; the rate of a definition of the model where it is that one at random states."""
-    if nodes(written_out) <= _LONG:
+    if size(written_out) <= _LONG:
         return written_out
     plain = rates_of_motion(page.flat, page.derivation.symbols)
     for value, symbol in page.typeset.intermediates.named.items():

@@ -332,10 +332,10 @@ def times(factor: Expr, symbol: Symbol) -> Expr:
     return Mul(-1, symbol, -factor) if negative else factor * symbol
 
 
-def size(expression: Expr) -> int:
-    """Length of the text: nodes of the tree, shared ones counted as often as they occur; at most a thousand."""
+def size(expression: Expr, most: int = 1000) -> int:
+    """Length of the text: nodes of the tree, shared ones counted as often as they occur; at most `most`."""
     total, stack = 0, [expression]
-    while stack and total < 1000:
+    while stack and total < most:
         node = stack.pop()
         total += 1
         stack.extend(node.args)

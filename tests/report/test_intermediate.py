@@ -14,8 +14,9 @@ from sympy import Expr, Integer, Symbol, cos, sin, sqrt
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import flatten_file, read
 from lagdsl.report.derivation import render
-from lagdsl.report.intermediate import LONGEST, Intermediates, nodes
+from lagdsl.report.intermediate import LONGEST, Intermediates
 from lagdsl.textbook.recipe import recipe
+from lagdsl.textbook.tidy import size
 from report.printed import value
 
 _MODELS = Path(__file__).parents[2] / "models"
@@ -41,8 +42,8 @@ def test_a_long_expression_is_short_and_the_same(depth: int) -> None:
     whole = nested(depth)
     found = Intermediates(lambda number: Symbol(f"s{number}"))
     short, _ = found.short(whole)
-    assert (nodes(whole) > LONGEST) == bool(found.made)
-    assert all(nodes(each) <= LONGEST for each in (short, *(meaning for _, meaning in found.made)))
+    assert (size(whole) > LONGEST) == bool(found.made)
+    assert all(size(each) <= LONGEST for each in (short, *(meaning for _, meaning in found.made)))
     at = {a: 0.3, b: 1.1, c: -0.7, d: 0.4}
     numbers = dict(at)
     for symbol, meaning in found.made:  # each stands before what is written with it

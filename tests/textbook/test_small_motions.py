@@ -207,6 +207,97 @@ def test_at_equilibria_under_constraints_nothing_accelerates(name: str) -> None:
     assert compared or name not in _CONSTRAINED
 
 
+OSCILLATOR = """
+model Oscillator
+  parameter Mass m = 2 kg;
+  parameter Stiffness k = 50 N/m;
+  parameter Damping c = 3 N.s/m;
+  coordinate Length x(start = 0.1 m);
+  kinetic 1/2*m*der(x)^2;
+  potential 1/2*k*x^2;
+  dissipation 1/2*c*der(x)^2;
+end Oscillator;
+"""
+GOVERNOR = """
+model Governor
+  parameter Mass m = 1 kg, M = 2 kg;
+  parameter Length l = 0.3 m;
+  coordinate Angle phi, theta(start = 30 deg);
+  gravity = {0, 0, -9.81 m/s2};
+  mass m at {l*sin(theta)*cos(phi), l*sin(theta)*sin(phi), -l*cos(theta)};
+  mass m at {-l*sin(theta)*cos(phi), -l*sin(theta)*sin(phi), -l*cos(theta)};
+  mass M at {0, 0, -2*l*cos(theta)};
+end Governor;
+"""
+
+
+def test_damping_ratio_and_damped_frequency_are_those_of_the_eigenvalues() -> None:
+    """s = -ζ ω ± i ω √(1 - ζ²); Meirovitch (2001), 2.2. Beyond ζ = 1 the square of the damped frequency is negative."""
+    chance = np.random.default_rng(11)
+    [place] = studied(OSCILLATOR).equilibria
+    assert place.linear is not None
+    [frequency] = place.linear.frequencies
+    damped = frequency.damped
+    assert damped is not None and str(damped.ratio) == "c/(2*sqrt(k*m))"
+    model = lagdsl.compile(OSCILLATOR)
+    for drag in (1.0, 5.0, 90.0):
+        values = {"m": chance.uniform(1, 3), "k": chance.uniform(20, 80), "c": drag * chance.uniform(1, 2)}
+        first, second = np.roots([values["m"], values["c"], values["k"]])
+        ratio, square = number(damped.ratio, values), number(damped.square, values)
+        assert ratio == pytest.approx(float((-first - second).real / 2 / sqrt(values["k"] / values["m"])))
+        assert square == pytest.approx(float(-(((first - second) / 2) ** 2).real))
+        eigenvalues = model.modes(p=values).eigenvalues
+        assert sorted(eigenvalues, key=lambda s: (s.real, s.imag)) == pytest.approx(
+            sorted((first, second), key=lambda s: (s.real, s.imag))
+        )
+
+
+@pytest.mark.parametrize(
+    ("source", "closed"),
+    [
+        (_ROOT / "models/spherical_pendulum.lag", lambda v, w: v["g_n"] / (v["l"] * w["phi"] ** 2)),
+        (GOVERNOR, lambda v, w: (v["m"] + v["M"]) * v["g"] / (v["m"] * v["l"] * w["phi"] ** 2)),
+        (
+            _ROOT / "models/heavy_top.lag",
+            lambda v, w: (
+                (v["m"] * v["g_n"] * v["l"] - v["C"] * w["psi"] * w["phi"])
+                / ((v["C"] - v["A"] - v["m"] * v["l"] ** 2) * w["psi"] ** 2)
+            ),
+        ),
+    ],
+)
+def test_steady_motions(source: str | Path, closed: Callable[..., float]) -> None:
+    """The conical pendulum, Watt's governor, the regular precession of a top: cosines of textbooks (Goldstein 5.7 for
+    the top). At these values nothing but the ignorable coordinates moves: no acceleration in the other derivation."""
+    found = studied(source).steady
+    assert found is not None
+    tilted = next(place for place in found.places if place.conditions)
+    [(theta, value)] = tilted.at.items()
+    model, chance = lagdsl.compile(source), np.random.default_rng(3)
+    defaults = {
+        item.name: item.value for item in model.derive()._recipe.flat.parameters if item.name in model.parameters
+    }
+    tried = 0
+    while tried < 5:
+        p = {name: size * chance.uniform(0.8, 1.25) for name, size in defaults.items()}
+        rates = {rate.name.removeprefix("der(").removesuffix(")"): chance.uniform(8.0, 20.0) for rate in found.rates}
+        known = {**p, "g_n": 9.80665, "g": 9.81, **{f"der({name})": rate for name, rate in rates.items()}}
+        cosine = closed(known, rates)
+        if not abs(cosine) < 0.95:
+            continue
+        tried += 1
+        angle = number(value, known)
+        assert np.cos(angle) == pytest.approx(cosine, rel=1e-12)
+        q = [angle if name == theta.name else 0.3 for name in model.coordinates]
+        qd = [rates.get(name, 0.0) for name in model.coordinates]
+        accelerations = np.asarray(model.forward_dynamics(0.0, q, qd, p=p))
+        assert np.all(np.abs(accelerations) < 1e-9 * max(rates.values()) ** 2)
+
+
+def test_nothing_is_steady_where_a_rate_is_damped() -> None:
+    assert studied(GOVERNOR.replace("end Gov", "  dissipation 0.1 N.m.s*der(phi)^2;\nend Gov")).steady is None
+
+
 def test_nowhere_at_rest() -> None:
     found = studied("model X coordinate Length y; mass 1 kg at {0, y}; gravity = -g_n*world.y; end X;")
     assert found.reason is None

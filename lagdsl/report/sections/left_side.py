@@ -12,7 +12,7 @@ from lagdsl.report.boxes import Box, Name, Number, Operator, Row, Subscript, Sum
 from lagdsl.report.broken import lines as broken_lines
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
-from lagdsl.report.intermediate import LONGEST, nodes
+from lagdsl.report.intermediate import LONGEST
 from lagdsl.report.named_rates import spin as plane_spin
 from lagdsl.report.named_rates import velocity
 from lagdsl.report.names import gathered, indexed, listed, own_name
@@ -222,7 +222,7 @@ def _own_energies(page: Page) -> list[Equation]:
 
 def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
     """Written out, or by the velocities above where squares of these cannot be broken into lines."""
-    if nodes(own) <= LONGEST:
+    if size(own) <= LONGEST:
         shown = page.typeset(own)
         parts = broken_lines(Equation(shown, shown), _LONGEST_LINE)
         if max(len(line(part.right)) for part in parts) <= 2 * _LONGEST_LINE:

@@ -43,6 +43,7 @@ from lagdsl.report.unicode_math import line
 from lagdsl.textbook.small_motions.accelerations import LONGEST_SOLUTION
 from lagdsl.textbook.small_motions.linear import Frequency, Linear
 from lagdsl.textbook.small_motions.roots import Condition
+from lagdsl.textbook.small_motions.steady import Steady
 from lagdsl.textbook.small_motions.study import Equilibrium
 from lagdsl.textbook.tidy import size
 
@@ -56,6 +57,7 @@ _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` fi
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
+_STEADY = " constant and all other coordinates are at rest; then the equations of motion are:"
 _EVERYWHERE = "At rest all terms vanish: every configuration is an equilibrium."
 _NONLINEAR = "The equations are not linear in the accelerations and multipliers, so they are solved in numbers."
 
@@ -110,10 +112,36 @@ def small_motions(page: Page) -> list[Block]:
         return [*blocks, Paragraph(text(_EVERYWHERE))]
     blocks += [Paragraph(text(_REST_CONSTRAINED if found.constrained else _REST)), Equations(lines)]
     if not found.equilibria:
-        return [*blocks, Paragraph(text(_NOWHERE))]
+        blocks.append(Paragraph(text(_NOWHERE)))
     for group in _alike(found.equilibria):
         blocks += _equilibrium(page, group, constrained=found.constrained)
+    return blocks if found.steady is None else [*blocks, *_steady_motions(page, found.steady)]
+
+
+def _steady_motions(page: Page, found: Steady) -> list[Block]:
+    names = listed([page.notation.of(rate) for rate in found.rates])
+    opening = (Text("In a steady motion "), *names, Text(f" {'is' if len(found.rates) == 1 else 'are'}{_STEADY}"))
+    lines = tuple(Equation(page.typeset(value), _ZERO) for value in found.equations)
+    blocks: list[Block] = [Paragraph(opening), Equations(lines)]
+    places = [
+        Equilibrium(at=tuple(each.at.items()), arbitrary=(), conditions=each.conditions, exists=True, linear=None)
+        for each in found.places
+    ]
+    for same in _by_conditions(places):
+        words: list[Strong | Text | Math] = [Strong("Steady motion"), Text(" ")]
+        for number, place in enumerate(_places(page, same)):
+            words += [Text(" and "), *place] if number else place
+        for condition in same[0].conditions:
+            words += [Text(", where "), Math(_condition(page, condition, found.rates))]
+        blocks.append(Paragraph((*words, Text("."))))
     return blocks
+
+
+def _by_conditions(places: Sequence[Equilibrium]) -> list[list[Equilibrium]]:
+    result: dict[tuple[Condition, ...], list[Equilibrium]] = {}
+    for place in places:
+        result.setdefault(place.conditions, []).append(place)
+    return list(result.values())
 
 
 def _alike(equilibria: Sequence[Equilibrium]) -> list[list[Equilibrium]]:
@@ -176,13 +204,14 @@ def _place(page: Page, equilibrium: Equilibrium, both: Symbol | None) -> list[Te
     return words
 
 
-def _condition(page: Page, condition: Condition) -> Box:
-    """`a ≤ b` of a quotient of positive quantities, else the whole inequality."""
+def _condition(page: Page, condition: Condition, rates: Sequence[Symbol] = ()) -> Box:
+    """`a ≤ b` of a quotient of positive quantities, as squares of rates are, else the whole inequality."""
     value, at_most = condition.value, Operator("≤")
     if condition.kind == "nonnegative":
         return Row((_ZERO, at_most, page.typeset(value)))
     above, below = fraction(value.together())
-    positive = {s: Symbol(s.name, positive=True) for s in value.free_symbols if page.is_positive(s)}
+    even = {rate for rate in rates if value.xreplace({rate: -rate}) == value}
+    positive = {s: Symbol(s.name, positive=True) for s in value.free_symbols if s in even or page.is_positive(s)}
     if above.xreplace(positive).is_positive and below.xreplace(positive).is_positive:
         return Row((page.typeset(above), at_most, page.typeset(below)))
     return Row((Sum((("-", Number("1")),)), at_most, page.typeset(value), at_most, Number("1")))
@@ -234,17 +263,37 @@ def _frequencies(page: Page, equilibrium: Equilibrium) -> list[Block]:
     known = sorted(linear.frequencies, key=lambda each: each.number) if equilibrium.exists else linear.frequencies
     letter = page.notation.letter("ω")
     names = [Subscript(letter, Number(str(k))) if len(known) > 1 else letter for k in range(1, len(known) + 1)]
-    lines = [_frequency_line(page, name, each) for name, each in zip(names, known, strict=True)]
+    lines = [each for pair in zip(names, known, strict=True) for each in _frequency_lines(page, *pair)]
     blocks: list[Block] = [Equations(tuple(lines))] if lines else []
     words: list[Text | Math] = []
     for name, each in zip(names, known, strict=True):
-        words += _in_numbers(name, each, len(equilibrium.conditions) == 0 or equilibrium.exists)
+        if len(equilibrium.conditions) == 0 or equilibrium.exists:
+            words += [*_in_numbers(name, each), *_damped_in_numbers(page, name, each)]
     if words:
         blocks.append(Paragraph((Text("With the values above: "), *words[:-1], Text("."))))
     for symbols, why in ((linear.coupled, _COUPLED), (linear.damped, _DAMPED)):
         if symbols:
             blocks.append(Paragraph((*listed([of(q) for q in symbols]), *with_code(why))))
     return blocks
+
+
+def _frequency_lines(page: Page, name: Box, frequency: Frequency) -> list[Equation]:
+    """Natural frequency, then damping ratio and damped frequency of a coordinate with damping of its own."""
+    lines, damped = [_frequency_line(page, name, frequency)], frequency.damped
+    if damped is not None:
+        ratio, left = _names_of_damped(page, name)
+        unit = page.unit(Units.plain, "rad/s")
+        lines.append(_solution(ratio, page.typeset(damped.ratio), final=True))
+        lines.append(Equation(left, Root(page.typeset(damped.square)), final=True, unit=unit))
+    return lines
+
+
+def _names_of_damped(page: Page, name: Box) -> tuple[Box, Box]:
+    """ζ and ω_d, with the number of the frequency if it has one."""
+    ratio, frequency = page.notation.letter("ζ"), page.notation.letter("ω")
+    if isinstance(name, Subscript):
+        return Subscript(ratio, name.index), Subscript(frequency, Row((Name("d"), name.index)))
+    return ratio, Subscript(frequency, Name("d"))
 
 
 def _frequency_line(page: Page, name: Box, frequency: Frequency) -> Equation:
@@ -255,10 +304,23 @@ def _frequency_line(page: Page, name: Box, frequency: Frequency) -> Equation:
     return _solution(Power(name, Number("2")), shown, final=True, unit=page.unit(Units.plain, "1/s2"))
 
 
-def _in_numbers(name: Box, frequency: Frequency, exists: bool) -> list[Text | Math]:
-    """Frequency, or growth, for the values of the model; each ends with a comma that the last one loses."""
+def _damped_in_numbers(page: Page, name: Box, frequency: Frequency) -> list[Text | Math]:
+    damped = frequency.damped
+    if damped is None or not math.isfinite(damped.ratio_number):
+        return []
+    ratio, left = _names_of_damped(page, name)
+    found: list[Text | Math] = [Math(ratio), Text(f" = {damped.ratio_number:.4g}")]
+    if damped.square_number > 0:
+        found += [Text(", "), Math(left), Text(f" = {math.sqrt(damped.square_number):.4g} rad/s")]
+    else:
+        found.append(Text(": deviations return without swinging"))
+    return [*found, Text("; ")]
+
+
+def _in_numbers(name: Box, frequency: Frequency) -> list[Text | Math]:
+    """Frequency, or growth, for the values of the model; each ends with a mark that the last one loses."""
     square = frequency.number
-    if not exists or not math.isfinite(square):
+    if not math.isfinite(square):
         return []
     root = math.sqrt(abs(square))
     if square > 0:

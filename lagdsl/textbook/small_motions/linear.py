@@ -20,18 +20,32 @@ from lagdsl.textbook.tidy import Tidy, TooLargeError, size
 Square: TypeAlias = tuple[tuple[Expr, ...], ...]
 _LONGEST_ENTRY = 80
 _LONGEST_FREQUENCY = 120
+_LONGEST_DAMPED = 60
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damped:
+    """Damping ratio ζ = D/(2 M ω) and the square of the frequency that damping leaves, ω_d² = ω² (1 - ζ²), with their
+    values for the parameters of the model. Meirovitch, *Fundamentals of Vibrations* (2001), 2.2."""
+
+    ratio: Expr
+    square: Expr
+    ratio_number: float
+    square_number: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frequency:
     """`square` is ω² of a motion of the `coordinates`; `damping` is D/M where they are one coordinate. `sign` is that
-    of the square for all positive parameters, 0 if it depends on them; `number` its value for those of the model."""
+    of the square for all positive parameters, 0 if it depends on them; `number` its value for those of the model.
+    `damped` is None without damping, and where nothing pulls back."""
 
     coordinates: tuple[Symbol, ...]
     square: Expr
     damping: Expr
     sign: int
     number: float
+    damped: Damped | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,7 +121,14 @@ def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness
             coupled += names
             continue
         found += [
-            Frequency(coordinates=names, square=s, damping=drag, sign=_sign(balance.tidy, s), number=balance.number(s))
+            Frequency(
+                coordinates=names,
+                square=s,
+                damping=drag,
+                sign=_sign(balance.tidy, s),
+                number=balance.number(s),
+                damped=_damped(balance, drag, s),
+            )
             for s in squares
         ]
     return Linear(
@@ -117,6 +138,28 @@ def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness
         frequencies=tuple(found),
         coupled=tuple(coupled),
         damped=tuple(damped),
+    )
+
+
+def _damped(balance: Balance, drag: Expr, square: Expr) -> Damped | None:
+    """`drag` is D/M; None if it is zero or `square` is not positive, and where their values are not short."""
+    if drag == 0 or not balance.number(square) > 0.0:
+        return None
+    tidy = balance.tidy
+    try:
+        above, below = ratio(tidy, drag**2, 4 * square).as_numer_denom()
+        (first, inside), (second, under) = (_without_squares(tidy, each) for each in (above, below))
+        damping_ratio = ratio(tidy, first, second) * sympy.sqrt(inside) / sympy.sqrt(under)
+        left = square - drag**2 / 4
+    except (TooLargeError, ZeroDivisionError):
+        return None
+    if max(size(damping_ratio), size(left)) > _LONGEST_DAMPED:
+        return None
+    return Damped(
+        ratio=damping_ratio,
+        square=left,
+        ratio_number=balance.number(damping_ratio),
+        square_number=balance.number(left),
     )
 
 

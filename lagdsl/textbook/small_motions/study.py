@@ -20,6 +20,7 @@ from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, def
 from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, linear, regular
 from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
 from lagdsl.textbook.small_motions.statics import Place, places
+from lagdsl.textbook.small_motions.steady import Steady, steady
 from lagdsl.textbook.tidy import TooLargeError, size
 
 _ROUNDING = 1e-9
@@ -62,6 +63,7 @@ class Study:
     equilibria: tuple[Equilibrium, ...]
     reason: str | None
     constrained: bool = False
+    steady: Steady | None = None
 
 
 def study(flat: FlatModel, derivation: Derivation) -> Study:
@@ -86,6 +88,7 @@ def study(flat: FlatModel, derivation: Derivation) -> Study:
         equilibria=equilibria,
         reason=None,
         constrained=bool(rows),
+        steady=None if rows else steady(found, residuals),
     )
 
 
