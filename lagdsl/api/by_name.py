@@ -76,12 +76,14 @@ class ByName(Described):
     def _kinematics_of(self, what: str, name: str, names: list[str]) -> Kinematics:
         if name not in names:
             raise unknown_among(what, name, names)
+        self._kinematic_engine(what, name)
+        return partial(self._kinematics_at, what, name)
+
+    def _kinematics_at(
+        self, what: str, name: str, t: Any, q: Any, qd: Any, z: Any = None, u: Any = None, w: Any = None, p: Any = None
+    ) -> Any:
         engine = self._kinematic_engine(what, name)
-
-        def at_state(t: Any, q: Any, qd: Any, z: Any = None, u: Any = None, w: Any = None, p: Any = None) -> Any:
-            return engine.evaluate_many("kinematics", *self._state(t, q, qd, z, u, w, p))
-
-        return at_state
+        return engine.evaluate_many("kinematics", *self._state(t, q, qd, z, u, w, p))
 
     @cached_property
     def _kinematic_engine(self) -> Callable[[str, str], BatchEngine]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
+from functools import partial
 from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
@@ -92,7 +93,7 @@ class Trajectory:
     `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
     units of the constraint rows; `energy` is energy() [J].
     `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it; with
-    True, with so many that curves look smooth.
+    True, with so many that curves look smooth. A copy that comes from another process (pickle) has the rows alone.
     """
 
     model: str
@@ -105,6 +106,11 @@ class Trajectory:
     statistics: Statistics
     events: tuple[Event, ...] = ()
     finer: Callable[[bool], Trajectory] | None = field(default=None, compare=False)
+
+    def __reduce__(self) -> tuple[partial[Trajectory], tuple[()]]:
+        """Without `finer`, which holds the model and its compiled functions."""
+        values = {each.name: getattr(self, each.name) for each in fields(self)}
+        return partial(type(self), **values | {"finer": None}), ()
 
     def __repr__(self) -> str:
         span = f"{self.time[0]:g} s to {self.time[-1]:g} s" if len(self) else "no time"

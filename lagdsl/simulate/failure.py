@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from lagdsl.diagnostics import Diagnostic
 
@@ -28,6 +28,11 @@ class SimulationFailed(Exception):  # noqa: N818 the interface's name
         self.state = dict(state)
         self.name = name
         self.trajectory = trajectory
+
+    def __reduce__(self) -> tuple[type[SimulationFailed], tuple[Any, ...]]:
+        """Exceptions are made anew from the arguments of their base class; a pool of processes waits for ever for one
+        that cannot be."""
+        return type(self), (self.diagnostic, self.time, self.state, self.name, self.trajectory)
 
     def __str__(self) -> str:
         from lagdsl.diagnostics.render import render_all

@@ -246,6 +246,33 @@ def test_a_model_travels_to_another_process() -> None:
     assert (copy.name, copy.coordinates) == (original.name, original.coordinates)
 
 
+def test_frames_and_motions_travel_to_another_process() -> None:
+    """A motion keeps its rows; what draws it with more of them stays behind."""
+    original, (q, qd, _) = model(TWO_LINKS), states(2)
+    for part in (original.frame("lower"), original.point("tool")):
+        assert np.array_equal(pickle.loads(pickle.dumps(part)).jacobian(0.0, q, qd), part.jacobian(0.0, q, qd))
+    motion = original.simulate(stop=0.1, interval=0.05)
+    copy = pickle.loads(pickle.dumps(motion))
+    assert len(copy) == len(copy.drawn()) == 3 and motion.finer is not None
+    assert all(np.array_equal(copy[name], motion[name]) for name in motion.names)
+
+
+def test_a_failure_travels_with_its_motion() -> None:
+    """x'' = x^3 is at infinity after 1.9 s."""
+    subject = model("""model Away
+      coordinate Length x(start = 1 m, fixed = true);
+      mass 1 kg at {x, 0};
+      force 1 N/m3*x^3 on x;
+    end Away;
+    """)
+    with pytest.raises(lagdsl.SimulationFailed) as caught:
+        subject.simulate(stop=10)
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (str(copy), copy.time) == (str(caught.value), caught.value.time)
+    assert repr(copy.state) == repr(caught.value.state)
+    assert np.array_equal(copy.trajectory["x"], caught.value.trajectory["x"])
+
+
 def test_completion_offers_what_users_call() -> None:
     assert [name for name in dir(lagdsl) if not name.startswith("_")] == sorted(lagdsl.__all__)
 
