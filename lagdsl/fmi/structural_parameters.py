@@ -15,8 +15,7 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat.given_values import with_values
 from lagdsl.flat.model import Coordinate, Definition, FlatModel, State
 from lagdsl.flat.spans import place
-from lagdsl.flat.traversal import postorder
-from lagdsl.fmi.variables.substitution import records, substituted
+from lagdsl.flat.traversal import postorder, records, substituted
 from lagdsl.pipeline import Compilation, compile_flat, parse_file
 from lagdsl.semantics.flatten import flatten
 from lagdsl.syntax import nodes

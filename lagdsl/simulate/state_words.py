@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
-
 from lagdsl.flat.display import display_rate, quantity_text
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.expression import Norm
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
+from lagdsl.flat.traversal import records
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 
@@ -59,7 +57,7 @@ def zero_norm(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p
     moment = Values(variables={**variables, "time": t}, rates=dict(zip(names, x[n : 2 * n].tolist(), strict=True)))
     evaluator = Evaluator(flat, moment)
     for item in (*flat.named, *flat.energies, *flat.loads, *flat.constraints):
-        for norm in norms(item):
+        for norm in (part for part in records(item) if isinstance(part, Norm)):
             try:
                 length = evaluator.scalar(norm)
             except NotEvaluable:
@@ -67,16 +65,3 @@ def zero_norm(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p
             if not length > _ZERO_NORM:
                 return item, norm.element
     return None
-
-
-def norms(node: object) -> Iterator[Norm]:
-    """All norms inside an item or expression, in the order of its fields."""
-    if isinstance(node, Norm):
-        yield node
-    if isinstance(node, tuple):
-        for entry in node:
-            yield from norms(entry)
-    elif is_dataclass(node):
-        for field in fields(node):
-            if field.name != "spans" and not field.name.endswith("_span"):
-                yield from norms(getattr(node, field.name))
