@@ -57,6 +57,32 @@ class _Rectangle:
         return max(last - first, 0.0) * math.hypot(dx, dy)
 
 
+class _Candidate:
+    """A place of a label. `near` is the cost of its distance; lines and balls stand still and are looked at once."""
+
+    def __init__(self, near: float, rectangle: _Rectangle) -> None:
+        self.near = near
+        self.rectangle = rectangle
+        self._fixed: float | None = None
+
+    def cost(self, others: Iterable[_Rectangle], scene: _Scene) -> float:
+        if self._fixed is None:
+            self._fixed = self.near + scene.cost(self.rectangle)
+        return self._fixed + _OVER_LABEL * sum(self.rectangle.shares(other) for other in others)
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """Where no label should stand."""
+
+    lines: Sequence[tuple[Place, Place]]
+    balls: Sequence[_Rectangle]
+
+    def cost(self, own: _Rectangle) -> float:
+        crossed = sum(own.length_inside(a, b) for a, b in self.lines)
+        return _OVER_LINE * crossed + _OVER_BALL * sum(own.shares(ball) for ball in self.balls)
+
+
 def labelled(
     marks: Sequence[Stroke | Ball | Arrow | Caption], across: float, upward: float
 ) -> tuple[Stroke | Ball | Arrow | Caption, ...]:
@@ -64,15 +90,17 @@ def labelled(
     result = list(marks)
     lines = [pair for mark in marks if isinstance(mark, Stroke | Arrow) for pair in pairwise(mark.points)]
     balls = [_Rectangle(*m.center, m.radius + 1.0, m.radius + 1.0) for m in marks if isinstance(m, Ball)]
-    named = [k for k, mark in enumerate(marks) if isinstance(mark, Arrow | Caption) and mark.label is not None]
+    scene = _Scene(lines, balls)
+    candidates = {
+        k: sorted(_candidates(mark, mark.label, across, upward), key=lambda each: each.near)
+        for k, mark in enumerate(marks)
+        if isinstance(mark, Arrow | Caption) and mark.label is not None
+    }
     places: dict[int, _Rectangle] = {}
     for _ in range(_ROUNDS):
-        for k in named:
-            mark = marks[k]
-            assert isinstance(mark, Arrow | Caption) and mark.label is not None
+        for k, own in candidates.items():
             others = [rectangle for j, rectangle in places.items() if j != k]
-            candidates = _candidates(mark, mark.label, across, upward)
-            places[k] = min(candidates, key=lambda each: each[0] + _cost(each[1], others, lines, balls))[1]
+            places[k] = _cheapest(own, others, scene)
     for k, rectangle in places.items():
         mark = result[k]
         assert isinstance(mark, Arrow | Caption)
@@ -80,20 +108,21 @@ def labelled(
     return tuple(result)
 
 
-def _cost(
-    own: _Rectangle,
-    others: Iterable[_Rectangle],
-    lines: Iterable[tuple[Place, Place]],
-    balls: Iterable[_Rectangle],
-) -> float:
-    over = sum(own.shares(other) for other in others)
-    crossed = sum(own.length_inside(a, b) for a, b in lines)
-    covered = sum(own.shares(ball) for ball in balls)
-    return _OVER_LABEL * over + _OVER_LINE * crossed + _OVER_BALL * covered
+def _cheapest(candidates: Sequence[_Candidate], others: Sequence[_Rectangle], scene: _Scene) -> _Rectangle:
+    """`candidates` come with the nearest first: one that costs more by its distance than another does in all, and those
+    behind it, need no look."""
+    found, least = candidates[0].rectangle, math.inf
+    for each in candidates:
+        if each.near >= least:
+            break
+        cost = each.cost(others, scene)
+        if cost < least:
+            found, least = each.rectangle, cost
+    return found
 
 
-def _candidates(mark: Arrow | Caption, label: Box, across: float, upward: float) -> Iterator[tuple[float, _Rectangle]]:
-    """Cost of the distance, and the place of the label."""
+def _candidates(mark: Arrow | Caption, label: Box, across: float, upward: float) -> Iterator[_Candidate]:
+    """Around the anchors of a mark."""
     wide = width(label) / 2.0 + 2.0
     for anchor, (way_x, way_y), dearer in _anchors(mark):
         for turn in range(_DIRECTIONS):
@@ -111,7 +140,7 @@ def _candidates(mark: Arrow | Caption, label: Box, across: float, upward: float)
                     y=min(max(own.y, _HALF_HEIGHT + _EDGE), upward - _HALF_HEIGHT - _EDGE),
                 )
                 away = math.hypot(held.x - own.x, held.y - own.y)
-                yield dearer + 0.6 * distance + 2.5 * ((turn + 1) // 2) + 3.0 * away, held
+                yield _Candidate(dearer + 0.6 * distance + 2.5 * ((turn + 1) // 2) + 3.0 * away, held)
 
 
 def _anchors(mark: Arrow | Caption) -> Iterator[tuple[Place, tuple[float, float], float]]:
