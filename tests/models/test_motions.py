@@ -6,14 +6,14 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-from choice import ALL
+from choice import ALL, chosen
 from click.testing import CliRunner
 
 import lagdsl
 from lagdsl.cli.main import lag
 from lagdsl.runtime.engines.selection import engine_of
-from models.corpus import compiled, expectations, path_of
-from models.kinds import FEW, HALF, SOME
+from models.corpus import MODELS, compiled, expectations, path_of
+from models.kinds import HALF, OF_EACH_KIND, SOME, over
 from models.references import REFERENCES, pendulums
 
 CONSERVED = 1e-9
@@ -116,7 +116,7 @@ def test_a_closed_loop_keeps_its_constraints_for_a_hundred_seconds() -> None:
     assert np.max(motion.velocity_residual) < CONSERVED
 
 
-@FEW
+@over(chosen(MODELS, OF_EACH_KIND[2::10]))
 def test_the_command_line_runs_it(name: str, tmp_path: Path) -> None:
     """A short motion as `lag run`, and the derivation as a page."""
     runner = CliRunner()
