@@ -73,7 +73,7 @@ class _Candidate:
 
 @dataclass(frozen=True)
 class _Scene:
-    """Where no label should stand."""
+    """Lines and balls, on which no label should stand."""
 
     lines: Sequence[tuple[Place, Place]]
     balls: Sequence[_Rectangle]
