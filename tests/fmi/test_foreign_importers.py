@@ -41,6 +41,7 @@ NAMES = (
     "van_der_pol",
     "library/parts_with_play",
     "servo_drive",
+    "library/ladder_filter",  # coordinates that are no states
 )
 MODELS = pytest.mark.parametrize("name", NAMES)
 SMOOTH = (
@@ -52,6 +53,7 @@ SMOOTH = (
     "chain",
     "van_der_pol",
     "servo_drive",
+    "library/ladder_filter",
 )
 ROWS = 50
 
@@ -233,7 +235,8 @@ def test_casadi(name: str, version: int, tmp_path: Path) -> None:
             np.testing.assert_array_equal(ode, one.derivatives)
             units = np.eye(len(states) + len(inputs))
             ours = np.array([one.directional(rates, [*states, *inputs], unit) for unit in units]).T
-            assert np.all(pattern[ours != 0.0] == 1.0)
+            entries = np.abs(ours) > 1e-18 * np.max(np.abs(ours), axis=1, keepdims=True)  # smaller ones cancel
+            assert np.all(pattern[entries] == 1.0)
             error = np.max(np.abs(np.array(jacobian) - ours)) / np.max(np.abs(ours))
             worst = max(worst, float(error))
             assert error <= 1e-12
