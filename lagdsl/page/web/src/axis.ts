@@ -3,6 +3,9 @@ import type uPlot from "uplot";
 
 export const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
 
+/** Pixels of a chart whose panel is hidden: on paper it is seen so. */
+export const WIDE = 600;
+
 export function axis(label: string): uPlot.Axis {
   const style = getComputedStyle(document.documentElement);
   const ink = style.getPropertyValue("--ink-soft").trim();

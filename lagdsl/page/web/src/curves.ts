@@ -1,6 +1,6 @@
 // Curves over time and the energy, with a common cursor.
 import uPlot from "uplot";
-import { axis, INKS } from "./axis.ts";
+import { axis, INKS, WIDE } from "./axis.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { Portrait } from "./portrait.ts";
@@ -183,7 +183,7 @@ export class Curves {
   }
 
   private size(): { width: number; height: number } {
-    return { width: Math.max(this.board.clientWidth, 240), height: 190 };
+    return { width: Math.max(this.board.clientWidth || WIDE, 240), height: 190 };
   }
 
   private resize(): void {

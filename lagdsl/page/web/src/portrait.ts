@@ -1,6 +1,6 @@
 // One column against another: a phase portrait, or a path.
 import uPlot from "uplot";
-import { axis, INKS } from "./axis.ts";
+import { axis, INKS, WIDE } from "./axis.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -96,7 +96,7 @@ export class Portrait {
   }
 
   private size(): { width: number; height: number } {
-    return { width: Math.max(this.board.clientWidth, 240), height: 240 };
+    return { width: Math.max(this.board.clientWidth || WIDE, 240), height: 240 };
   }
 
   resize(): void {

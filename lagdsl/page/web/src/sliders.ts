@@ -27,9 +27,9 @@ export function shown(quantity: { display: { scale: number; shift: number } }, s
   return Number((si * quantity.display.scale + quantity.display.shift).toPrecision(4)).toString();
 }
 
-/** A name that may go on in another line behind its dots and before its indices. */
+/** A name that may go on in another line behind its dots and lines, and before its indices. */
 function breakable(name: string): (string | HTMLElement)[] {
-  return name.split(/(?<=\.)|(?=\[)/).flatMap((part) => [part, document.createElement("wbr")]);
+  return name.split(/(?<=[._])|(?=\[)/).flatMap((part) => [part, document.createElement("wbr")]);
 }
 
 export class Sliders {
