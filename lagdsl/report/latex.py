@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import assert_never
 
+from lagdsl.report.boxes import Box
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -91,7 +93,7 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
         return ""
     lengths = [max(len(header[i]), *(_letters(row[i]) for row in rows)) for i in keep]
     head = " & ".join(rf"\textit{{{escape(header[i])}}}" for i in keep)
-    body = [" & ".join(_inline(row[i]) for i in keep) for row in rows]
+    body = [" & ".join(_inline(row[i], _in_cell) for i in keep) for row in rows]
     lines = " \\\\\n".join([head, *body])
     return f"\\begin{{longtable}}[l]{{@{{}}{_columns(lengths)}@{{}}}}\n{lines}\n\\end{{longtable}}"
 
@@ -121,10 +123,23 @@ def _code(words: str) -> str:
     return rf"\texttt{{{pieces}}}"
 
 
-def _inline(content: Inline) -> str:
+_AT_MOST_A_COLUMN = r"\ifdim\width>\linewidth\linewidth\else\width\fi"
+
+
+def _in_line(box: Box) -> str:
+    return f"${tex(box).strip()}$"
+
+
+def _in_cell(box: Box) -> str:
+    """Cases have no place to be broken: they are made smaller where they are wider than their column."""
+    shown = _in_line(box)
+    return rf"\resizebox{{{_AT_MOST_A_COLUMN}}}{{!}}{{{shown}}}" if r"\begin{cases}" in shown else shown
+
+
+def _inline(content: Inline, math: Callable[[Box], str] = _in_line) -> str:
     return inline(
         content,
-        lambda box: f"${tex(box).strip()}$",
+        math,
         escape,
         strong=lambda words: rf"\textbf{{{escape(words)}}}",
         code=_code,
