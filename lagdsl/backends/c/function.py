@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
-from lagdsl.backends.c.dialect import SCRATCH, Dialect, Place
+from lagdsl.backends.c.dialect import SCRATCH, SINGLE, Dialect, Place
 from lagdsl.backends.c.kernel import rolled_code
 from lagdsl.backends.c.reroll import reroll
 from lagdsl.backends.c.statement import Listing, Store, listing
@@ -17,6 +17,8 @@ from lagdsl.record import record
 # leaves less than this part of the text, or cut into pieces of the second number.
 LONGEST_FUNCTION = 600
 _PIECE = 150
+# Accelerations of one state in more statements than this are more instructions than processors keep decoded (LAG_LONG).
+_LONG = 450
 _ROLLED_PART = 0.5
 # Functions of inertia, in which sums are fused with their products: accelerations wait for a chain of these.
 FUSED = ("elimination",)
@@ -36,11 +38,13 @@ class Head:
 
 @record()
 class Code:
-    """`body` is to be put between braces, `definitions` before; they use a scratch array `s` of `scratch` values."""
+    """`body` is to be put between braces, `definitions` before; they use a scratch array `s` of `scratch` values.
+    `attribute` stands in front of the function."""
 
     definitions: str
     body: tuple[str, ...]
     scratch: int
+    attribute: str = ""
 
 
 def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], dialect: Dialect, head: Head) -> Code:
@@ -50,7 +54,8 @@ def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], di
     sums = {} if kept is None else _fused(made, stores, kept)
     if len(made.statements) <= LONGEST_FUNCTION:
         bodies, scratch = pieces(made, dialect, len(made.statements), sums)
-        return Code("", tuple(line for body in bodies for line in body), scratch)
+        attribute = "LAG_LONG " if head.fused and dialect is SINGLE and len(made.statements) > _LONG else ""
+        return Code("", tuple(line for body in bodies for line in body), scratch, attribute)
     rolled = reroll(made, sums)
     if rolled.length <= _ROLLED_PART * len(made.statements):
         definitions, calls = rolled_code(rolled, dialect, head.name, head.parameters, head.arguments)

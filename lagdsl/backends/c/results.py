@@ -106,6 +106,6 @@ def definition(head: Head, made: Code, contents: Results, dialect: Dialect, scra
     memory = dialect.memory
     cast = "" if dialect is SINGLE else f"({memory} *)"
     own = [f"{memory} *const {SCRATCH} = {cast}({scratch});"] if made.scratch or made.definitions else []
-    signature = f"static lag_status {head.name}({', '.join(head.parameters)})"
+    signature = f"static {made.attribute}lag_status {head.name}({', '.join(head.parameters)})"
     body = [*unused, *own, *contents.first, *made.body, *contents.last, "return LAG_OK;"]
     return made.definitions + braced(signature, body)

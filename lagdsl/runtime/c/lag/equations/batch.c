@@ -131,17 +131,35 @@ size_t lag_batch_memory(const lag_model *model, const lag_states *states)
     return states->lanes * (arguments + n + formed + 1) + states->workspace;
 }
 
-/* Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. */
+/*
+ * Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. Four lanes at a time:
+ * their reads and writes wait for nothing, and a vector of four is written whole.
+ */
 static void interleave(
     double *to, size_t lanes, size_t first, size_t count, size_t size, const double *x, size_t stride)
 {
-    if (first > 0 && stride == 0) {
+    if (size == 0 || (first > 0 && stride == 0)) {
         return;
     }
-    for (size_t lane = 0; lane < lanes; ++lane) {
-        const double *from = x + (first + (lane < count ? lane : count - 1)) * stride;
+    const double *const from = x + first * stride;
+    size_t lane = 0;
+    for (; lane + 4 <= count; lane += 4) {
+        const double *const a = from + lane * stride;
+        const double *const b = a + stride;
+        const double *const c = b + stride;
+        const double *const d = c + stride;
+        double *own = to + lane;
+        for (size_t i = 0; i < size; ++i, own += lanes) {
+            own[0] = a[i];
+            own[1] = b[i];
+            own[2] = c[i];
+            own[3] = d[i];
+        }
+    }
+    for (; lane < lanes; ++lane) {
+        const double *const own = from + (lane < count ? lane : count - 1) * stride;
         for (size_t i = 0; i < size; ++i) {
-            to[i * lanes + lane] = from[i];
+            to[i * lanes + lane] = own[i];
         }
     }
 }
@@ -166,10 +184,24 @@ static lag_status form(
     return status == LAG_OK ? states->dynamics(&all->at, all->mass, all->force, all->jacobian, all->gamma) : status;
 }
 
-/* Array x of `count` lanes to the states that they belong to. */
+/* Array x of `count` lanes to the states that they belong to, four at a time as above. */
 static void deal(size_t lanes, size_t count, size_t size, const double *x, double *to)
 {
-    for (size_t lane = 0; lane < count; ++lane) {
+    size_t lane = 0;
+    for (; lane + 4 <= count; lane += 4) {
+        const double *own = x + lane;
+        double *const a = to + lane * size;
+        double *const b = a + size;
+        double *const c = b + size;
+        double *const d = c + size;
+        for (size_t i = 0; i < size; ++i, own += lanes) {
+            a[i] = own[0];
+            b[i] = own[1];
+            c[i] = own[2];
+            d[i] = own[3];
+        }
+    }
+    for (; lane < count; ++lane) {
         for (size_t i = 0; i < size; ++i) {
             to[lane * size + i] = x[i * lanes + lane];
         }

@@ -1,4 +1,8 @@
 /* The interpreter of tapes, for several states or directions at once. */
+#ifndef LAG_ALIKE
+#define LAG_ALIKE /* a tape gives the same bits on every processor, whether it has fused sums or not */
+#endif
+
 #include <string.h>
 
 #include "lag/tape/tape_code.h"
@@ -28,6 +32,7 @@ typedef double block_memory __attribute__((vector_size(8 * LAG_TAPE_LANES), alig
 
 #define INLINED static inline __attribute__((always_inline))
 #define AS_BITS(x) ((block_bits)(x))
+#define SUM_OF_PRODUCT(x, y, z) ((x) * (y) + (z))
 
 INLINED void sincos_of_block(const block *angle, block_memory *s, block_memory *c)
 {
@@ -37,7 +42,7 @@ INLINED void sincos_of_block(const block *angle, block_memory *s, block_memory *
         near &= fabs(x[lane]) <= LAG_SINCOS_LARGEST;
     }
     if (near) {
-        LAG_SINCOS_BODY(block, block_bits, x, AS_BITS);
+        LAG_SINCOS_BODY(block, block_bits, x, AS_BITS, SUM_OF_PRODUCT, (double));
         *s = (block)sine;
         *c = (block)cosine;
         return;

@@ -1,4 +1,8 @@
 /* The interpreter of tapes, for one state. Instructions have been checked (tape_check.c): nothing is looked at here. */
+#ifndef LAG_ALIKE
+#define LAG_ALIKE /* a tape gives the same bits on every processor, whether it has fused sums or not */
+#endif
+
 #include <string.h>
 
 #include "lag/tape/tape_code.h"
