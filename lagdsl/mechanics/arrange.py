@@ -21,21 +21,35 @@ from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
 from lagdsl.program.program import Block, Function, Program
 
-# From so many coordinates on, M is not written out.
+# From so many coordinates on, M is not written out; the second number is for equations without constraints that
+# elimination solves, where only starts and events read M.
 _MANY = 40
+_MANY_SOLVED = 12
 
 
 def arrange(equations: Equations, *, dense: bool | None = None) -> Program:
     """All functions of `lagdsl.program.functions`. `dense` chooses those that write out M, else the one that forms it
-    by columns; by default the number of coordinates decides. Equations without constraints are solved at once: no rank
-    decides how.
+    by columns; by default the number of coordinates decides, and what solves the equations. Equations without
+    constraints are solved at once: no rank decides how.
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
     """
     flat = equations.flat
+    few = len(flat.coordinates) < _MANY if dense is None else dense
+    if flat.constraints:
+        return _program(equations, dense=few)
+    if dense is None and few and len(flat.coordinates) >= _MANY_SOLVED:
+        solved = solve(equations, _program(equations, dense=False))
+        if solved.has("elimination"):
+            return solved
+    return solve(equations, _program(equations, dense=few))
+
+
+def _program(equations: Equations, *, dense: bool) -> Program:
+    flat = equations.flat
     blocks = {
-        **_dynamics(equations, len(flat.coordinates) < _MANY if dense is None else dense),
+        **_dynamics(equations, dense),
         **_energies(equations),
         **_observed(equations),
         **_start(equations),
@@ -50,8 +64,7 @@ def arrange(equations: Equations, *, dense: bool | None = None) -> Program:
         + corner_functions(equations.lowering, flat)
         + way_functions(equations.lowering, flat)
     )
-    program = with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
-    return program if flat.constraints else solve(equations, program)
+    return with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
 
 
 def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
