@@ -53,7 +53,7 @@ def met(
     """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
     slope is continuous."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
-    if moving and not ctx.current.quiet and ctx.current.mode is Mode.ALWAYS:
+    if moving and not ctx.current.quiet and ctx.current.mode is not Mode.EVENT:
         spans = (node.span, *scope.spans)
         ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp))
     return expression

@@ -30,7 +30,7 @@ def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corne
     """Corners of forces, energies, constraints, gaps and rates of states, in the order of the text."""
     if not corners:
         return ()
-    found = {id(x) for x in reached(flat, _what_moves(flat))}
+    found = {id(x) for x in reached(flat, [*_what_moves(flat), *(x.difference for x in flat.events.relations)])}
     return tuple(
         Corner(spans=each.spans, distance=each.distance, solved=each.order >= Order.ACCELERATION)
         for each in corners

@@ -9,8 +9,9 @@
 #include <math.h>
 #include <string.h>
 
-/* The margin, as a part of the magnitudes seen, and so many times its round-off. */
+/* The margin, as a part of the magnitudes seen, at most this and this part of the tolerance, and so many times its round-off. */
 static const double PART = 1e-11;
+static const double ALLOWED = 0.1;
 static const double ROUNDINGS = 64.0;
 /* During an event, a value has changed if it lies behind zero by this part of its margin. */
 static const double CLEARLY = 0.6;
@@ -54,7 +55,8 @@ static double value(const lag_instance *instance, size_t i)
 
 static double margin(const lag_instance *instance, size_t i)
 {
-    return PART * instance->largest[i] + ROUNDINGS * lag_zero_crossing_noise(&instance->run->crossings, i);
+    const double part = fmin(PART, ALLOWED * instance->held.tolerance);
+    return part * instance->largest[i] + ROUNDINGS * lag_zero_crossing_noise(&instance->run->crossings, i);
 }
 
 double lag_instance_side(const lag_instance *instance, size_t i)

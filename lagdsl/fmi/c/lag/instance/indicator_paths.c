@@ -29,6 +29,7 @@ typedef struct step {
     lag_instance *instance;
     node base, tip;
     double *seen[LAG_LOOKS]; /* (watched) room, at the looks of a piece */
+    int searched;            /* the importer asks again within a step: pieces that have shown a change become no longer */
 } step;
 
 size_t lag_instance_node(const lag_fmu *fmu)
@@ -126,12 +127,13 @@ static lag_status look_at_minimum(const step *in, size_t i, int k, double a, dou
     double u = 0.0;
     double height = 0.0;
     lag_status status = LAG_OK;
+    const int just = k == 2 && a == 0.0 && *in->base.t == in->instance->held.latched_at;
     (void)values_of(in, i, values);
     (void)lag_look_error(values, &error);
     for (int j = 0; j < 3; ++j) {
         lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], values[k - 2 + j]);
     }
-    for (int again = 0; again < AGAIN && status == LAG_OK && !*passed && lag_minimum_of(&at, error, &u, &height); ++again) {
+    for (int again = 0; again < AGAIN && status == LAG_OK && !*passed && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         status = look(in, a + u * w, in->instance->room, passed);
         const double value = in->instance->room[i];
         error = fmax(fabs(value - height), LAG_CLEARER * error);
@@ -174,7 +176,8 @@ static lag_status search(const step *in)
             continue;
         }
         status = status == LAG_OK && !passed ? look_at_minima(in, a, w, &passed) : status;
-        *reach = passed ? *reach : lag_look_length(w, doubt) * h;
+        const double next = lag_look_length(w, doubt) * h;
+        *reach = passed ? *reach : in->searched ? fmin(*reach, next) : next;
         a += w;
         memcpy(in->seen[0], in->seen[LAG_LAST_LOOK], count_of(in) * sizeof(double));
     }
@@ -216,10 +219,11 @@ static int shows(const step *in)
 static lag_status look_along(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
-    step in = {instance, node_at(instance, instance->base), node_at(instance, instance->tip), {NULL}};
+    step in = {instance, node_at(instance, instance->base), node_at(instance, instance->tip), {NULL}, 0};
     for (int k = 0; k < LAG_LOOKS; ++k) {
         in.seen[k] = instance->looks + (size_t)k * count_of(&in);
     }
+    in.searched = instance->held.nodes > 0 && !(instance->held.t > *in.tip.t);
     advance(&in);
     const int is_short = !(*in.tip.t - *in.base.t > SHORT * instance->run->options.length);
     if (instance->held.nodes < 2 || is_short || shows(&in)) {

@@ -12,7 +12,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 2 * model->nindicator + 3 * model->ncontact;
+           3 * lag_motion_size(model) + 3 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -29,7 +29,7 @@ void lag_event_iteration_place(
     iteration->projection = projection;
     iteration->noise = noise;
     iteration->places = lag_places_of(model);
-    iteration->lookahead = 1e-9;
+    iteration->lookahead = iteration->moment = 1e-9;
     iteration->before = lag_take(&memory, model->nw);
     iteration->next = lag_take(&memory, model->nw);
     iteration->guilty = lag_take(&memory, model->nw);
@@ -46,6 +46,7 @@ void lag_event_iteration_place(
     iteration->later = lag_take(&memory, size);
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);
+    iteration->soon = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->meeting = lag_take(&memory, model->ncontact);
     iteration->pulling = memory;

@@ -18,6 +18,7 @@ typedef struct lag_event_iteration {
     lag_noise *noise;
     lag_places places;
     double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
+    double moment;            /* the shortest such time; one that turns back within the longer one is looked at after this [s] */
     double *before, *next; /* (nw) */
     double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
     double *reset, *value; /* (nreset) */
@@ -25,7 +26,8 @@ typedef struct lag_event_iteration {
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
     double *rate, *later;  /* (2 nq + nz) */
-    double *now, *then;    /* (nindicator) */
+    const double *from;    /* (2 nq + nz) the state before the event */
+    double *now, *then, *soon; /* (nindicator) */
     double *closed, *meeting, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
     int stopped;           /* a `terminate` acted */

@@ -1,10 +1,14 @@
 /* Relations in passes over clauses: as they stand, and what they are a moment later where they pass zero. */
 #include <math.h>
+#include <string.h>
 
 #include "lag/events/event_iteration.h"
+#include "lag/linalg/arena.h"
 
 /* A relation that passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-2;
+/* Factor from one look ahead to the next. */
+static const double LONGER = 16.0;
 
 void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
 {
@@ -39,19 +43,86 @@ lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, c
     return status;
 }
 
+/* The state so much later, by its rates. */
+static void go(lag_event_iteration *iteration, const double *x, double time)
+{
+    for (size_t i = 0; i < lag_motion_size(iteration->motion->model); ++i) {
+        iteration->later[i] = x[i] + time * iteration->rate[i];
+    }
+}
+
 void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x)
 {
     lag_motion *motion = iteration->motion;
-    const int moves = motion->ode.rates(motion, t, x, iteration->rate) == LAG_OK;
-    for (size_t i = 0; i < lag_motion_size(motion->model); ++i) {
-        iteration->later[i] = moves ? x[i] + iteration->lookahead * iteration->rate[i] : x[i];
+    if (motion->ode.rates(motion, t, x, iteration->rate) != LAG_OK) {
+        lag_fill(lag_motion_size(motion->model), 0.0, iteration->rate);
     }
+    go(iteration, x, iteration->lookahead);
 }
 
 /* True if relation i passes zero here, by its values now and after `lookahead`. */
 static int passing(const lag_event_iteration *iteration, size_t i)
 {
     return fabs(iteration->now[i]) <= PASSING * fabs(iteration->then[i] - iteration->now[i]);
+}
+
+/* True if relation i passes zero here, back to what it is not. */
+static int turns_back(const lag_event_iteration *iteration, size_t i)
+{
+    const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
+    return passing(iteration, i) && holds(iteration->motion->model, i, iteration->then[i]) != truth;
+}
+
+/*
+ * Relations that turn back, and whose change is clear of round-off in `soon`, are what they are then; those in `kept` (flags, or null) stay as they
+ * are where it is not. Returns how many are left.
+ */
+static size_t accept(lag_event_iteration *iteration, const double *kept)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < iteration->motion->model->nindicator; ++i) {
+        const int is_known = PASSING * fabs(iteration->soon[i] - iteration->now[i]) > iteration->noise->sigma[i];
+        const int is_kept = kept != NULL && kept[i] != 0.0;
+        if (turns_back(iteration, i) && is_known) {
+            iteration->then[i] = iteration->soon[i];
+        } else if (turns_back(iteration, i) && is_kept) {
+            iteration->then[i] = -iteration->then[i];
+        } else {
+            left += (size_t)turns_back(iteration, i);
+        }
+    }
+    return left;
+}
+
+static int any_turns_back(const lag_event_iteration *iteration)
+{
+    size_t i = 0;
+    while (i < iteration->motion->model->nindicator && !turns_back(iteration, i)) {
+        ++i;
+    }
+    return i < iteration->motion->model->nindicator;
+}
+
+/*
+ * A relation that holds for a shorter time than `lookahead`, as a narrow `abs(x - a) < b`, seems to turn back at the event at which it turns: it is
+ * looked at again after a time that is just long against round-off. It does not turn back where nothing has changed the state.
+ */
+static lag_status look_sooner(lag_event_iteration *iteration, double t, const double *x, const double *turned)
+{
+    const int is_same = turned != NULL && memcmp(x, iteration->from, lag_motion_size(iteration->motion->model) * sizeof(double)) == 0;
+    lag_status status = LAG_OK;
+    double after = iteration->moment;
+    size_t left = after < iteration->lookahead && any_turns_back(iteration);
+    if (left > 0) {
+        lag_noise_find(iteration->noise, t, x);
+    }
+    while (left > 0 && after < iteration->lookahead && status == LAG_OK) {
+        go(iteration, x, after);
+        status = indicate(iteration, t + after, iteration->later, iteration->soon);
+        left = status == LAG_OK ? accept(iteration, is_same ? turned : NULL) : left;
+        after *= LONGER;
+    }
+    return status;
 }
 
 /* Round-off of the relations, where one of those that have turned may be zero but for that. */
@@ -78,6 +149,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     if (status == LAG_OK) {
         status = indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then);
     }
+    status = status == LAG_OK ? look_sooner(iteration, t, x, turned) : status;
     if (status == LAG_OK) {
         weigh(iteration, t, x, turned);
     }

@@ -38,6 +38,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
+    instants->iteration.from = instants->x_before;
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -379,6 +380,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->iteration.lookahead = fmax(fmax(AHEAD * h, instants->late), ULPS * DBL_EPSILON * fabs(t));
+    instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
+    instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
     instants->contacts.lookahead = instants->iteration.lookahead;
 }

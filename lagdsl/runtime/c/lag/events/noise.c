@@ -6,10 +6,8 @@
 
 #include "lag/linalg/arena.h"
 
-/* Relative change of the numbers: its square is round-off. */
-static const double CHANGE = 0x1p-26;
-/* So many roundings of each number are round-off. */
-static const double ROUNDINGS = 16.0;
+/* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
+static const double CHANGE = 16.0 * DBL_EPSILON;
 
 static size_t count_of(const lag_model *model)
 {
@@ -94,7 +92,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
             continue;
         }
         for (size_t i = 0; i < count_of(model); ++i) {
-            const double by = fabs(noise->other[i] - noise->value[i]) * (ROUNDINGS * DBL_EPSILON / CHANGE);
+            const double by = fabs(noise->other[i] - noise->value[i]);
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }

@@ -40,14 +40,14 @@ double lag_look_length(double w, double doubt)
     return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
 }
 
-int lag_minimum_of(const lag_triple *at, double error, double *u, double *height)
+int lag_minimum_of(const lag_triple *at, double error, int just, double *u, double *height)
 {
     const double *v = at->v;
     const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
     const double bend = ((v[2] - v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
     const double vertex = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
-    const int inside = bend > 0.0 && vertex > at->u[0] + BEGINNING * (at->u[1] - at->u[0]) && vertex < at->u[2];
-    const int first = v[0] < v[1] && v[0] < LOWER * error && v[0] > JUST * v[1];
+    const int inside = bend > 0.0 && vertex > at->u[0] + (just ? BEGINNING * (at->u[1] - at->u[0]) : 0.0) && vertex < at->u[2];
+    const int first = v[0] < v[1] && v[0] < LOWER * error && (!just || v[0] > JUST * v[1]);
     const int last = v[2] < v[1] && v[2] < LOWER * error;
     *u = inside ? vertex
         : first ? at->u[0] + BESIDE * (at->u[1] - at->u[0])

@@ -34,9 +34,9 @@ double lag_look_length(double w, double doubt);
 /*
  * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the
  * minimum of a parabola. If that place lies beyond an end whose value is below the error, *u is a place beside that end, but
- * not beside a beginning at which an event has just occurred.
+ * not beside a beginning at which an event has just occurred: `just`.
  */
-int lag_minimum_of(const lag_triple *at, double error, double *u, double *height);
+int lag_minimum_of(const lag_triple *at, double error, int just, double *u, double *height);
 
 /* Three looks around the minimum, of which that at u is one. */
 void lag_minimum_narrow(lag_triple *at, double u, double v);

@@ -176,16 +176,25 @@ static int only_corners(const lag_run *run)
     return !lag_any(model->nindicator + model->ncontact, run->crossings.changed);
 }
 
-/* A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. */
+/*
+ * A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. A relation that has a corner
+ * itself, as `abs(x - a) < b`, may have changed before that without a look that has seen it.
+ */
 static lag_status with_relations(lag_run *run, double *own, double *corner)
 {
     const lag_model *model = run->motion.model;
     const double at = *own;
     const double behind = fmin(run->stepper.t, at + BEHIND * lookahead(run));
-    const lag_status status = lag_scan_look(run, behind);
-    const int more = lag_any(model->nindicator + model->ncontact, run->crossings.changed);
-    *own = more ? behind : (double)INFINITY;
-    *corner = more ? (double)INFINITY : at;
+    lag_status status = lag_scan_look(run, behind);
+    *own = *corner = (double)INFINITY;
+    if (!lag_any(model->nindicator + model->ncontact, run->crossings.changed)) {
+        *corner = at;
+    } else if (status == LAG_EVENT_PENDING) {
+        const double first = lag_scan_earliest(run, run->stepper.t_before, behind);
+        const int before = first < at - lookahead(run);
+        status = before ? status : lag_scan_look(run, behind);
+        *own = before ? first : behind;
+    }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 

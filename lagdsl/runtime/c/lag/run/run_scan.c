@@ -58,10 +58,11 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
     lag_triple at;
     double u = 0.0;
     double height = 0.0;
+    const int just = k == 2 && in->a == run->stepper.t_before;
     for (int j = 0; j < 3; ++j) {
         lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], run->crossings.seen[k - 2 + j][i]);
     }
-    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, &u, &height); ++again) {
+    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
         if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
             return LAG_OK;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/arena.h"
 #include "lag/linalg/root.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
@@ -37,10 +38,8 @@ static double refine(change *one, double a, double fa, double b, double root, do
 {
     const double value = value_of(one, root);
     const double better = root - value * (root - a) / (value - fa);
-    if (fabs(value) > ALIKE * fabs(fa)) {
-        return fmin(b, root + LAG_SCAN_TOGETHER * tolerance);
-    }
-    return fabs(better - root) <= tolerance ? better : root;
+    const int jumps = fabs(value) > ALIKE * fabs(fa) || fabs(better - root) > tolerance;
+    return jumps ? fmin(b, root + LAG_SCAN_TOGETHER * tolerance) : better;
 }
 
 /*
@@ -71,6 +70,18 @@ static double root_of(change *one, double a, double b, double tolerance)
     return b;
 }
 
+/* At a corner at which something jumps, that happens behind the jump. */
+static double with_corners(const lag_run *run, double first)
+{
+    const lag_model *model = run->motion.model;
+    const size_t corners = model->nindicator + model->ncontact;
+    double last = first;
+    for (size_t i = 0; i < corners && lag_any(run->crossings.corners, run->crossings.changed + corners); ++i) {
+        last = run->crossings.changed[i] != 0.0 ? fmax(last, run->crossings.root[i]) : last;
+    }
+    return last;
+}
+
 double lag_scan_earliest(lag_run *run, double a, double b)
 {
     const size_t count = lag_zero_crossing_count(&run->crossings);
@@ -94,5 +105,5 @@ double lag_scan_earliest(lag_run *run, double a, double b)
     for (size_t i = 0; i < count; ++i) {
         run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
     }
-    return first;
+    return with_corners(run, first);
 }

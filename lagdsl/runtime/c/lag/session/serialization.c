@@ -103,6 +103,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
     RECORD(instants->iteration.lookahead);
+    RECORD(instants->iteration.moment);
     RECORD(instants->iteration.stopped);
     RECORD(instants->iteration.fault);
     RECORD(instants->crowd.last);
@@ -140,6 +141,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->half.open);
     RECORD(run->half.own);
     RECORD(run->half.other);
+    RECORD(run->half.corner);
     RECORD(run->half.t);
     RECORD(run->half.length);
     RECORD(run->half.next);
