@@ -1,6 +1,7 @@
-"""An importer for model exchange that adds next to no error: DOP853 at 1e-13, events by Brent's method over calls of FMI.
+"""An importer for model exchange that adds next to no error: DOP853 at 1e-13, events by Brent's method.
 
-A step in which an indicator changes its sign is done again up to the first change. What differs from a reference is the FMU's.
+A step in which an indicator changes its sign is done again up to the first change. What differs from a reference is the
+FMU's.
 """
 
 from __future__ import annotations
@@ -129,24 +130,28 @@ def ends_exactly(fmu: Exported, stop: float, names: Sequence[str], starts: Mappi
                 raise AssertionError(f"{MOST_EVENTS} events up to {t} s")
         except Terminated:
             pass
-        return {name: _value(one, fmu, name) for name in names}
-    finally:
+        values = {name: _value(one, fmu, name) for name in names}
         one.fmu.terminate()
+        return values
+    finally:
         one.fmu.freeInstance()
 
 
 def _value(one: Instance, fmu: Exported, name: str) -> float:
     variable, index = fmu.entry(name)
-    kind = variable.type if one.is_second else variable.type
-    values = getattr(one.fmu, f"get{kind}")([variable.valueReference])
+    count = 1 if index is None else int(np.prod(variable.shape))
+    more = {} if one.is_second else {"nValues": count}
+    values = getattr(one.fmu, f"get{variable.type}")([variable.valueReference], **more)
     return float(values[index or 0])
 
 
 def _to_event(one: Instance, t: float, x: np.ndarray, limit: float, stop: float) -> tuple[float, np.ndarray, bool]:
     """Steps up to the first event, or to `limit`; True where there is one."""
     before = one.indicators(t, x) > 0
-    solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST * stop) if limit > t else None
-    while solver is not None and solver.status == "running":
+    if not limit > t:
+        return t, x, limit < stop
+    solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST * stop)
+    while solver.status == "running":
         t, x = solver.t, solver.y.copy()
         message = solver.step()
         assert solver.status != "failed", message

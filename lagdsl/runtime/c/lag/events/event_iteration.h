@@ -71,6 +71,12 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 /* Relations that pass zero here become what they are a moment later. */
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
 
+/*
+ * True if one of the relations flagged in `turned`, which stand behind zero at x at time t, comes back towards it so slowly that it does not
+ * get there in a flight of so long a time.
+ */
+int lag_event_iteration_sinks(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight);
+
 /* Tells that something happened. */
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
 

@@ -7,6 +7,8 @@
 
 /* A relation that passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-2;
+/* The top of a flight of time T that begins at speed v is v T/4; so many depths have to be above that, so that it is clear. */
+static const double LOW = 16.0;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
 
@@ -166,4 +168,20 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x)
 {
     return lag_event_iteration_ahead(iteration, t, x, NULL);
+}
+
+int lag_event_iteration_sinks(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight)
+{
+    const lag_motion *motion = iteration->motion;
+    const double *truth = motion->w + iteration->places.relation;
+    int any = 0;
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_status status = indicate(iteration, t, x, iteration->now);
+    status = status == LAG_OK ? indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then) : status;
+    for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
+        const double rise = (fabs(iteration->now[i]) - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->lookahead;
+        const int stands = turned[i] != 0.0 && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
+        any = any || (stands && rise > 0.0 && rise * flight < LOW * fabs(iteration->now[i]));
+    }
+    return any;
 }

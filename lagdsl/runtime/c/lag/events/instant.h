@@ -22,7 +22,7 @@ typedef struct lag_instants {
     double *x_before, *w_before; /* (2 nq + nz) (nw) */
     lag_clock *clock; /* (nclock) */
     double *first, *period; /* (nclock) */
-    lag_crowd crowd;
+    lag_crowd crowd, resets; /* all events; those that change the state */
     double late;             /* an event may be carried out so long after its zero, as an importer finds it [s]; the run's own: 0 */
 } lag_instants;
 

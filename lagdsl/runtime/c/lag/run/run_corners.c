@@ -176,24 +176,40 @@ static int only_corners(const lag_run *run)
     return !lag_any(model->nindicator + model->ncontact, run->crossings.changed);
 }
 
+/* LAG_EVENT_PENDING: relations or contacts have changed at t, within the last step. */
+static lag_status look_at_jumps(lag_run *run, double t)
+{
+    const lag_model *model = run->motion.model;
+    const lag_status status = lag_scan_look(run, t);
+    const int any = lag_any(model->nindicator + model->ncontact, run->crossings.changed);
+    return status == LAG_EVENT_PENDING && !any ? LAG_OK : status;
+}
+
 /*
  * A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. A relation that has a corner
- * itself, as `abs(x - a) < b`, may have changed before that without a look that has seen it.
+ * itself, as `abs(x - a) < b`, may have changed before that without a look that has seen it; one that jumps there may have changed back.
  */
 static lag_status with_relations(lag_run *run, double *own, double *corner)
 {
-    const lag_model *model = run->motion.model;
     const double at = *own;
+    const double before = at - lookahead(run);
     const double behind = fmin(run->stepper.t, at + BEHIND * lookahead(run));
-    lag_status status = lag_scan_look(run, behind);
+    double last = behind;
+    lag_status status = look_at_jumps(run, last);
+    if (status == LAG_OK) {
+        last = before;
+        status = look_at_jumps(run, last);
+    }
     *own = *corner = (double)INFINITY;
-    if (!lag_any(model->nindicator + model->ncontact, run->crossings.changed)) {
+    if (status == LAG_EVENT_PENDING) {
+        *own = lag_scan_earliest(run, run->stepper.t_before, last);
+        status = LAG_OK;
+    } else if (status == LAG_OK) {
         *corner = at;
-    } else if (status == LAG_EVENT_PENDING) {
-        const double first = lag_scan_earliest(run, run->stepper.t_before, behind);
-        const int before = first < at - lookahead(run);
-        status = before ? status : lag_scan_look(run, behind);
-        *own = before ? first : behind;
+    }
+    if (*own < (double)INFINITY && *own >= before) {
+        *own = behind;
+        status = lag_scan_look(run, behind);
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }

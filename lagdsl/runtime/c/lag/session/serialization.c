@@ -93,6 +93,18 @@ static void record_clock(lag_clock *clock, lag_record *record)
     RECORD(clock->denominator);
 }
 
+static void record_crowd(lag_crowd *crowd, lag_record *record)
+{
+    RECORD(crowd->last);
+    RECORD(crowd->interval);
+    RECORD(crowd->first);
+    RECORD(crowd->ratio);
+    RECORD(crowd->shrinking);
+    RECORD(crowd->still);
+    RECORD(crowd->dense);
+    RECORD(crowd->regular);
+}
+
 static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
@@ -106,12 +118,8 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->iteration.moment);
     RECORD(instants->iteration.stopped);
     RECORD(instants->iteration.fault);
-    RECORD(instants->crowd.last);
-    RECORD(instants->crowd.interval);
-    RECORD(instants->crowd.first);
-    RECORD(instants->crowd.shrinking);
-    RECORD(instants->crowd.still);
-    RECORD(instants->crowd.dense);
+    record_crowd(&instants->crowd, record);
+    record_crowd(&instants->resets, record);
 }
 
 static void record_rest(lag_run *run, lag_record *record)
