@@ -1,4 +1,4 @@
-"""What is narrow, bent, struck or set in a class happens in each instance with its own values. References: free
+"""Needles, corners, blows and settings of a class happen in each instance with its own values. References: free
 flights, oscillators and blows by hand, one instance after the other."""
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """An importer for model exchange that adds next to no error: DOP853 at 1e-13, events by Brent's method.
 
-A step in which an indicator changes its sign is done again up to the first change. What differs from a reference is the
-FMU's.
+A step in which an indicator changes its sign is done again up to the first change. Differences to a reference are those
+of the FMU.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ MOST_EVENTS = 20_000
 
 
 class Terminated(Exception):  # noqa: N818 it is no failure
-    """The FMU ends the simulation."""
+    """An FMU ended the simulation."""
 
 
 @dataclass

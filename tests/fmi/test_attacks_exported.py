@@ -108,7 +108,7 @@ def test_models_made_to_go_wrong_as_fmus(name: str, version: int, tmp_path: Path
 
 @pytest.mark.parametrize(("name", "version"), chosen([(n, v) for n in EXCHANGED for v in VERSIONS], EXACT))
 def test_an_exact_importer_finds_the_references(name: str, version: int, tmp_path: Path) -> None:
-    """What CVODE adds in the test above is not the FMU's: model exchange is as exact as co-simulation."""
+    """Errors of CVODE in the test above are not the FMU's: model exchange is as exact as co-simulation."""
     row = EXCHANGED[name]
     fmu = _exported(row, version, tmp_path)
     if fmu is None:

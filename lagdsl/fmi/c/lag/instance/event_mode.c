@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* The margin, as a part of the magnitudes seen, at most this and this part of the tolerance, and so many times its round-off. */
-static const double PART = 1e-11;
+static const double PART = 1e-12;
 static const double ALLOWED = 0.1;
 static const double ROUNDINGS = 64.0;
 /* During an event, a value has changed if it lies behind zero by this part of its margin. */

@@ -2,6 +2,7 @@
 #ifndef LAG_EVENT_ITERATION_H
 #define LAG_EVENT_ITERATION_H
 
+#include "lag/events/clock.h"
 #include "lag/events/contact.h"
 #include "lag/event_notice.h"
 #include "lag/events/noise.h"
@@ -72,10 +73,12 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
 
 /*
- * True if one of the relations flagged in `turned`, which stand behind zero at x at time t, comes back towards it so slowly that it does not
- * get there in a flight of so long a time.
+ * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned` back across its zero for shorter and
+ * shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
+ * motion would go on behind it.
  */
-int lag_event_iteration_sinks(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight);
+int lag_event_iteration_sinks(
+    lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length);
 
 /* Tells that something happened. */
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);

@@ -7,6 +7,8 @@
 
 /* A relation that passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-2;
+/* So many times between resets in a row, each shorter than the one before, are a series. */
+enum { SERIES = 2 };
 /* The top of a flight of time T that begins at speed v is v T/4; so many depths have to be above that, so that it is clear. */
 static const double LOW = 16.0;
 /* Factor from one look ahead to the next. */
@@ -170,7 +172,8 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
     return lag_event_iteration_ahead(iteration, t, x, NULL);
 }
 
-int lag_event_iteration_sinks(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight)
+/* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly for a flight of so long a time. */
+static int is_too_deep(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight)
 {
     const lag_motion *motion = iteration->motion;
     const double *truth = motion->w + iteration->places.relation;
@@ -179,9 +182,20 @@ int lag_event_iteration_sinks(lag_event_iteration *iteration, double t, const do
     lag_status status = indicate(iteration, t, x, iteration->now);
     status = status == LAG_OK ? indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then) : status;
     for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
-        const double rise = (fabs(iteration->now[i]) - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->lookahead;
+        const double depth = fabs(iteration->now[i]);
+        const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->lookahead;
         const int stands = turned[i] != 0.0 && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
-        any = any || (stands && rise > 0.0 && rise * flight < LOW * fabs(iteration->now[i]));
+        any = any || (stands && rise > 0.0 && rise * flight < LOW * depth);
     }
     return any;
+}
+
+int lag_event_iteration_sinks(
+    lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
+{
+    if (memcmp(x, iteration->from, lag_motion_size(iteration->motion->model) * sizeof(double)) == 0) {
+        return 0;
+    }
+    const int crowds = lag_crowds(resets, t, length, 1);
+    return crowds || (resets->shrinking >= SERIES && is_too_deep(iteration, t, x, turned, resets->ratio * resets->interval));
 }

@@ -11,8 +11,6 @@ static const double SAME_TICK = 1e-9;
 /* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
 static const double ULPS = 4096.0;
-/* So many times between resets in a row, each shorter than the one before, are a series. */
-enum { SERIES = 2 };
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
@@ -352,22 +350,6 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     return status;
 }
 
-/*
- * True if resets throw a relation back across its zero for shorter and shorter times, and the next one is too short to come back from where an
- * importer has found this one. The relation would not change any more, and the motion would go on behind it.
- */
-static int sinks(lag_instants *instants, double t, const double *x, const double *changed)
-{
-    lag_crowd *resets = &instants->resets;
-    const size_t size = lag_motion_size(instants->motion->model);
-    if (!(instants->late > 0.0) || memcmp(x, instants->x_before, size * sizeof(double)) == 0) {
-        return 0;
-    }
-    const int crowds = lag_crowds(resets, t, instants->contacts.length, 1);
-    const double next = resets->ratio * resets->interval;
-    return crowds || (resets->shrinking >= SERIES && lag_event_iteration_sinks(&instants->iteration, t, x, changed, next));
-}
-
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
@@ -388,7 +370,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
     status = status == LAG_OK ? follow(instants, t, x) : status;
-    const int sunk = status == LAG_OK && any && sinks(instants, t, x, changed);
+    const int sunk = status == LAG_OK && any && instants->late > 0.0 &&
+        lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
     if (!(lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk) || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
