@@ -1,6 +1,5 @@
 /* Relations in passes over clauses: as they stand, and what they are a moment later where they pass zero. */
 #include <math.h>
-#include <string.h>
 
 #include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
@@ -45,6 +44,17 @@ lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, c
         iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->now[i]);
     }
     return status;
+}
+
+/* True if the event has not changed the state so far. */
+static int is_same(const lag_event_iteration *iteration, const double *x)
+{
+    const size_t size = lag_motion_size(iteration->motion->model);
+    size_t i = 0;
+    while (i < size && x[i] == iteration->from[i]) {
+        ++i;
+    }
+    return i == size;
 }
 
 /* The state so much later, by its rates. */
@@ -113,7 +123,7 @@ static int any_turns_back(const lag_event_iteration *iteration)
  */
 static lag_status look_sooner(lag_event_iteration *iteration, double t, const double *x, const double *turned)
 {
-    const int is_same = turned != NULL && memcmp(x, iteration->from, lag_motion_size(iteration->motion->model) * sizeof(double)) == 0;
+    const int kept = turned != NULL && is_same(iteration, x);
     lag_status status = LAG_OK;
     double after = iteration->moment;
     size_t left = after < iteration->lookahead && any_turns_back(iteration);
@@ -123,7 +133,7 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
     while (left > 0 && after < iteration->lookahead && status == LAG_OK) {
         go(iteration, x, after);
         status = indicate(iteration, t + after, iteration->later, iteration->soon);
-        left = status == LAG_OK ? accept(iteration, is_same ? turned : NULL) : left;
+        left = status == LAG_OK ? accept(iteration, kept ? turned : NULL) : left;
         after *= LONGER;
     }
     return status;
@@ -193,7 +203,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
-    if (memcmp(x, iteration->from, lag_motion_size(iteration->motion->model) * sizeof(double)) == 0) {
+    if (is_same(iteration, x)) {
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);
