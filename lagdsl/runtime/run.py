@@ -57,6 +57,7 @@ class Run(RunView):
         self._row_sizes = np.ones(len(layout.constraints))
         self.results = RunResults(self._library, model, layout, settings, self._kept)
         options = self._options()
+        options.zeroed = 1
         size = int(self._library.run_size(model.model, byref(options)))
         block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
         self._kept.append(block)

@@ -246,6 +246,7 @@ class RunOptions(Structure):
         *_all(c_void_p, "invariant_tolerance invariant_start invariant_size invariant_drift"),
         *_all(c_int, "continued"),
         *_all(c_void_p, "start"),
+        *_all(c_int, "zeroed"),
     ]
 
 

@@ -11,16 +11,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from fmi.texts import export_text
+from fmpy import simulate_fmu
 from scipy.integrate import solve_ivp
 
 import lagdsl
+from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.simulate.placed import placed
 
 A02 = Path(__file__).parents[2] / "benchmarks" / "models" / "iftomm_a02.lag"
 GRAVITY = 9.81
 BESIDE = [sign * distance for distance in (1e-5, 1e-7, 1e-9, 1e-12, 0.0) for sign in (-1, 1)]
 
 
-def row(*, extra: str, outputs: str) -> lagdsl.Model:
+OUTPUTS = "output AngularAcceleration a = der(der(up[1])); output Real f = multiplier(along);"
+
+
+def text_of(*, extra: str, outputs: str) -> str:
     """A02 with one bar, whose first upright has the mass of the other one and `extra` at its middle."""
     text = A02.read_text(encoding="utf-8").replace("Integer N = 2", "Integer N = 1")
     text = text.replace("parameter Mass m = 1 kg;", f"parameter Mass m = 1 kg, e = {extra};")
@@ -28,7 +35,11 @@ def row(*, extra: str, outputs: str) -> lagdsl.Model:
     text = text.replace("constraint l*cos", "constraint along: l*cos").replace(
         "constraint l*sin", "constraint up_: l*sin"
     )
-    return lagdsl.compile(text.replace("  annotation", f"  {outputs}\n  annotation"), engine="tape")
+    return text.replace("  annotation", f"  {outputs}\n  annotation")
+
+
+def row(*, extra: str, outputs: str) -> lagdsl.Model:
+    return lagdsl.compile(text_of(extra=extra, outputs=outputs), engine="tape")
 
 
 def lies_flat(extra: float) -> tuple[float, float, float]:
@@ -48,9 +59,7 @@ def lies_flat(extra: float) -> tuple[float, float, float]:
 
 @pytest.fixture(scope="module")
 def even() -> lagdsl.Model:
-    return row(
-        extra="0 kg", outputs="output AngularAcceleration a = der(der(up[1])); output Real f = multiplier(along);"
-    )
+    return row(extra="0 kg", outputs=OUTPUTS)
 
 
 @pytest.mark.parametrize("distance", BESIDE)
@@ -77,9 +86,7 @@ def test_a_multiplier_has_its_limit(even: lagdsl.Model) -> None:
 
 def test_a_multiplier_without_a_limit_is_nan_and_told() -> None:
     """With a mass on one upright the bar has to turn the other one while it lies along it: its force has a pole."""
-    model = row(
-        extra="1 kg", outputs="output AngularAcceleration a = der(der(up[1])); output Real f = multiplier(along);"
-    )
+    model = row(extra="1 kg", outputs=OUTPUTS)
     time, rate, acceleration = lies_flat(1.0)
     motion = model.simulate(stop=1.0, interval=time)
     assert np.isnan(motion["f"][1]) and np.isfinite(motion["f"][[0, 2]]).all()
@@ -90,3 +97,30 @@ def test_a_multiplier_without_a_limit_is_nan_and_told() -> None:
     late = model.simulate(stop=1.0, interval=time + 1e-4)["f"][1]
     pole = (acceleration / 3 + GRAVITY / 2 + (acceleration + GRAVITY) / 2) / rate
     assert early * -1e-4 == pytest.approx(pole, rel=1e-2) and late * 1e-4 == pytest.approx(pole, rel=1e-2)
+
+
+@pytest.mark.parametrize("distance", [0.0, 1e-12, -1e-9, 1e-7])
+def test_a_communication_point_of_an_fmu_has_the_values_of_a_row(
+    distance: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It had an acceleration of 17 rad/s2, and the multiplier of least norm."""
+    time, rate, acceleration = lies_flat(0.0)
+    path = tmp_path / "row.fmu"
+    export_text(text_of(extra="0 kg", outputs=OUTPUTS), path)
+    step = time + distance
+    rows = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=2 * step, step_size=step, output_interval=step)
+    capsys.readouterr()
+    assert rows["a"][1] == pytest.approx(acceleration, abs=1e-4)
+    assert rows["f"][1] == pytest.approx(-(rate**2) / 2, rel=1e-5)
+
+
+def test_a_function_at_the_state_of_a_row_has_its_values(even: lagdsl.Model) -> None:
+    """`lag_run_evaluate`, with which starts and faults are told."""
+    time, _, acceleration = lies_flat(0.0)
+    flat, engine = even._compilation.flat, engine_of(even._compilation.program, "tape")
+    motion = even.simulate(stop=time, interval=time)
+    x = np.array([motion[name][-1] for name in motion.names[1:] if name not in even.outputs])
+    run = placed(flat, engine, even.defaults, np.zeros(0))
+    run.begin(time, x)
+    values = run.evaluate("output", time, x, len(flat.outputs))
+    assert values[0] == pytest.approx(acceleration, abs=1e-4)

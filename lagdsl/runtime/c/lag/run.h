@@ -94,6 +94,7 @@ typedef struct lag_run_options {
      * constraints, nothing else.
      */
     const lag_start *start;
+    int zeroed; /* 1: the block is zero, as calloc gives it, so that pages of matrices that nobody asks for stay untouched */
 } lag_run_options;
 
 /* A change of the method. */
@@ -268,8 +269,14 @@ typedef struct lag_fault {
 void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault);
 
 /*
+ * Accelerations and multipliers into run->motion, as rows have them: on singular positions the limits along the motion; what is not
+ * determined is no number. `after_event`: x is the state after an event at that time.
+ */
+void lag_run_solve(lag_run *run, double t, const double *x, int after_event);
+
+/*
  * Any function of the model (lag/evaluate.h) at x at time t, with the present discretes, inputs and parameters, accelerations and multipliers
- * solved; results stand one after the other.
+ * solved, for outputs as in rows; results stand one after the other.
  */
 lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results);
 

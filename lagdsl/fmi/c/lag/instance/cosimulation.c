@@ -69,12 +69,19 @@ static int is_event(const lag_run *run)
     return (run->half.open && run->half.own) || lag_run_due(run, reached(run));
 }
 
-/* Carries out the rest of the last step; updates the margins if an event occurred. */
+/*
+ * Carries out the rest of the last step; updates the margins if an event occurred. A step that was cut short at this communication
+ * point may have ended on a singular position, which is looked at where a run begins only.
+ */
 static lag_status finish(lag_instance *instance, double far)
 {
     lag_run *run = instance->run;
     const size_t before = run->events;
-    const lag_status status = lag_run_finish(run, far);
+    const int cut = run->half.open && run->stepper.t == instance->held.t && lag_run_crosses(run->motion.model, &run->options);
+    lag_status status = lag_run_finish(run, far);
+    if (status == LAG_OK && cut) {
+        status = lag_run_restart(run, far);
+    }
     return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
 }
 

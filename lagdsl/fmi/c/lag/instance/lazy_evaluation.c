@@ -20,14 +20,19 @@ lag_status lag_instance_ready(lag_instance *instance)
     return LAG_OK;
 }
 
-/* Accelerations of the model, also for states off its constraints. */
+/* Accelerations of the model, also for states off its constraints; in co-simulation those of rows. */
 static lag_status accelerations(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
+    const lag_held *held = &instance->held;
     if (instance->fmu->model->nc == 0) {
-        return lag_motion_solve(motion, instance->held.t, instance->x);
+        return lag_motion_solve(motion, held->t, instance->x);
     }
-    return lag_motion_pulled(motion, 0.0, instance->held.t, instance->x, motion->qdd, motion->lam);
+    if (held->phase == LAG_PHASE_MOTION && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
+        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->event_time);
+        return LAG_OK;
+    }
+    return lag_motion_pulled(motion, 0.0, held->t, instance->x, motion->qdd, motion->lam);
 }
 
 /* dx/dt; not finite values are an error here. */

@@ -39,6 +39,15 @@ static void find_residuals(lag_run *run, double *residual)
     }
 }
 
+void lag_run_solve(lag_run *run, double t, const double *x, int after_event)
+{
+    if (lag_run_crosses(run->motion.model, &run->options)) {
+        lag_singular_row(&run->singular, t, x, after_event);
+    } else {
+        lag_event_iteration_solve(&run->motion, t, x);
+    }
+}
+
 /* Outputs, energy and residuals at x. Without accelerations those outputs are no numbers that read them. */
 static void observe(lag_run *run, double t, const double *x, int after_event, double *values)
 {
@@ -47,11 +56,7 @@ static void observe(lag_run *run, double t, const double *x, int after_event, do
     double *energy = values + model->ny;
     double parts[3];
     if (model->ny > 0) {
-        if (lag_run_crosses(model, &run->options)) {
-            lag_singular_row(&run->singular, t, x, after_event);
-        } else {
-            lag_event_iteration_solve(motion, t, x);
-        }
+        lag_run_solve(run, t, x, after_event);
         if (model->output(&motion->at, values) != LAG_OK) {
             lag_fill(model->ny, (double)NAN, values);
         }

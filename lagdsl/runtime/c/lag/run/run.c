@@ -103,7 +103,9 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
 {
     const size_t size = lag_motion_size(model);
     char *bytes = block;
-    memset(block, 0, lag_run_size(model, options) - scratch(model, options) * sizeof(double)); /* pages that nobody asks for stay untouched */
+    if (!options->zeroed) {
+        memset(block, 0, lag_run_size(model, options) - scratch(model, options) * sizeof(double));
+    }
     lag_run *run = block;
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));

@@ -28,13 +28,10 @@ lag_status lag_run_watch(lag_run *run, double t, const double *x)
 lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results)
 {
     lag_motion *motion = &run->motion;
-    if (lag_motion_solve(motion, t, x) != LAG_OK) {
-        for (size_t i = 0; i < motion->model->nq; ++i) {
-            motion->qdd[i] = (double)NAN;
-        }
-        for (size_t i = 0; i < motion->model->nc; ++i) {
-            motion->lam[i] = (double)NAN;
-        }
+    if (which == LAG_OUTPUT) {
+        lag_run_solve(run, t, x, t <= run->event_time);
+    } else {
+        lag_event_iteration_solve(motion, t, x);
     }
     return lag_evaluate(motion->model, (lag_function)which, &motion->at, results);
 }
