@@ -12,7 +12,7 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
 
     With `called` a bracket follows: a function was meant.
     """
-    quantity = None if called else foreign_unit(number, unit) or _joined(number, unit)
+    quantity = None if called else _converted(number, unit) or _joined(number, unit)
     if quantity is not None:
         same = quantity.removeprefix(f"{number} ")
         edit = Edit(span, same) if same != quantity else None
@@ -23,6 +23,23 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
     if len(unit) == 1:  # more likely a factor
         edit = Edit(Span(span.file, span.start, span.start), "*")
     sink.report("E0105", span, help=unit_help(suggestion, number, unit), edit=edit, unit=unit)
+
+
+def _converted(number: str, unit: str) -> str | None:
+    """`2 ft/s` as `0.6096 m/s`, too."""
+    from lagdsl.units.parse import UnknownUnit, parse_unit
+
+    whole, (head, slash, tail) = foreign_unit(number, unit), unit.partition("/")
+    if whole is not None or not slash:
+        return whole
+    quantity = foreign_unit(number, head)
+    if quantity is None or "/" in quantity:
+        return None
+    try:
+        parse_unit(f"{quantity.partition(' ')[2]}/{tail}")
+    except UnknownUnit:
+        return None
+    return f"{quantity}/{tail}"
 
 
 def _joined(number: str, unit: str) -> str | None:

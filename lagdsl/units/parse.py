@@ -9,6 +9,7 @@ from typing import Literal
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.units.definition import ONE, UnitDefinition, product
+from lagdsl.units.dimension import dimension
 from lagdsl.units.vocabulary import UNITS
 
 Factors = list[tuple[UnitDefinition, Fraction]]
@@ -127,26 +128,56 @@ class _Reader:
 _SPELLINGS = {
     "Nm": "N.m", "kNm": "kN.m", "Nmm": "N.mm", "Ns": "N.s", "Nms": "N.m.s", "kgm": "kg.m", "Ws": "W.s", "As": "A.s",
     "kWh": "kW.h", "Ah": "A.h", "Vs": "V.s", "kmh": "km/h", "kph": "km/h", "mps": "m/s", "cc": "cm3",
-    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "hr": "h", "hour": "h", "hours": "h", "minute": "min",
-    "meter": "m", "metre": "m", "meters": "m", "metres": "m", "in": "inch", "L": "litre", "l": "litre",
-    "liter": "litre",
-    "gram": "g", "grams": "g", "kilograms": "kg", "kilos": "kg", "Kg": "kg", "KG": "kg", "newtons": "N", "Newtons": "N",
-    "joules": "J", "watts": "W", "volts": "V", "amps": "A", "amperes": "A", "millimeter": "mm", "centimeter": "cm",
-    "tonne": "t", "ton": "t", "kilogram": "kg", "kilo": "kg",
-    "radian": "rad", "radians": "rad", "degree": "deg", "degrees": "deg", "°": "deg", "turn": "rev", "turns": "rev",
-    "RPM": "rpm", "hertz": "Hz", "newton": "N", "Newton": "N", "joule": "J", "watt": "W", "pascal": "Pa", "volt": "V",
-    "amp": "A", "ampere": "A", "ohm": "Ohm", "Ω": "Ohm", "farad": "F", "henry": "H", "tesla": "T", "weber": "Wb",
-    "coulomb": "C", "kelvin": "K", "celsius": "degC", "°C": "degC", "µm": "um", "μm": "um", "µs": "us", "μs": "us",
+    "sec": "s", "secs": "s", "hr": "h", "hrs": "h", "mins": "min", "in": "inch", "L": "litre", "l": "litre",
+    "Kg": "kg", "KG": "kg", "°": "deg", "RPM": "rpm", "Ω": "Ohm", "°C": "degC",
+    "µm": "um", "μm": "um", "µs": "us", "μs": "us",
 }  # fmt: skip
+_FULL_NAMES = {
+    "meter": "m", "metre": "m", "gram": "g", "kilo": "kg", "second": "s", "minute": "min", "hour": "h",
+    "tonne": "t", "ton": "t", "liter": "litre", "litre": "litre", "micron": "um", "inche": "inch",
+    "radian": "rad", "degree": "deg", "turn": "rev", "revolution": "rev", "hertz": "Hz", "kelvin": "K",
+    "newton": "N", "joule": "J", "watt": "W", "pascal": "Pa", "volt": "V", "amp": "A", "ampere": "A", "ohm": "Ohm",
+    "celsius": "degC", "farad": "F", "henry": "H", "tesla": "T", "weber": "Wb", "coulomb": "C",
+}  # fmt: skip
+_PREFIXES = {"micro": "u", "milli": "m", "mili": "m", "centi": "c", "kilo": "k", "mega": "M"}
+# Masses, lengths, times, rates and angles have a plural; with forces and powers the `s` is the second.
+_COUNTED = tuple(dimension(**exponents) for exponents in ({"kg": 1}, {"m": 1}, {"s": 1}, {"s": -1}, {}))
 
 
 def _repaired(text: str, start: int, end: int) -> str | None:
     """The text with the unknown name replaced by its usual spelling, by a product of known names, or by the nearest."""
     name = text[start:end]
-    for replacement in (_SPELLINGS.get(name), _same_but_case(name), _as_product(name), nearest(name, UNITS)):
+    known = (_SPELLINGS.get(name), _of_full_name(name), _same_but_case(name), _of_plural(name), _without_double(name))
+    for replacement in (*known, _as_product(name), nearest(name, UNITS)):
         if replacement is not None:
             return _if_unit(text[:start] + replacement + text[end:], text)
     return None
+
+
+def _of_full_name(name: str) -> str | None:
+    """`mm` for `Millimeters`."""
+    stem = name.casefold()
+    for word in (stem, stem.removesuffix("s")):
+        if word in _FULL_NAMES:
+            return _FULL_NAMES[word]
+        for prefix, letter in _PREFIXES.items():
+            unit = letter + _FULL_NAMES.get(word.removeprefix(prefix), "?")
+            if word.startswith(prefix) and unit in UNITS:
+                return unit
+    return None
+
+
+def _of_plural(name: str) -> str | None:
+    """`kg` for `kgs`, and not for `Ns`, which is a product."""
+    stem = name[:-1]
+    plural = name.endswith("s") and len(stem) > 1 and stem in UNITS and UNITS[stem].dimension in _COUNTED
+    return stem if plural else None
+
+
+def _without_double(name: str) -> str | None:
+    """`cm` for `cmm`: a letter was typed twice."""
+    fewer = [name[:k] + name[k + 1 :] for k in range(1, len(name)) if name[k - 1] == name[k]]
+    return next((unit for unit in fewer if len(unit) > 1 and unit in UNITS), None)
 
 
 def _same_but_case(name: str) -> str | None:
@@ -157,13 +188,18 @@ def _same_but_case(name: str) -> str | None:
 def _as_product(name: str) -> str | None:
     """`Nm` is `N.m`: the fewest known names, up to three, whose letters are `name`."""
     for first in range(1, len(name)):
-        if name[:first] in UNITS and name[first:] in UNITS:
+        if name[:first] in UNITS and name[first:] in UNITS and not _are_alike(name[:first], name[first:]):
             return f"{name[:first]}.{name[first:]}"
     for first in range(1, len(name) - 1):
         rest = _as_product(name[first:]) if name[:first] in UNITS and len(name) <= 12 else None
         if rest is not None and rest.count(".") == 1:
             return f"{name[:first]}.{rest}"
     return None
+
+
+def _are_alike(one: str, other: str) -> bool:
+    """True for two units of one quantity: nobody means `cm.m`."""
+    return UNITS[one].dimension == UNITS[other].dimension and not UNITS[one].dimension.is_dimensionless
 
 
 def _one_slash(text: str) -> str | None:

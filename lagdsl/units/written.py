@@ -24,6 +24,22 @@ def literal_around(text: str, start: int, end: int) -> str | None:
     return None
 
 
+_MINUS_OR_SLASH = re.compile(rf"(?<![\w.])(?P<number>[0-9]+(?:\.[0-9]+)?)[ \t]*(?P<unit>{_FACTOR})(?P<mark>[-/])$")
+
+
+def literal_with(text: str, start: int, end: int) -> str | None:
+    """The literal, `2 N.m` or `3 m/s`, that the name at `start` to `end` was meant to end: `2 N-m`, `3 m/sec`."""
+    match = _MINUS_OR_SLASH.search(text, max(start - _LONGEST, text.rfind("\n", 0, start) + 1), start)
+    if match is None:
+        return None
+    unit = match["unit"] + match["mark"].replace("-", ".") + text[start : min(end, start + _LONGEST)]
+    try:
+        parse_unit(unit)
+    except UnknownUnit as fault:
+        return None if fault.suggestion is None else f"{match['number']} {fault.suggestion}"
+    return f"{match['number']} {unit}"
+
+
 def literal_of(text: str) -> str | None:
     """The literal of a text that is a product of a number and units as a whole."""
     match = _PRODUCT.fullmatch(text.strip()) if len(text) <= _LONGEST else None

@@ -57,7 +57,7 @@ def test_factor_of_products():
         ("kn", "name", "kn", "kN"),
         ("degree", "name", "degree", "deg"),
         ("m/sec", "name", "sec", "m/s"),
-        ("degs", "name", "degs", "deg.s"),
+        ("degs", "name", "degs", "deg"),
         ("kgms", "name", "kgms", "kg.ms"),
         ("hNmbar", "name", "hNmbar", "h.N.mbar"),
         ("foo", "name", "foo", None),

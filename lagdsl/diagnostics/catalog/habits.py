@@ -85,7 +85,7 @@ _WORDS = {
     "from": "write `import Package.*;`",
     "spring": "a spring is an energy: `potential 1/2*k*s^2;` of its extension; or a component: `lag explain Spring`",
     "damper": "a damper is a dissipation: `dissipation 1/2*d*der(s)^2;`; or a component: `lag explain Damper`",
-    "friction": "viscous friction is a dissipation: `dissipation 1/2*d*der(s)^2;`",
+    **dict.fromkeys(("friction", "damping"), "viscous friction is a dissipation: `dissipation 1/2*d*der(s)^2;`"),
     **dict.fromkeys(("moment", "couple"), "write `torque`: `torque value on angle;`"),
     "load": "write `force` or `torque`: `force vector at point;`",
     "energy": "write `kinetic` or `potential`: `kinetic T = 1/2*m*v^2;`",
@@ -204,6 +204,8 @@ def call_help(name: str, argument: str) -> str | None:
     """Help: the text to write for `simulate(10);` or `theta(0) = ...;` among the declarations."""
     if name in _COMMANDS:
         return _COMMAND
+    if name == "experiment":
+        return "the experiment is an annotation: `annotation(experiment(StopTime = 10));`"
     is_start = argument in ("0", "0.0", "t0")
     return f"a start is an attribute: `coordinate Angle {name}(start = 30 deg);`" if is_start else None
 

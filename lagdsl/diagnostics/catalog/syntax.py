@@ -123,17 +123,17 @@ _GROUP = re.compile(r"\d{3}(?:\.\d+)?(?: .*)?")
 _ATTRIBUTES = ("start", "fixed", "min", "max", "nominal")
 _FOREIGN_UNITS = {
     **dict.fromkeys(("kp", "kgf"), (9.80665, "N")),
-    **dict.fromkeys(("lb", "lbs", "lbm"), (0.45359237, "kg")),
+    **dict.fromkeys(("lb", "lbs", "lbm", "pound", "pounds"), (0.45359237, "kg")),
     "lbf": (4.4482216152605, "N"),
-    **dict.fromkeys(("ft", "feet"), (0.3048, "m")),
-    "yd": (0.9144, "m"),
-    "mi": (1.609344, "km"),
+    **dict.fromkeys(("ft", "feet", "feets", "foot"), (0.3048, "m")),
+    **dict.fromkeys(("yd", "yard", "yards"), (0.9144, "m")),
+    **dict.fromkeys(("mi", "mile", "miles"), (1.609344, "km")),
     "mph": (0.44704, "m/s"),
-    "kn": (0.5144444444, "m/s"),
+    **dict.fromkeys(("kn", "knot", "knots"), (0.5144444444, "m/s")),
     "psi": (6894.757293, "Pa"),
     "atm": (101325.0, "Pa"),
     "PS": (735.49875, "W"),
-    "hp": (745.6998716, "W"),
+    **dict.fromkeys(("hp", "horsepower"), (745.6998716, "W")),
     "kWh": (3.6, "MJ"),
     "Wh": (3.6, "kJ"),
     "cal": (4.184, "J"),
@@ -165,6 +165,8 @@ def unit_help(suggestion: str | None, number: str, word: str) -> str:
         return f"digits are not grouped: write `{number}{word.replace('_', '')}`"
     if suggestion is None and len(number + word) > _LONGEST:
         return "for a product write `*`"
+    if word == "f" and "." in number:
+        return f"a number has no letter for its type: `{number}`"
     product = f"for a product write `{number}*{word}`"
     if suggestion is not None and len(word) == 1:
         return f"{product}; if the unit is meant, `{number} {suggestion}`"
@@ -173,8 +175,11 @@ def unit_help(suggestion: str | None, number: str, word: str) -> str:
 
 def unexpected_help(before: str, found: str, after: str, expected: str) -> str | None:
     """Help of E0100, from the texts of the token before, of the one at fault and of the next, and what is expected."""
-    if found in _WORDS:
-        return _WORDS[found]
+    told = _WORDS.get(found) or _PAIRS.get((before, found))
+    if told is not None:
+        return told
+    if found == "in" and re.fullmatch(r"\d[\d.]*", before) and len(before) <= _LONGEST:
+        return f"write `{before} inch`"
     if found in ("**", ".^"):
         return f"a power is written `^`: `{before}^{after}`" if _short(before, after) else "a power is written `^`"
     if found == "." and "expression" in expected:
@@ -222,6 +227,8 @@ def _equals_help(before: str, found: str, after: str, expected: str) -> str | No
 def _missing_mark(before: str, found: str, after: str, expected: str) -> str | None:
     """Help where a mark may be missing between two operands."""
     operand = found[:1].isalnum() or found[:1] == '"'
+    if "operator" in expected and before[:1].isdigit() and found[:1].isdigit():
+        return "a comma or an operator stands between two numbers"
     if "operator" in expected and operand:
         if _short(before, found) and before not in _PLACES and found[:1].isalpha():
             call = "(...)" if after == "(" else ""
@@ -237,6 +244,11 @@ _WORDS = {
     "elsif": "write `elseif`",
     "else": "an expression is written `if condition then a else b`",
 }
+_PAIRS = {
+    (")", "{"): "blocks have words: `if condition then ... end if;`, `for i in 1:n loop ... end for;`",
+    (";", "<"): "this is no statement; `lag import FILE` makes a model of a URDF or MJCF file",
+}
+"""Help by the token before and the one at fault."""
 _PLACES = ("at", "on", "from", "to", "with")
 
 

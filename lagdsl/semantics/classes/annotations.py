@@ -47,6 +47,8 @@ def experiment(ctx: Context, annotations: Sequence[Placed]) -> Experiment:
                 given.append((modifier, placed.scope))
             elif name not in _NAMES:
                 hint = did_you_mean(name, _NAMES)
+                if name in _SETTINGS:
+                    hint = f"it belongs to the experiment: `annotation(experiment({name} = ...));`"
                 ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
     own = [
         (modifier, scope) for modifier, scope in given if scope.instance is not None and scope.instance.scope is scope

@@ -47,7 +47,7 @@ from lagdsl.semantics.scope.values import (
 from lagdsl.semantics.types import enumerations
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
-from lagdsl.units.written import literal_around, literal_of
+from lagdsl.units.written import literal_around, literal_of, literal_with
 
 
 def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
@@ -157,6 +157,9 @@ def _habit(node: nodes.Reference) -> str | None:
     literal = literal_around(text, span.start, span.end)
     if literal is not None:
         return f"a unit stands behind its number: `{literal}`"
+    literal = literal_with(text, span.start, span.end)
+    if literal is not None:
+        return f"the unit is one word: `{literal}`"
     behind = _PATH.match(text, span.end)
     assert behind is not None
     if node.name == "Modelica" and behind[0]:

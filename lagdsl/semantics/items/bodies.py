@@ -19,6 +19,17 @@ from lagdsl.units.dimension import DIMENSIONLESS, INERTIA, LENGTH, MASS
 
 MOMENTS = ("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
 PROPERTIES = ("m", "com", "I", *MOMENTS)
+_MEANT = {
+    "mass": "m",
+    "inertia": "I",
+    "j": "I",
+    "r_cm": "com",
+    "cog": "com",
+    "center": "com",
+    "jxx": "Ixx",
+    "jyy": "Iyy",
+    "jzz": "Izz",
+}
 
 
 def rigid_body(ctx: Context, scope: Scope, node: nodes.RigidBody, symbol: Symbol | None) -> flat_model.RigidBody | None:
@@ -57,7 +68,8 @@ def _given(ctx: Context, node: nodes.RigidBody) -> dict[str, nodes.Expression]:
             continue
         name = ".".join(modifier.name.parts)
         if name not in PROPERTIES:
-            hint = did_you_mean(name, PROPERTIES)
+            meant = _MEANT.get(name.lower())
+            hint = did_you_mean(name, PROPERTIES) if meant is None else f"write `{meant} = ...`"
             listed = ", ".join(PROPERTIES)
             ctx.sink.report("E0202", modifier.name.span, name=name, type="body", attributes=listed, help=hint)
         elif modifier.value is None or modifier.modifiers or modifier.subscripts or modifier.prefixes:

@@ -14,9 +14,17 @@ from lagdsl.syntax.unknown_unit import report_unknown_unit
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^"}
 _OPERATORS |= {"or_": "or", "and_": "and"}
+_FUNCTION_BEFORE = re.compile(r"\b(sin|cos|tan|log|exp|sqrt|abs)\^$")
 _POWER = re.compile(r"[eE][0-9]+")
 _LONGEST = 60  # characters of a text that a message shows
 _SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
+
+
+def _power_of_function(function: nodes.Expression, arguments: str) -> str | None:
+    """Help for `sin^2(x)`."""
+    text, start = function.span.file.text, function.span.start
+    found = _FUNCTION_BEFORE.search(text, max(start - _LONGEST, 0), start)
+    return None if found is None else f"the power stands behind: `{found[1]}{arguments}^{function.span.text}`"
 
 
 def expression_actions(sink: Sink) -> dict[str, Action]:
@@ -28,7 +36,11 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             rest = span.text[function.span.end - span.start :].strip()
             product = f"{function.span.text}*{rest}"
             short = len(product) <= _LONGEST and product.isprintable()
-            way = _unit_in_brackets(function, rest) or f"for a product write `{product}`"
+            way = (
+                _power_of_function(function, rest)
+                or _unit_in_brackets(function, rest)
+                or f"for a product write `{product}`"
+            )
             sink.report("E0121", function.span, help=way if short else None)
         if isinstance(arguments, _Reduced):
             return nodes.Reduction(span=span, function=function, body=arguments.body, iterators=arguments.iterators)
