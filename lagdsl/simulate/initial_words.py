@@ -20,7 +20,7 @@ from lagdsl.structure.names import Located, configuration, located, place, seat,
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
 _HOLDS = 1e-7
 # In natural sizes: a start that was moved this far ran away, and a step as long as this does not lead to a zero nearby.
-_FAR = 1e4
+FAR = 1e4
 _LONG_STEP = 0.1
 _MOST_JOINTS = 6
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
@@ -138,7 +138,7 @@ def report_endless(flat: FlatModel, layout: Layout, run: Run, t: float, found: F
     along their gradient as the start has moved."""
     n, count = len(layout.coordinates), len(layout.constraints)
     natural = run.settings.natural[:n]
-    moved = np.abs(found.x[:n] - found.starts[:n]) > _FAR * natural
+    moved = np.abs(found.x[:n] - found.starts[:n]) > FAR * natural
     if not moved.any():
         return
     values = run.evaluate("position_constraint", t, found.x, count * (1 + n))

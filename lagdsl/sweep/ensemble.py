@@ -16,6 +16,7 @@ from lagdsl.runtime.engines.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.signals.inputs import given_inputs, signals
+from lagdsl.simulate.initial_words import FAR
 from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
@@ -70,13 +71,25 @@ class Ensemble:
         if told is None:
             return outcomes
         settings, inputs = told
+        reach = self._reach(settings)
         words = FailureWords(self._flat, self._engine.layout, settings, inputs)
         made = bench.run(model, self._engine.layout, settings, stop, words.hear)
         if made is None:
             return []
         for row, k in enumerate(known):
-            outcomes[k] = self._outcome(tasks[k].index, made, row, words, inputs)
+            if not made.went_well(row) or not made.kept[row] or reach(row, made.rows[row, 0]):
+                outcomes[k] = self._outcome(tasks[k].index, made, row, words, inputs)
         return outcomes
+
+    def _reach(self, settings: EnsembleSettings) -> Callable[[int, Floats], bool]:
+        """True of a run by its number whose first row is not so far from its start values that the search for the start
+        may have run away (E0802), which a run that is made by itself tells."""
+        n = len(self._flat.coordinates)
+        with self._lock, np.errstate(all="ignore"):
+            q = self._engine.evaluate_many("start", settings.t, settings.settings.p)[0]
+        starts = np.where(settings.given[:n], settings.x[:, :n], q)
+        farthest = FAR * settings.settings.natural[:, :n]
+        return lambda run, row: bool(np.all(np.abs(row[:n] - starts[run]) <= farthest[run]))
 
     def worked(self, seconds: float, left: float) -> None:
         """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""

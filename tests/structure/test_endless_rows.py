@@ -39,3 +39,11 @@ def test_a_start_that_is_given_to_a_run_does_not_run_away(start: float) -> None:
     assert made.simulate(stop=0.1)["x"] == pytest.approx(0.0, abs=1e-12)
     with pytest.raises(lagdsl.CompilationFailed, match="initial position not found"):
         made.simulate(stop=0.1, start={"x": start})
+
+
+def test_a_run_of_a_sweep_does_not_run_away() -> None:
+    """The run with the start 2 m began at 5e14 m, and nothing was told."""
+    made = lagdsl.compile(model(BUMP, 0.5), engine="tape")
+    found = made.simulate_many(start={"x": [0.5, 2.0, -0.5]}, stop=0.1, interval=0.1)
+    assert list(found.failures) == [1] and "initial position not found" in found.failures[1]
+    assert found["x"][[0, 2]] == pytest.approx(0.0, abs=1e-12)
