@@ -132,7 +132,7 @@ def test_at_the_start(name: str, version: int) -> None:
         assert close(fmu, given, expected, 1e-9) == []
         for word in ("position", "velocity") if told.layout.constraints else ():
             assert 0.0 <= instance.get(f"residual.{word}")[0] <= 1e-9
-    constants = [parameter for parameter in compilation.flat.parameters if parameter.structural]
+    constants = [each for each in compilation.flat.parameters if each.structural and not each.protected]
     assert all(fmu.entry(named(constant.name).text)[0].variability == "constant" for constant in constants)
 
 
