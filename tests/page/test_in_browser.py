@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 from choice import ALL, chosen
+from meshes.solids import binary_stl
 from page.pages import MODELS, page_of
 from PIL import Image
 
@@ -135,6 +136,38 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     page.locator("#sliders-tab").click()
     page.get_by_role("button", name="Reset all").click()
     assert opened.faults == []
+    page.close()
+
+
+def test_meshes_are_seen_and_those_without_a_file_told(browser: Any, tmp_path: Path) -> None:
+    (tmp_path / "box.stl").write_bytes(binary_stl())
+    file = tmp_path / "arm.lag"
+    file.write_text(
+        """model Arm
+  coordinate Angle q;
+  frame link = world.roty(q);
+  gravity = 0;
+  body (m = 1 kg, I = {1 kg.m2, 1 kg.m2, 1 kg.m2}) on link;
+  draw mesh(file = "box.stl", color = "red") on link.move({-0.5 m, -1 m, -1.5 m});
+  draw mesh(file = "none.stl") on link;
+end Arm;
+"""
+    )
+    opened = Opened(browser, compile_model(file).show(tmp_path / "page.html", browser=False))
+    page = opened.page
+    assert page.locator("#said").inner_text() == "Not drawn, for want of a file with a mesh: none.stl."
+    bounds = page.locator("#stage canvas").bounding_box()
+    assert bounds is not None
+    page.mouse.move(bounds["x"] + bounds["width"] / 2, bounds["y"] + bounds["height"] / 2)
+    playwright.expect(page.locator("#pointed")).to_contain_text("box.stl")
+    red = page.evaluate("""() => {
+        const from = document.querySelector('#stage canvas');
+        const pen = Object.assign(document.createElement('canvas'), { width: 80, height: 60 }).getContext('2d');
+        pen.drawImage(from, 0, 0, 80, 60);
+        const { data } = pen.getImageData(0, 0, 80, 60);
+        return data.filter((_, i) => i % 4 === 0 && data[i] > 2 * data[i + 1] + 20).length;
+    }""")
+    assert red > 100 and opened.faults == []
     page.close()
 
 
