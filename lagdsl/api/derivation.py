@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 if TYPE_CHECKING:
     from lagdsl.textbook.provenance import Source
     from lagdsl.textbook.recipe import Recipe
+    from lagdsl.textbook.small_motions.steady import Steady
     from lagdsl.textbook.small_motions.study import Equilibrium, Study
 
 Form: TypeAlias = Literal["text", "markdown", "latex", "html", "json"]
@@ -108,11 +109,18 @@ class Derivation:
     @property
     def equilibria(self) -> Sequence[Equilibrium]:
         """Equilibria in SymPy: `.at`, `.arbitrary`, `.conditions`, `.exists`, and `.linear`, the linear equations
-        about it with `.mass .damping .stiffness` and `.frequencies`, whose `.square` is that of a natural frequency.
+        about it with `.mass .damping .stiffness` and `.frequencies`, whose `.square` is that of a natural frequency;
+        `.damped` has the damping ratio and the square of the damped frequency.
 
         Empty where there is none, and where `no_equilibria_because` is not None: no short roots, constraints, events.
         """
         return () if self._study is None else self._study.equilibria
+
+    @property
+    def steady(self) -> Steady | None:
+        """Steady motions in SymPy: `.rates` of ignorable coordinates are constant and free, `.places` have values `.at`
+        of the other coordinates, with `.conditions` to be real. None where there are none with short roots."""
+        return None if self._study is None else self._study.steady
 
     @property
     def no_equilibria_because(self) -> str | None:

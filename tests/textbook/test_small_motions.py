@@ -274,6 +274,7 @@ def test_steady_motions(source: str | Path, closed: Callable[..., float]) -> Non
     tilted = next(place for place in found.places if place.conditions)
     [(theta, value)] = tilted.at.items()
     model, chance = lagdsl.compile(source), np.random.default_rng(3)
+    assert model.derive().steady == found
     defaults = {
         item.name: item.value for item in model.derive()._recipe.flat.parameters if item.name in model.parameters
     }
