@@ -42,21 +42,19 @@ TOLERANCE, NEAR = 1e-10, 1e-6
 # Beginnings of names of rows that an importer spoils, by the kind of FMU.
 SPOILED = {
     "ModelExchange": {
-        "missed_events-a_pulse_of_": "it comes and goes between two looks of CVODE",
         "missed_events-teeth_by_mod": "they come and go between two looks of CVODE",
-        "missed_events-bounces_of_": "bounces without end: CVODE goes on behind the instant at which they gather",
         "scales-relation_far_from_the_origin": "a part of 1e-10 of the distance is a thousandth of the unit",
         "scales-micrometres_beside": "errors of CVODE are those of the larger machine",
     },
     "CoSimulation": {
         "crossings_at_bounds-tick_of_": "a tick at the end of the last step belongs to the next one",
-        "missed_events-a_pulse_of_place": "two parts in a million of a range, which the scan may miss",
     },
 }
 
 
-# Beginnings of names of rows that are not exact in model exchange, with the reason.
-WITHOUT: tuple[str, ...] = ()
+# Rows that are not exact in model exchange: margins, and residuals of constraints, are parts of the largest magnitude.
+# The soft stop is exact to 4e-11 by CVODE at 1e-12.
+WITHOUT = ("scales-relation_far_from_the_origin", "scales-micrometres_beside", "contacts_in_a_row-soft_stop_of_two")
 
 
 def _rows() -> dict[str, Attack]:

@@ -8,8 +8,8 @@
 static const double PASSING = 1e-2;
 /* So many times between resets in a row, each shorter than the one before, are a series. */
 enum { SERIES = 2 };
-/* The top of a flight of time T that begins at speed v is v T/4; so many depths have to be above that, so that it is clear. */
-static const double LOW = 16.0;
+/* The top of a flight of time T that begins at speed v is v T/4. An importer loses one that is not above the depth by this factor, about. */
+static const double LOW = 1e4;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
 
@@ -189,11 +189,12 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     const double *truth = motion->w + iteration->places.relation;
     int any = 0;
     lag_event_iteration_move_on(iteration, t, x);
-    lag_status status = indicate(iteration, t, x, iteration->now);
-    status = status == LAG_OK ? indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then) : status;
+    go(iteration, x, iteration->moment);
+    lag_status status = indicate(iteration, t + iteration->moment, iteration->later, iteration->then);
+    status = status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
     for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
         const double depth = fabs(iteration->now[i]);
-        const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->lookahead;
+        const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;
         const int stands = turned[i] != 0.0 && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
         any = any || (stands && rise > 0.0 && rise * flight < LOW * depth);
     }
