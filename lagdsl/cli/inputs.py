@@ -59,4 +59,7 @@ def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False
 
 def _is_assignment(text: str) -> bool:
     """A file may have an equals sign in its name."""
-    return "=" in text and not Path(text).exists()
+    try:
+        return "=" in text and not Path(text).exists()
+    except (OSError, ValueError):  # no file has such a name: it is too long, or holds a zero
+        return True

@@ -406,3 +406,17 @@ def test_one_value_where_one_is_meant(invoke: Invoke, tmp_path: Path, given: tup
     (tmp_path / "two.lag").write_text(TWO)
     found = invoke("run", tmp_path / "two.lag", *given, *SHORT)
     assert found.exit_code == 2 and "one value stands here, as in 2 kg; `lag sweep --set` takes ranges" in found.stderr
+
+
+@pytest.mark.parametrize("value", ["(" * 5000, "1+" * 3000 + "1 N.m", "1e" + "9" * 300])
+def test_a_value_that_no_file_can_be_named_by(invoke: Invoke, two: Path, value: str) -> None:
+    """The system refused to look for a file of that name, which was an internal error."""
+    found = invoke("run", two, "--input", f"tau={value}", *SHORT)
+    assert found.exit_code == 2 and "expected a number with or without a unit" in words(found)
+
+
+@pytest.mark.parametrize(("unit", "meant"), [("cmm", "cm"), ("mmm", "mm"), ("kgs", "kg"), ("Nm", "N.m")])
+def test_the_unit_that_is_meant(invoke: Invoke, two: Path, unit: str, meant: str) -> None:
+    """`cmm` was told to mean `cm.m`, which nobody means."""
+    found = invoke("run", two, "--set", f"m[1]=70 {unit}", *SHORT)
+    assert found.exit_code == 2 and f"did you mean `{meant}`?" in words(found)
