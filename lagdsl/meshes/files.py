@@ -35,11 +35,11 @@ def in_folder(file: Path, home: Path) -> Path:
         file = file.resolve()
         if not file.is_relative_to(home):
             raise MeshError(f"it lies outside of the folder `{home.name}`")
-        if not file.is_file():
-            raise MeshError(f"the folder `{home.name}` has no such file")
+        if file.is_file():
+            return file
     except (OSError, ValueError, RuntimeError):  # a name that no file can have, a circle of links
-        raise MeshError("no file has such a name") from None
-    return file
+        pass
+    raise MeshError(f"the folder `{home.name}` has no such file")
 
 
 def package_of(folder: Path) -> Path:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import pickle
 import pydoc
+import re
 from functools import cache
 
 import numpy as np
@@ -285,4 +286,5 @@ def test_help_shows_signatures_as_they_are_written() -> None:
         shown = [str(inspect.signature(each)) for each in called if inspect.isroutine(each)]
         assert shown
         assert [text for text in shown if "._" in text or "typing." in text] == []
-    assert pydoc.plaintext.document(subject.mass_matrix).startswith("mass_matrix(t: 'ArrayLike', q: 'Entries'")
+    help_text = re.sub(r"[\s']", "", pydoc.plaintext.document(subject.mass_matrix))  # Python 3.14 breaks long lines
+    assert help_text.startswith("mass_matrix(t:ArrayLike,q:Entries")

@@ -134,14 +134,57 @@ def test_plain_real_takes_the_dimension_of_its_binding() -> None:
     assert [(o.unit, d.unit) for o in flat.outputs for d in flat.named if isinstance(d, fm.Definition)] == [("N", "N")]
 
 
-@pytest.mark.parametrize(
-    "lengths", ["size = {l, -1 cm, 0}", "size = {-1 m, 1 m, 1 m}", "radius = -1 cm", "scale = -1 m"]
-)
+@pytest.mark.parametrize("lengths", ["size = {l, -1 cm, 0}", "size = {-1 m, 1 m, 1 m}", "height = -1 cm"])
 def test_shapes_have_no_length_below_zero(lengths: str) -> None:
     """Lengths in braces were not looked at."""
     text = f"model A parameter Length l = 1 m; coordinate Length x; draw box({lengths}) on world.move({{x, l}}); end A;"
     assert [code for code, _ in said(run(text)[1])] == ["E0334"]
     assert said(run(text.replace("-1", "1"))[1]) == []
+
+
+DRAWINGS = {
+    "sphere(coils = 3) at P": "`draw sphere at P` has no argument `coils`",
+    "sphere(vector = {1, 0, 0}) on F": "`draw sphere on F` has no argument `vector`",
+    "box(length = 1 m) from P to Q": "`draw box from A to B` has no argument `length`",
+    "box(size = 1 m, width = 1 m) at P": "`draw box(size = ...)` has no argument `width`",
+    "disc(length = 1 m, height = 1 m) on F": "`draw disc(length = ...)` has no argument `height`",
+    "cylinder(axis = F.x) on F": "`axis` is given in the frame's own axes, this is a vector in world axes",
+    "damper(radius = 1 m) from P to Q": "`draw damper from A to B` has no argument `radius`",
+    'trace(text = "a") at P': "`draw trace at P` has no argument `text`",
+    "sphere from P to Q": "`draw sphere` needs a place: `at P` or `on F`",
+    "rod at P": "`draw rod` needs a place: `from A to B`",
+    'mesh(file = "a.stl") at P': "`draw mesh` needs a place: `on F`",
+    "arrow at P": "`draw arrow` needs a vector",
+    "arrow(vector = l) at P": "`vector` must be a vector, found l",
+    "sphere(radius = {1 m, 1 m, 1 m}) at P": "`radius` must be a length, found {1 m, 1 m, 1 m}",
+    'sphere(radius = "l") at P': '`radius` must be a length, found "l"',
+    "sphere(color = 3) at P": "`color` must be a text in quotes, found 3",
+}
+
+
+@pytest.mark.parametrize("drawing", DRAWINGS)
+def test_arguments_and_places_of_shapes_that_have_no_effect(drawing: str) -> None:
+    """A viewer drew something else, and nothing was said."""
+    text = f"""model A
+  parameter Length l = 1 m;
+  coordinate Length x;
+  point P = {{x, l}}, Q = {{x, 2*l}};
+  frame F = world.move({{x, l}});
+  mass 1 kg at P;
+  gravity = 0;
+  draw {drawing};
+  draw trace at P;
+  draw trace at Q;
+  draw trace on F;
+end A;"""
+    found = run(text)[1].diagnostics
+    assert [each.message for each in found] == [DRAWINGS[drawing]]
+
+
+def test_a_box_of_one_size_is_a_cube() -> None:
+    flat = accepted("draw box(size = 2*l) on world;")
+    ((role, value),) = flat.drawings[0].arguments
+    assert role == "size" and isinstance(value, fx.Vector) and value.x == value.y == value.z
 
 
 def test_order_is_by_need_and_stable() -> None:

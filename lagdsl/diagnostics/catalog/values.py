@@ -119,7 +119,7 @@ ROWS: dict[str, Row] = {
         label="depends on a parameter",
         help="use a `structural parameter Boolean`",
     ),
-    "E0331": error("`draw {shape}` has no place", label="needs a place", help="write {ways} after the shape"),
+    "E0331": error("`draw {shape}` needs a place: {ways}", label="no such place", help="write {ways} after the shape"),
     "E0332": error(
         "{what} is given in the frame's own axes, this is a vector in world axes",
         label="a world vector",
@@ -169,9 +169,9 @@ ROWS: dict[str, Row] = {
         help="`der` may be taken twice of coordinates",
     ),
     "E0343": error(
-        "`draw mesh` needs the name of a file",
-        label="no file",
-        help='write `draw mesh(file = "link.stl") on F`; the file is STL, OBJ or COLLADA',
+        "`draw {shape}` needs {what}",
+        label="no `{name}`",
+        help="write `draw {example}`",
     ),
     "E0344": error(
         "`each` does not fit {what}: there is one only", label="`each` without an array", help="delete `each`"
@@ -210,6 +210,11 @@ ROWS: dict[str, Row] = {
         "the mesh `{file}` is not drawn: {reason}",
         label="named here",
         help="put the file into the folder of this text, or correct its name",
+    ),
+    "W0352": warning(
+        "the color `{color}` is not drawn: no color of CSS has this name",
+        label="the shape keeps its own color",
+        help="write a name, as `steelblue`, or digits, as `#4682b4`",
     ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(

@@ -154,10 +154,8 @@ def _box(pose: Pose) -> list[Part]:
     if "to" in pose.numbers:
         laid = between(pose.vector("at"), pose.vector("to"), across, up)
         return [pose.solid(np.asarray(cube() + np.array([0.0, 0.0, 0.5])), laid)]
-    if "size" in pose.shape.vectors:
-        sizes = pose.vector("size")
-    else:
-        sizes = np.array([pose.scalar("length", pose.scalar("size", size)), across, up])
+    sized = "size" in pose.shape.vectors
+    sizes = pose.vector("size") if sized else np.array([pose.scalar("length", size), across, up])
     x, y, z = pose.axes * sizes[:, None]
     return [pose.solid(cube(), matrix_of(x, y, z, pose.vector("at")))]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal, assert_never
 
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
@@ -11,34 +11,17 @@ from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.meshes.files import place_of
 from lagdsl.meshes.triangles import MeshError
+from lagdsl.semantics.items.colors import COLOR, NAMED_COLORS
+from lagdsl.semantics.items.shapes import INSTEAD_OF, KINDS, SHAPES, WORDS, Place
 from lagdsl.semantics.operators.conditions import structural_condition
 from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, name_span
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import Array, Component, FrameValue, Poison, Reaction, Scalar, Text, Value, Vector
+from lagdsl.semantics.scope.values import Array, Poison, Scalar, Text, Value, Vector
 from lagdsl.semantics.types.dimensions import require
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import LENGTH
-
-SHAPES = (
-    "rod",
-    "spring",
-    "damper",
-    "box",
-    "cylinder",
-    "cone",
-    "disc",
-    "sphere",
-    "circle",
-    "arrow",
-    "trace",
-    "text",
-    "mesh",
-)
-_BETWEEN = ("rod", "spring", "damper")
-_LENGTHS = ("radius", "length", "width", "height", "size", "scale")
-_ARGUMENTS = (*_LENGTHS, "color", "text", "coils", "vector", "axis", "file")
 
 
 def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing | None:
@@ -49,33 +32,38 @@ def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing 
         hint = did_you_mean(node.shape, SHAPES, f"the shapes are {', '.join(SHAPES)}")
         ctx.sink.report("E0215", node.span, shape=node.shape, help=hint)
         return None
-    arguments = [_argument(ctx, scope, node, argument) for argument in node.arguments]
-    place = _PLACES.get(node.place or "")
-    if place is None or (node.shape in _BETWEEN and place != "between") or (node.shape == "mesh" and place != "on"):
-        ways = {"mesh": "`on F`"}.get(node.shape, "`at P`, `on F` or `from A to B`")
-        ways = "`from A to B`" if node.shape in _BETWEEN else ways
-        ctx.sink.report("E0331", node.span, shape=node.shape, ways=ways)
+    rule, place = SHAPES[node.shape], _PLACES.get(node.place or "")
+    if place is None or place not in rule.arguments:
+        ctx.sink.report("E0331", node.span, shape=node.shape, ways=rule.ways)
         return None
+    arguments = [_argument(ctx, scope, node, place, argument) for argument in node.arguments]
     anchors = [_anchor(ctx, scope, anchor, place) for anchor in node.anchors]
     known = [anchor for anchor in anchors if anchor is not None]
     given = [argument for argument in arguments if argument is not None]
     if len(known) < len(anchors) or len(given) < len(arguments):
         return None
-    if node.shape == "mesh" and not _has_file(ctx, node, dict(given)):
+    if not _shows_something(ctx, node, place, dict(given)):
         return None
     return flat_model.Drawing(
         spans=(node.span, *scope.spans), shape=node.shape, arguments=tuple(given), place=place, anchors=tuple(known)
     )
 
 
-_PLACES: dict[str, Literal["at", "on", "between"]] = {"at": "at", "on": "on", "between": "between"}
+_PLACES: Mapping[str, Place] = {"at": "at", "on": "on", "between": "between"}
 
 
-def _has_file(ctx: Context, node: nodes.Draw, arguments: dict[str, FlatExpression | str]) -> bool:
+def _shows_something(ctx: Context, node: nodes.Draw, place: Place, arguments: dict[str, FlatExpression | str]) -> bool:
     """False after E0343. A file that is not there leaves the motion as it is: a warning, W0351."""
+    if node.shape == "arrow" and place != "between" and "vector" not in arguments:
+        example = f"arrow(vector = world.x) {WORDS[place]}"
+        ctx.sink.report("E0343", node.span, shape="arrow", what="a vector", name="vector", example=example)
+        return False
+    if node.shape != "mesh":
+        return True
     file = arguments.get("file")
     if not isinstance(file, str):
-        ctx.sink.report("E0343", node.span)
+        what, example = "the name of a file", 'mesh(file = "link.stl") on F'
+        ctx.sink.report("E0343", node.span, shape="mesh", what=what, name="file", example=example)
         return False
     try:
         place_of(file, Path(node.span.file.name).parent)
@@ -84,9 +72,7 @@ def _has_file(ctx: Context, node: nodes.Draw, arguments: dict[str, FlatExpressio
     return True
 
 
-def _anchor(
-    ctx: Context, scope: Scope, node: nodes.Expression, place: Literal["at", "on", "between"]
-) -> FlatExpression | str | None:
+def _anchor(ctx: Context, scope: Scope, node: nodes.Expression, place: Place) -> FlatExpression | str | None:
     value = ctx.elaborate(ctx, scope, node, False)
     if place == "on":
         frame = as_frame(ctx, node, value)
@@ -96,7 +82,7 @@ def _anchor(
 
 
 def _argument(
-    ctx: Context, scope: Scope, node: nodes.Draw, argument: nodes.Expression | nodes.Named
+    ctx: Context, scope: Scope, node: nodes.Draw, place: Place, argument: nodes.Expression | nodes.Named
 ) -> tuple[str, FlatExpression | str] | None:
     if not isinstance(argument, nodes.Named):
         if node.shape == "text" and isinstance(argument, nodes.String):
@@ -104,47 +90,77 @@ def _argument(
         hint = "give it a name: `radius = ...`"
         ctx.sink.report("E0211", argument.span, name=argument.span.text, function=f"draw {node.shape}", help=hint)
         return None
-    if argument.name not in _ARGUMENTS:
-        meant = did_you_mean(argument.name, _ARGUMENTS, f"it takes {', '.join(_ARGUMENTS)}")
-        ctx.sink.report("E0211", name_span(argument), name=argument.name, function=f"draw {node.shape}", help=meant)
+    given = {each.name for each in node.arguments if isinstance(each, nodes.Named)}
+    rule = SHAPES[node.shape]
+    instead = next((name for name in rule.instead if name in given and argument.name in INSTEAD_OF[name]), None)
+    takes = rule.arguments[place]
+    if instead is not None or argument.name not in takes:
+        beside = f"({instead} = ...)" if instead is not None else f" {WORDS[place]}"
+        left = [name for name in takes if instead is None or name not in INSTEAD_OF[instead]]
+        meant = did_you_mean(argument.name, left, f"it takes {', '.join(f'`{name}`' for name in left)}")
+        function = f"draw {node.shape}{beside}"
+        ctx.sink.report("E0211", name_span(argument), name=argument.name, function=function, help=meant)
         return None
     value = ctx.elaborate(ctx, scope, argument.value, True)
-    return _value(ctx, scope, argument, value)
+    made = None if isinstance(value, Poison) else _value(ctx, scope, argument, place, value)
+    return None if made is None else (argument.name, made)
 
 
-def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> tuple[str, FlatExpression | str] | None:
-    what = f"`{argument.name}`"
-    dimension = value.dimension if isinstance(value, Vector | Array | Scalar) and argument.name in _LENGTHS else None
-    if not require(ctx, scope, argument.value, dimension, LENGTH, "E0415", what=what):
-        return None
+def _value(
+    ctx: Context, scope: Scope, argument: nodes.Named, place: Place, value: Value
+) -> FlatExpression | str | None:
+    """A value of the kind of the argument, else None after a diagnostic."""
+    kind = KINDS[argument.name]
+    if kind in ("length", "three lengths"):
+        return _length(ctx, scope, argument, value)
+    if kind in ("direction", "vector"):
+        return _direction(ctx, argument, place, value)
+    if not isinstance(value, Text):
+        return _strange(ctx, argument, "a text in quotes", value)
+    if kind == "color" and not COLOR.fullmatch(value.value) and value.value.lower() not in NAMED_COLORS:
+        meant = did_you_mean(value.value, NAMED_COLORS)
+        ctx.sink.report("W0352", argument.value.span, color=value.value, **({"help": meant} if meant else {}))
+    return value.value
+
+
+def _length(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> FlatExpression | None:
+    """One or three lengths; a single `size` is that of a cube. A scale below zero mirrors."""
+    several = KINDS[argument.name] == "three lengths"
+    parts: tuple[FlatExpression, ...]
     match value:
-        case Text():
-            return argument.name, value.value
         case Scalar():
-            return _sized(ctx, argument, value.expression, (value.expression,))
-        case Vector(expression=flat.Vector() as parts):
-            return _sized(ctx, argument, parts, (parts.x, parts.y, parts.z))
-        case Vector():
-            return argument.name, value.expression
-        case Array(shape=(3,)):
-            return _sized(ctx, argument, flat.Vector(*value.elements), value.elements)
-        case Poison():
-            return None
-        case Array() | FrameValue() | Reaction() | Component():
-            expected = "a number, a vector or a text"
-            ctx.sink.report("E0312", argument.value.span, expected=expected, found=kind_of(value))
-            return None
+            parts = (value.expression,)
+        case Vector(expression=flat.Vector() as vector) if several:
+            parts = (vector.x, vector.y, vector.z)
+        case Array(shape=(3,)) if several:
+            parts = value.elements
         case _:
-            assert_never(value)
-
-
-def _sized(
-    ctx: Context, argument: nodes.Named, value: FlatExpression, parts: tuple[FlatExpression, ...]
-) -> tuple[str, FlatExpression | str] | None:
-    """None after E0334 for a length below zero; a scale below zero mirrors."""
-    numbers = [part.value for part in parts if isinstance(part, flat.Number)]
-    if argument.name in _LENGTHS and argument.name != "scale" and any(number < 0 for number in numbers):
-        span = argument.value.span
-        ctx.sink.report("E0334", span, what=f"`{argument.name}`", expected="positive", found=span.text)
+            return _strange(ctx, argument, "a length or three in braces" if several else "a length", value)
+    if not require(ctx, scope, argument.value, value.dimension, LENGTH, "E0415", what=f"`{argument.name}`"):
         return None
-    return argument.name, value
+    numbers = [part.value for part in parts if isinstance(part, flat.Number)]
+    if argument.name != "scale" and any(number < 0 for number in numbers):
+        return _strange(ctx, argument, "positive", value)
+    if several and len(parts) == 1 and argument.name == "size":
+        parts *= 3
+    return parts[0] if len(parts) == 1 else flat.Vector(*parts)
+
+
+def _direction(ctx: Context, argument: nodes.Named, place: Place, value: Value) -> FlatExpression | None:
+    """An axis on a frame is given in the frame's own axes, in braces."""
+    match value:
+        case Vector() if place != "on" or argument.name != "axis" or isinstance(value.expression, flat.Vector):
+            return value.expression
+        case Vector():
+            ctx.sink.report("E0332", argument.value.span, what="`axis`")
+            return None
+        case Array(shape=(3,)):
+            return flat.Vector(*value.elements)
+        case _:
+            return _strange(ctx, argument, "a vector", value)
+
+
+def _strange(ctx: Context, argument: nodes.Named, expected: str, value: Value) -> None:
+    """E0334, at the value."""
+    shown = argument.value.span.text if isinstance(value, Scalar | Text | Array | Vector) else kind_of(value)
+    ctx.sink.report("E0334", argument.value.span, what=f"`{argument.name}`", expected=expected, found=shown)

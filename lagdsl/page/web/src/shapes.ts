@@ -188,7 +188,7 @@ function box(shape: Shape, sizes: Sizes): Drawn {
         const own = vector(shape, "size", frame);
         object.matrix.copy(posed(shape, frame, own.x, own.y, own.z));
       } else {
-        const length = scalar(shape, "length", frame, scalar(shape, "size", frame, size));
+        const length = scalar(shape, "length", frame, size);
         object.matrix.copy(posed(shape, frame, length, across, up));
       }
     },
