@@ -214,7 +214,6 @@ ROWS: dict[str, Row] = {
     "W0352": warning(
         "the color `{color}` is not drawn: no color of CSS has this name",
         label="the shape keeps its own color",
-        help="write a name, as `steelblue`, or digits, as `#4682b4`",
     ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(

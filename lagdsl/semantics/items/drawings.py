@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import assert_never
 
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
@@ -18,7 +19,7 @@ from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, name_span
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import Array, Poison, Scalar, Text, Value, Vector
+from lagdsl.semantics.scope.values import Array, Component, FrameValue, Poison, Reaction, Scalar, Text, Value, Vector
 from lagdsl.semantics.types.dimensions import require
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import LENGTH
@@ -116,10 +117,11 @@ def _value(
     if kind in ("direction", "vector"):
         return _direction(ctx, argument, place, value)
     if not isinstance(value, Text):
-        return _strange(ctx, argument, "a text in quotes", value)
+        _strange(ctx, argument, "a text in quotes", value)
+        return None
     if kind == "color" and not COLOR.fullmatch(value.value) and value.value.lower() not in NAMED_COLORS:
-        meant = did_you_mean(value.value, NAMED_COLORS)
-        ctx.sink.report("W0352", argument.value.span, color=value.value, **({"help": meant} if meant else {}))
+        hint = did_you_mean(value.value, NAMED_COLORS, "write a name, as `steelblue`, or digits, as `#4682b4`")
+        ctx.sink.report("W0352", argument.value.span, color=value.value, help=hint)
     return value.value
 
 
@@ -134,13 +136,17 @@ def _length(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> 
             parts = (vector.x, vector.y, vector.z)
         case Array(shape=(3,)) if several:
             parts = value.elements
+        case Vector() | Array() | Text() | FrameValue() | Reaction() | Component() | Poison():
+            _strange(ctx, argument, "a length or three in braces" if several else "a length", value)
+            return None
         case _:
-            return _strange(ctx, argument, "a length or three in braces" if several else "a length", value)
+            assert_never(value)
     if not require(ctx, scope, argument.value, value.dimension, LENGTH, "E0415", what=f"`{argument.name}`"):
         return None
     numbers = [part.value for part in parts if isinstance(part, flat.Number)]
     if argument.name != "scale" and any(number < 0 for number in numbers):
-        return _strange(ctx, argument, "positive", value)
+        _strange(ctx, argument, "positive", value)
+        return None
     if several and len(parts) == 1 and argument.name == "size":
         parts *= 3
     return parts[0] if len(parts) == 1 else flat.Vector(*parts)
@@ -156,8 +162,11 @@ def _direction(ctx: Context, argument: nodes.Named, place: Place, value: Value) 
             return None
         case Array(shape=(3,)):
             return flat.Vector(*value.elements)
+        case Array() | Scalar() | Text() | FrameValue() | Reaction() | Component() | Poison():
+            _strange(ctx, argument, "a vector", value)
+            return None
         case _:
-            return _strange(ctx, argument, "a vector", value)
+            assert_never(value)
 
 
 def _strange(ctx: Context, argument: nodes.Named, expected: str, value: Value) -> None:
