@@ -28,6 +28,7 @@ typedef struct lag_event_iteration {
     double *held;          /* (2 nq + nz) */
     double *rate, *later;  /* (2 nq + nz) */
     const double *from;    /* (2 nq + nz) the state before the event */
+    const double *stood;   /* (nw) the discrete variables before the event */
     double *now, *then, *soon; /* (nindicator) */
     double *closed, *meeting, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
@@ -73,8 +74,8 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
 
 /*
- * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned` back across its zero for shorter and
- * shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
+ * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned`, which has changed, back across its zero
+ * for shorter and shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
  * motion would go on behind it.
  */
 int lag_event_iteration_sinks(

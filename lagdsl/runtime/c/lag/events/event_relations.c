@@ -187,6 +187,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 {
     const lag_motion *motion = iteration->motion;
     const double *truth = motion->w + iteration->places.relation;
+    const double *stood = iteration->stood + iteration->places.relation;
     int any = 0;
     lag_event_iteration_move_on(iteration, t, x);
     go(iteration, x, iteration->moment);
@@ -195,7 +196,8 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
         const double depth = fabs(iteration->now[i]);
         const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;
-        const int stands = turned[i] != 0.0 && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
+        const int changed = turned[i] != 0.0 && truth[i] != stood[i];
+        const int stands = changed && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
         any = any || (stands && rise > 0.0 && rise * flight < LOW * depth);
     }
     return any;

@@ -39,6 +39,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->w_before = lag_take(&memory, model->nw);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.from = instants->x_before;
+    instants->iteration.stood = instants->w_before;
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
