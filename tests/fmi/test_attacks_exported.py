@@ -39,12 +39,13 @@ SECONDS = 30  # of the processor, compilers left out
 # FMPy integrates with CVODE at this tolerance, from anew at up to a thousand events.
 TOLERANCE, NEAR = 1e-10, 1e-6
 
-# Beginnings of names of rows that an importer spoils, by the kind of FMU.
+# Beginnings of names of rows that are not exact by the kind of FMU, and why.
 SPOILED = {
     "ModelExchange": {
         "missed_events-teeth_by_mod": "they come and go between two looks of CVODE",
-        "scales-relation_far_from_the_origin": "a part of 1e-10 of the distance is a thousandth of the unit",
-        "scales-micrometres_beside": "errors of CVODE are those of the larger machine",
+        "missed_events-needle_of_a_wide_square": "it comes and goes between two looks of CVODE",
+        "scales-relation_far_from_the_origin": "the margin of an indicator is a part of the distance",
+        "scales-micrometres_beside": "constraints are held to a part of the larger machine",
     },
     "CoSimulation": {
         "crossings_at_bounds-tick_of_": "a tick at the end of the last step belongs to the next one",
