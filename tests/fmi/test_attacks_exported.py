@@ -53,9 +53,14 @@ SPOILED = {
 }
 
 
-# Rows that are not exact in model exchange: margins, and residuals of constraints, are parts of the largest magnitude.
-# The soft stop is exact to 4e-11 by CVODE at 1e-12.
-WITHOUT = ("scales-relation_far_from_the_origin", "scales-micrometres_beside", "contacts_in_a_row-soft_stop_of_two")
+# Rows that are not exact in model exchange: margins, and residuals of constraints, are parts of the largest magnitude; no
+# importer sees a smooth needle between two steps. The soft stop is exact to 4e-11 by CVODE at 1e-12.
+WITHOUT = (
+    "scales-relation_far_from_the_origin",
+    "scales-micrometres_beside",
+    "contacts_in_a_row-soft_stop_of_two",
+    "missed_events-needle_of_a_wide_square",
+)
 
 
 def _rows() -> dict[str, Attack]:
