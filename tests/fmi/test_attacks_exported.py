@@ -53,8 +53,8 @@ SPOILED = {
 }
 
 
-# Rows that are not exact in model exchange: margins, and residuals of constraints, are parts of the largest magnitude; no
-# importer sees a smooth needle between two steps. The soft stop is exact to 4e-11 by CVODE at 1e-12.
+# Rows that are not exact in model exchange: margins, and residuals of constraints, are parts of the largest magnitude;
+# no importer sees a smooth needle between two steps. The soft stop is exact to 4e-11 by CVODE at 1e-12.
 WITHOUT = (
     "scales-relation_far_from_the_origin",
     "scales-micrometres_beside",

@@ -10,8 +10,6 @@ from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.meshes.files import place_of
-from lagdsl.meshes.triangles import MeshError
 from lagdsl.semantics.items.colors import COLOR, NAMED_COLORS
 from lagdsl.semantics.items.shapes import INSTEAD_OF, KINDS, SHAPES, WORDS, Place
 from lagdsl.semantics.operators.conditions import structural_condition
@@ -66,6 +64,9 @@ def _shows_something(ctx: Context, node: nodes.Draw, place: Place, arguments: di
         what, example = "the name of a file", 'mesh(file = "link.stl") on F'
         ctx.sink.report("E0343", node.span, shape="mesh", what=what, name="file", example=example)
         return False
+    from lagdsl.meshes.files import place_of  # readers of meshes: few models have one
+    from lagdsl.meshes.triangles import MeshError
+
     try:
         place_of(file, Path(node.span.file.name).parent)
     except MeshError as fault:
