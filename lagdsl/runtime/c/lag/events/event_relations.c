@@ -8,8 +8,13 @@
 static const double PASSING = 1e-2;
 /* So many times between resets in a row, each shorter than the one before, are a series. */
 enum { SERIES = 2 };
-/* The top of a flight of time T that begins at speed v is v T/4. An importer loses one that is not above the depth by this factor, about. */
+/*
+ * The top of a flight of time T that begins at speed v is v T/4. It is lost where the next event is as deep as this one. Where flights are a
+ * small part of the run, an importer that has been exact so far loses one that is not above the depth by a large factor, about.
+ */
+static const double DEEP = 16.0;
 static const double LOW = 1e4;
+static const double SHORT = 1e-3;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
 
@@ -182,8 +187,8 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
     return lag_event_iteration_ahead(iteration, t, x, NULL);
 }
 
-/* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly for a flight of so long a time. */
-static int is_too_deep(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight)
+/* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
+static int is_too_deep(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight, double low)
 {
     const lag_motion *motion = iteration->motion;
     const double *truth = motion->w + iteration->places.relation;
@@ -198,7 +203,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
         const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;
         const int changed = turned[i] != 0.0 && truth[i] != stood[i];
         const int stands = changed && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
-        any = any || (stands && rise > 0.0 && rise * flight < LOW * depth);
+        any = any || (stands && rise > 0.0 && rise * flight < low * depth);
     }
     return any;
 }
@@ -210,5 +215,7 @@ int lag_event_iteration_sinks(
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);
-    return crowds || (resets->shrinking >= SERIES && is_too_deep(iteration, t, x, turned, resets->ratio * resets->interval));
+    const double flight = resets->ratio * resets->interval;
+    const double low = flight < SHORT * length ? LOW : DEEP;
+    return crowds || (resets->shrinking >= SERIES && is_too_deep(iteration, t, x, turned, flight, low));
 }
