@@ -9,7 +9,7 @@ from typing import BinaryIO
 MAX_LEVELS = 500
 """Lists and objects around one value. Messages of the protocol have about twenty."""
 _TEXTS = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"?', re.DOTALL)  # one without an end is a text to the end
-_BRACKETS = re.compile(rb"[\[{]|[\]}]")
+_BRACKETS = re.compile(rb"[\[{\]}]")
 _OPENING = b"[{"
 _NO_JSON = b"["
 

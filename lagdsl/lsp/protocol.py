@@ -1,15 +1,18 @@
-"""Malformed messages of an editor: each request is answered, with an error where it cannot be read.
+"""Messages of an editor: each request is answered, with an error where it cannot be read.
 
-Source: JSON-RPC 2.0 specification, sections 4.2 and 5.1. pygls 2.1 answers no request whose parameters do not fit their
-types; it shows a message to the user, and writes so many lines about it that an editor which reads none blocks it.
+Source: JSON-RPC 2.0 specification, sections 4.2 and 5.1; LSP 3.17. pygls 2.1 answers no request whose parameters do not
+fit their types; it shows a message to the user, and writes so many lines about it that an editor which reads none
+blocks it.
 """
 
 from __future__ import annotations
 
 import logging
+from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Any
 
+from lsprotocol import types as lsp
 from pygls.exceptions import (
     JsonRpcException,
     JsonRpcInvalidParams,
@@ -17,7 +20,7 @@ from pygls.exceptions import (
     JsonRpcMethodNotFound,
     JsonRpcParseError,
 )
-from pygls.protocol import LanguageServerProtocol
+from pygls.protocol import LanguageServerProtocol, lsp_method
 
 _LOGGERS = ("pygls.protocol.json_rpc", "pygls.server")
 _NOT_JSON = (ValueError, RecursionError)  # UnicodeDecodeError is a ValueError
@@ -34,6 +37,14 @@ class Malformed:
 
 class LagProtocol(LanguageServerProtocol):
     """The protocol that answers malformed requests."""
+
+    @lsp_method(lsp.INITIALIZE)
+    def lsp_initialize(self, params: lsp.InitializeParams) -> Generator[Any, Any, lsp.InitializeResult]:
+        """Columns count units of UTF-16, which every editor knows (LSP 3.17, positions), also where pygls would promise
+        the first encoding of the editor's list."""
+        if params.capabilities.general is not None:
+            params.capabilities.general.position_encodings = None
+        return (yield from super().lsp_initialize(params))
 
     def structure_message(self, data: dict[str, Any]) -> Any:
         """An object of JSON as a message, `Malformed` where it is none of the protocol."""

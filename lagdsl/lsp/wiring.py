@@ -9,6 +9,7 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from lagdsl.lsp.documents import Document
 from lagdsl.lsp.features.actions import actions
+from lagdsl.lsp.features.capabilities import showable
 from lagdsl.lsp.features.completion import completion, resolve
 from lagdsl.lsp.features.definition import definition, type_definition
 from lagdsl.lsp.features.folding import folding
@@ -151,11 +152,12 @@ def _writing(server: LagServer) -> None:
         typed = params.context.trigger_character if params.context is not None else None
         if typed == " " and not all(item.kind == lsp.CompletionItemKind.Unit for item in found.items):
             return None
+        found.items = [showable(item, ls.client_capabilities) for item in found.items]
         return found
 
     @server.feature(lsp.COMPLETION_ITEM_RESOLVE)
     def resolved(ls: LagServer, item: lsp.CompletionItem) -> lsp.CompletionItem:
-        return resolve(item)
+        return showable(resolve(item), ls.client_capabilities)
 
     @server.feature(lsp.TEXT_DOCUMENT_SIGNATURE_HELP, lsp.SignatureHelpOptions(trigger_characters=["(", ","]))
     def help_(ls: LagServer, params: lsp.SignatureHelpParams) -> lsp.SignatureHelp | None:

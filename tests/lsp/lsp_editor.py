@@ -1,122 +1,97 @@
-"""An editor in a few lines: a process of `lag lsp` and what it says."""
+"""An editor: pytest-lsp's client of a process of `lag lsp`, with the versions of what it hears.
+
+pytest-lsp checks that each answer is one that the editor has said it can take, fails the test where a message cannot be
+read, and shows the log of the server with a test that fails. The process starts once for a file of tests."""
 
 from __future__ import annotations
 
 import asyncio
 import sys
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Coroutine
 from pathlib import Path
-from threading import Condition, Thread
-from time import monotonic, sleep
-from typing import Any
+from time import monotonic
+from typing import Any, TypeVar
 
+import pytest_lsp
 from lsprotocol import types as lsp
-from pygls.lsp.client import LanguageClient
+from pygls.protocol import default_converter
+from pytest_lsp.client import DEFAULT_CLIENT_FEATURES, register_lsp_features
 
 WAIT = 60.0  # seconds, for a loaded machine
+COMMAND = [sys.executable, "-m", "lagdsl", "lsp"]
+Answer = TypeVar("Answer")
 
 
-class Editor:
-    """Speaks with one process. Texts have addresses, versions count from 1."""
+class Editor(pytest_lsp.LanguageClient):
+    """Speaks with one process as the editor does whose name it gets. Texts have addresses, versions count from 1.
 
-    def __init__(self, folder: Path | None = None) -> None:
+    The loop of events runs while something is asked or waited for, so that tests are plain functions."""
+
+    def __init__(self, folder: Path | None = None, *, like: str = "neovim") -> None:
+        super().__init__(converter_factory=default_converter)
+        heard = {**DEFAULT_CLIENT_FEATURES, lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS: _published}
+        heard[lsp.WORKSPACE_INLAY_HINT_REFRESH] = lambda params: None
+        register_lsp_features(self, heard)
         self.found: dict[str, lsp.PublishDiagnosticsParams] = {}
         self.times: dict[tuple[str, int | None], float] = {}
-        self.shown: list[str] = []
-        self.messages: list[str] = []
         self._versions: dict[str, int] = {}
-        self._heard = Condition()
-        self._loop = asyncio.new_event_loop()
-        self._thread = Thread(target=self._loop.run_forever, daemon=True)
-        self._thread.start()
-        self._client = self._call(self._start())
-        capabilities = lsp.ClientCapabilities(
-            window=lsp.WindowClientCapabilities(show_document=lsp.ShowDocumentClientCapabilities(support=True)),
-            workspace=lsp.WorkspaceClientCapabilities(
-                inlay_hint=lsp.InlayHintWorkspaceClientCapabilities(refresh_support=True)
-            ),
-        )
+        self._loop = asyncio.Runner()
+        config = pytest_lsp.ClientServerConfig(COMMAND, client_factory=lambda: self)
+        self._run(config.start())
         folders = [lsp.WorkspaceFolder(folder.as_uri(), folder.name)] if folder is not None else None
-        self.offers = self.ask(
-            "initialize", lsp.InitializeParams(capabilities=capabilities, workspace_folders=folders)
-        ).capabilities
-        self.tell("initialized", lsp.InitializedParams())
-
-    async def _start(self) -> LanguageClient:
-        client = LanguageClient("tests", "1")
-        client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(partial(self._published))
-        client.feature(lsp.WINDOW_SHOW_DOCUMENT)(partial(self._show))
-        client.feature(lsp.WINDOW_SHOW_MESSAGE)(lambda params: self.messages.append(params.message))
-        client.feature(lsp.WORKSPACE_INLAY_HINT_REFRESH)(lambda params: None)
-        await client.start_io(sys.executable, "-m", "lagdsl", "lsp")
-        return client
+        session = lsp.InitializeParams(pytest_lsp.client_capabilities(like), workspace_folders=folders)
+        self.offers = self._run(self.initialize_session(session)).capabilities
 
     @property
     def process(self) -> int:
         """The number of the process."""
-        server: Any = self._client._server
-        return int(server.pid)
+        assert self._server is not None
+        return self._server.pid
 
     def close(self) -> None:
-        self.ask("shutdown", None)
-        self.tell("exit", None)
-        self._call(self._client.stop())
-        self._loop.call_soon_threadsafe(self._loop.stop)
-        self._thread.join(WAIT)
+        self._run(self.shutdown_session())
+        self._run(self.stop())
         self._loop.close()
+
+    def _run(self, what: Coroutine[Any, Any, Answer]) -> Answer:
+        return self._loop.run(asyncio.wait_for(what, WAIT))
 
     # ---- what the server says ----------------------------------------------------------------------------------------
 
-    def _published(self, params: lsp.PublishDiagnosticsParams) -> None:
-        with self._heard:
-            self.found[params.uri] = params
-            self.times.setdefault((params.uri, params.version), monotonic())
-            self._heard.notify_all()
-
-    def _show(self, params: lsp.ShowDocumentParams) -> lsp.ShowDocumentResult:
-        self.shown.append(params.uri)
-        return lsp.ShowDocumentResult(success=True)
-
-    def wait(self, is_there: Callable[[], bool]) -> None:
-        with self._heard:
-            assert self._heard.wait_for(is_there, WAIT), "the server says nothing"
-
-    @staticmethod
-    def ask_until(is_there: Callable[[], bool]) -> None:
-        """Asks again and again, without the lock that the messages of the server need."""
+    def ask_until(self, is_there: Callable[[], bool]) -> None:
+        """Asks again and again."""
         end = monotonic() + WAIT
         while not is_there():
             assert monotonic() < end, "the answer stays another one"
-            sleep(0.05)
+            self._run(asyncio.sleep(0.05))
 
-    def diagnostics(self, uri: str, *, having: str | None = None) -> list[lsp.Diagnostic]:
+    def diagnostics_of(self, uri: str, *, having: str | None = None) -> list[lsp.Diagnostic]:
         """Diagnostics of the last version; with `having` as soon as that code is among it."""
 
-        def is_there() -> bool:
+        def are_there() -> bool:
             known = self.found.get(uri)
             if known is None or known.version != self._versions[uri]:
                 return False
             return having is None or any(each.code == having for each in known.diagnostics)
 
-        self.wait(is_there)
+        async def wait() -> None:
+            while not are_there():
+                await self.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+
+        self._run(wait())
         return list(self.found[uri].diagnostics)
 
     # ---- what the editor says ----------------------------------------------------------------------------------------
 
-    def _call(self, coroutine: Any) -> Any:
-        return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(WAIT)
-
     def ask(self, method: str, params: Any) -> Any:
         """The answer to a request; raises JsonRpcException."""
-
-        async def answer() -> Any:
-            return await self._client.protocol.send_request_async(method, params)
-
-        return self._call(answer())
+        return self._run(self.protocol.send_request_async(method, params))
 
     def tell(self, method: str, params: Any) -> None:
-        self._loop.call_soon_threadsafe(self._client.protocol.notify, method, params)
+        async def tell() -> None:
+            self.protocol.notify(method, params)
+
+        self._run(tell())
 
     def open(self, uri: str, text: str) -> str:
         self._versions[uri] = 1
@@ -149,3 +124,8 @@ class Editor:
         }
         params = kinds[method](text_document=lsp.TextDocumentIdentifier(uri), position=place, **more)
         return self.ask(f"textDocument/{method}", params)
+
+
+def _published(ls: Editor, params: lsp.PublishDiagnosticsParams) -> None:
+    ls.found[params.uri] = params
+    ls.times.setdefault((params.uri, params.version), monotonic())

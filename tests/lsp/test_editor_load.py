@@ -75,7 +75,7 @@ def test_memory_stays_the_same_over_many_edits(editor: Editor, tmp_path: Path) -
     for k in range(1, EDITS[-1] + 1):
         editor.change(uri, changed(text, k))
         if k % LOOKED_AT == 0:
-            editor.diagnostics(uri)
+            editor.diagnostics_of(uri)
         if k in EDITS:
             memory[k] = _memory(editor.process)
     print(", ".join(f"{size / 2**20:.1f} MiB after {k} edits" for k, size in memory.items()))
@@ -85,7 +85,7 @@ def test_memory_stays_the_same_over_many_edits(editor: Editor, tmp_path: Path) -
 def _opened(editor: Editor, folder: Path) -> tuple[str, str]:
     text = machine(18)
     uri = editor.open((folder / "machine.lag").as_uri(), text)
-    assert editor.diagnostics(uri) == [], editor.found
+    assert editor.diagnostics_of(uri) == [], editor.found
     return uri, text
 
 
@@ -103,7 +103,7 @@ def _latency(editor: Editor, uri: str, text: str) -> float:
     """Seconds from the end of the rest after a key to the diagnostics."""
     version = editor.change(uri, text)
     begun = monotonic()
-    editor.diagnostics(uri)
+    editor.diagnostics_of(uri)
     return editor.times[uri, version] - begun - REST
 
 

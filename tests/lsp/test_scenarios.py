@@ -51,23 +51,23 @@ def _text(found: lsp.Hover | None) -> str:
 
 
 def test_a_sound_text_has_no_diagnostics(editor: Editor, pendulum: str) -> None:
-    assert editor.diagnostics(pendulum) == []
+    assert editor.diagnostics_of(pendulum) == []
 
 
 def test_a_fault_is_told_at_its_place_and_goes_away(editor: Editor, folder: Path) -> None:
     wrong = PENDULUM.replace("mass m at", "mass l at")
     uri = editor.open((folder / "wrong.lag").as_uri(), wrong)
-    (found, *_) = [each for each in editor.diagnostics(uri) if each.severity == lsp.DiagnosticSeverity.Error]
+    (found, *_) = [each for each in editor.diagnostics_of(uri) if each.severity == lsp.DiagnosticSeverity.Error]
     assert found.code is not None
     assert found.range.start.line == wrong[: wrong.index("mass l at")].count("\n")
     editor.change(uri, PENDULUM)
-    assert editor.diagnostics(uri) == []
+    assert editor.diagnostics_of(uri) == []
 
 
 def test_a_broken_statement_does_not_silence_the_others(editor: Editor, folder: Path) -> None:
     text = PENDULUM.replace("gravity = {0, -9.81 m/s2};", "gravity = {0, -9.81 m/s2;").replace("sin(theta)", "sin(m)")
     uri = editor.open((folder / "broken.lag").as_uri(), text)
-    lines = {each.code: each.range.start.line for each in editor.diagnostics(uri)}
+    lines = {each.code: each.range.start.line for each in editor.diagnostics_of(uri)}
     assert lines["E0402"] == text[: text.index("sin(m)")].count("\n")
     assert set(lines) == {"E0402", "E0111"}
 
@@ -75,15 +75,36 @@ def test_a_broken_statement_does_not_silence_the_others(editor: Editor, folder: 
 def test_faults_behind_the_equations_follow(editor: Editor, folder: Path) -> None:
     text = FOUR_BAR.replace("r = {1 m, 0}", "r = {5 m, 0}")
     uri = editor.open((folder / "impossible.lag").as_uri(), text)
-    found = editor.diagnostics(uri, having="E0602")
+    found = editor.diagnostics_of(uri, having="E0602")
     assert all(each.source == "lag" for each in found)
+
+
+def test_a_version_that_a_key_has_overtaken_is_not_told(editor: Editor, folder: Path) -> None:
+    uri = editor.open((folder / "overtaken.lag").as_uri(), "")
+    editor.diagnostics_of(uri)
+    for length in range(1, 40):
+        editor.change(uri, PENDULUM[:length])
+    last = editor.change(uri, PENDULUM)
+    assert editor.diagnostics_of(uri) == []
+    assert [version for (other, version) in editor.times if other == uri] == [1, last]
+
+
+@pytest.mark.parametrize("before", ["θ̈", "🙂"])
+def test_columns_count_units_of_utf_16(editor: Editor, folder: Path, before: str) -> None:
+    """Neovim offers UTF-8 first, Emacs UTF-32: all of them know UTF-16."""
+    assert editor.offers.position_encoding == lsp.PositionEncodingKind.Utf16
+    text = f"model A\n  /* {before} */ parameter Mass m = 1 kgg;\nend A;\n"
+    uri = editor.open((folder / f"{ord(before[0])}.lag").as_uri(), text)
+    (found,) = [each for each in editor.diagnostics_of(uri) if each.severity == lsp.DiagnosticSeverity.Error]
+    ahead = text[text.index("\n") + 1 : text.index("kgg")]
+    assert found.range.start == lsp.Position(1, len(ahead.encode("utf-16-le")) // 2)
 
 
 # ---- hover -----------------------------------------------------------------------------------------------------------
 
 
 def test_a_hover_has_declaration_value_and_doc(editor: Editor, pendulum: str) -> None:
-    editor.diagnostics(pendulum)
+    editor.diagnostics_of(pendulum)
     text = _text(editor.about("hover", pendulum, PENDULUM, "{|l*sin"))
     assert "parameter Length l = 0.5 m" in text
     assert "`l = 0.5 m`" in text
@@ -93,7 +114,7 @@ def test_a_hover_has_declaration_value_and_doc(editor: Editor, pendulum: str) ->
 
 
 def test_a_coordinate_shows_its_equation(editor: Editor, four_bar: str, folder: Path) -> None:
-    editor.diagnostics(four_bar, having="N0701")
+    editor.diagnostics_of(four_bar, having="N0701")
     uri = editor.open((folder / "equation.lag").as_uri(), PENDULUM.replace("Pendulum", "Equation"))
     editor.ask_until(lambda: "equation" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta")))
     assert "θ̈" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta"))
@@ -116,7 +137,7 @@ def test_words_of_the_language_show_the_manual(editor: Editor, pendulum: str, ma
 
 
 def test_a_member_of_a_component_shows_its_value(editor: Editor, four_bar: str) -> None:
-    editor.diagnostics(four_bar)
+    editor.diagnostics_of(four_bar)
     text = _text(editor.about("hover", four_bar, FOUR_BAR, "torque tau on A.|q"))
     assert "turn of frame_b against frame_a" in text
     assert "60 deg" in text
@@ -263,7 +284,7 @@ def test_folding_and_formatting(editor: Editor, folder: Path) -> None:
 def test_hints_tell_freedom_redundancy_and_units(editor: Editor, folder: Path) -> None:
     text = FOUR_BAR.replace("output Force pinC", "output Real power = tau*der(A.q);\n  output Force pinC")
     uri = editor.open((folder / "hints.lag").as_uri(), text)
-    editor.diagnostics(uri, having="N0701")
+    editor.diagnostics_of(uri, having="N0701")
     whole = lsp.Range(lsp.Position(0, 0), lsp.Position(99, 0))
     found = editor.ask("textDocument/inlayHint", lsp.InlayHintParams(lsp.TextDocumentIdentifier(uri), whole))
     labels = {each.label: each.position for each in found}
@@ -272,17 +293,34 @@ def test_hints_tell_freedom_redundancy_and_units(editor: Editor, folder: Path) -
     assert "[W]" in labels
 
 
-def test_an_action_writes_what_the_help_proposes(editor: Editor, folder: Path) -> None:
-    text = PENDULUM.replace("l*sin(theta)", "l*sin(thet)")
-    uri = editor.open((folder / "action.lag").as_uri(), text)
-    (found, *_) = editor.diagnostics(uri, having="E0201")
+@pytest.mark.parametrize(
+    ("right", "wrong", "title"),
+    [
+        ("l*sin(theta)", "l*sin(thet)", "write `theta`"),
+        ("at {l*sin", "at {1 + l*sin", "write `1 m`"),
+        ("kg;", "kg, n = 2 kg;", "delete `, n = 2 kg`"),
+        ("kg;", "kg", "insert `;`"),
+    ],
+)
+def test_an_action_writes_what_the_help_proposes(
+    editor: Editor, folder: Path, right: str, wrong: str, title: str
+) -> None:
+    text = PENDULUM.replace(right, wrong)
+    uri = editor.open((folder / f"action{wrong.encode().hex()}.lag").as_uri(), text)
+    (found, *_) = editor.diagnostics_of(uri)
     params = lsp.CodeActionParams(
         lsp.TextDocumentIdentifier(uri), found.range, lsp.CodeActionContext(diagnostics=[found])
     )
     (action,) = editor.ask("textDocument/codeAction", params)
-    assert action.title == "write `theta`"
+    assert action.title == title
     (edit,) = action.edit.changes[uri]
-    assert (edit.new_text, edit.range) == ("theta", found.range)
+    start, end = (_offset(text, each) for each in (edit.range.start, edit.range.end))
+    editor.change(uri, text[:start] + edit.new_text + text[end:])
+    assert editor.diagnostics_of(uri) == []
+
+
+def _offset(text: str, place: lsp.Position) -> int:
+    return sum(len(line) + 1 for line in text.split("\n")[: place.line]) + place.character
 
 
 def test_lenses_run_the_model(editor: Editor, pendulum: str) -> None:
@@ -292,7 +330,7 @@ def test_lenses_run_the_model(editor: Editor, pendulum: str) -> None:
     address = editor.ask(
         "workspace/executeCommand", lsp.ExecuteCommandParams(command.command, arguments=command.arguments)
     )
-    assert address in editor.shown
+    assert address in [each.uri for each in editor.shown_documents]
     said = Path(address.removeprefix("file://")).read_text()
     assert "Pendulum" in said
     assert "error" not in said
