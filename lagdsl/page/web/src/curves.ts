@@ -22,6 +22,7 @@ export class Curves {
   private events: { time: number }[];
   private family: Motion[] = [];
   private time = 0;
+  private seen = false;
 
   constructor(
     private readonly head: Head,
@@ -41,7 +42,10 @@ export class Curves {
     this.board = document.createElement("div");
     place.append(list, this.board);
     this.portrait = new Portrait(head, motion, place);
-    new ResizeObserver(() => this.resize()).observe(place);
+    new ResizeObserver(([{ contentRect }]) => {
+      this.seen = contentRect.width > 0;
+      this.resize();
+    }).observe(place);
     this.rebuild();
   }
 
@@ -178,6 +182,7 @@ export class Curves {
   /** The cursor of all charts over time. */
   point(time: number): void {
     this.time = time;
+    if (!this.seen) return;
     for (const { plot } of this.charts) plot.setCursor({ left: plot.valToPos(time, "x"), top: -10 }, false);
     this.portrait.point(time);
   }

@@ -1,10 +1,10 @@
 // Coordinates that move nothing in the picture: a slide for a length, a dial for any other.
-import { BoxGeometry, type Box3, Group, type Matrix4, Mesh, MeshStandardMaterial, TorusGeometry, Vector3 } from "three";
+import { BoxGeometry, type Box3, Group, type Matrix4, Mesh, MeshLambertMaterial, TorusGeometry, Vector3 } from "three";
 import type { Shape } from "./head.ts";
 import { label, type Drawn, type Frame, type Sizes } from "./shapes.ts";
 
 function part(color: number, geometry: BoxGeometry | TorusGeometry): Mesh {
-  return new Mesh(geometry, new MeshStandardMaterial({ color, roughness: 0.6 }));
+  return new Mesh(geometry, new MeshLambertMaterial({ color }));
 }
 
 /** In a row below the machine, upright and turned towards the viewer: `facing` has the directions right, up and back. */

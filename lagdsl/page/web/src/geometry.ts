@@ -1,13 +1,45 @@
 // Unit geometries along z, and small linear algebra on rows of numbers.
-import { BufferGeometry, CatmullRomCurve3, CylinderGeometry, Matrix4, TubeGeometry, Vector3 } from "three";
+import {
+  BufferGeometry,
+  CatmullRomCurve3,
+  CylinderGeometry,
+  Matrix4,
+  SphereGeometry,
+  TorusGeometry,
+  TubeGeometry,
+  Vector3,
+} from "three";
+
+const made = new Map<string, BufferGeometry>();
+
+/** One geometry for all shapes that look alike. */
+function once(name: string, make: () => BufferGeometry): BufferGeometry {
+  const found = made.get(name) ?? make();
+  made.set(name, found);
+  return found;
+}
 
 /** A cylinder of radius 1 from z = 0 to z = 1. */
-export function unitCylinder(top = 1, segments = 24): BufferGeometry {
-  return new CylinderGeometry(top, 1, 1, segments).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+export function unitCylinder(segments: number, top = 1): BufferGeometry {
+  return once(`cylinder ${top} ${segments}`, () =>
+    new CylinderGeometry(top, 1, 1, segments).rotateX(Math.PI / 2).translate(0, 0, 0.5));
+}
+
+export function unitBall(segments: number): BufferGeometry {
+  return once(`ball ${segments}`, () => new SphereGeometry(1, segments, Math.round(0.625 * segments)));
+}
+
+/** A ring of radius 1 about z. */
+export function unitRing(wire: number, across: number, segments: number): BufferGeometry {
+  return once(`ring ${wire} ${across} ${segments}`, () => new TorusGeometry(1, wire, across, segments));
 }
 
 /** A coil of radius 1 from z = 0 to z = 1, with straight ends. */
 export function unitCoil(turns: number, wire: number): BufferGeometry {
+  return once(`coil ${turns} ${wire}`, () => coil(turns, wire));
+}
+
+function coil(turns: number, wire: number): BufferGeometry {
   const points = [new Vector3(0, 0, 0)];
   const count = turns * 16;
   for (let i = 0; i <= count; ++i) {

@@ -1,6 +1,8 @@
 // Inflates the program of the page and starts it.
 const packed = document.getElementById("code")?.textContent ?? "";
-const bytes = Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
+const letters = atob(packed);
+const bytes = new Uint8Array(letters.length);
+for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
 const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
 void new Response(stream).text().then((text) => {
   const script = document.createElement("script");

@@ -1,5 +1,4 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
-import type { BufferGeometry } from "three";
 import { Curves } from "./curves.ts";
 import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
@@ -22,6 +21,7 @@ const ROWS = 601;
 const GHOSTS = 5;
 const FRAMES = 72;
 const FRAME_WIDTH = 480;
+const LONGEST_WAIT = 500; // [ms] for the first picture
 const KEYS = "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v velocities, f the whole machine";
 
 function place(id: string): HTMLElement {
@@ -33,7 +33,6 @@ function place(id: string): HTMLElement {
 class Page {
   private motion: Motion;
   private readonly numbers: Float64Array;
-  private readonly stage: Stage;
   private readonly player: Player;
   private readonly sliders: Sliders;
   private readonly curves: Curves;
@@ -50,12 +49,11 @@ class Page {
   constructor(
     private readonly head: Head,
     private readonly motions: Motion[],
-    meshes: readonly BufferGeometry[],
+    private readonly stage: Stage,
   ) {
     const [motion] = motions;
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
-    this.stage = new Stage(head, together(motions), meshes, place("stage"));
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, place("sliders"), () => this.again());
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
@@ -364,11 +362,23 @@ class Page {
   }
 }
 
+/** The first picture comes before curves and sliders; where nobody looks at the page no picture comes. */
+function shownOnce(): Promise<void> {
+  return new Promise((resolve) => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, LONGEST_WAIT);
+  });
+}
+
 async function main(): Promise<void> {
   const head = readHead();
   const meshes = await Promise.all(head.meshes.map(geometryOf));
-  const page = new Page(head, recorded(head, await inflated("motion")), meshes);
-  await page.begin();
+  const motions = recorded(head, await inflated("motion"));
+  const stage = new Stage(head, together(motions), meshes, place("stage"));
+  const [first] = motions;
+  stage.pose(first, first.state(head.start, new Float64Array(first.width)), head.start);
+  await shownOnce();
+  await new Page(head, motions, stage).begin();
 }
 
 main().catch((error: unknown) => {

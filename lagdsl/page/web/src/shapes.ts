@@ -11,15 +11,13 @@ import {
   LineBasicMaterial,
   Matrix4,
   Mesh,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
   type Object3D,
-  SphereGeometry,
   Sprite,
   SpriteMaterial,
-  TorusGeometry,
   Vector3,
 } from "three";
-import { barAlong, between, principal, unitCoil, unitCylinder } from "./geometry.ts";
+import { barAlong, between, principal, unitBall, unitCoil, unitCylinder, unitRing } from "./geometry.ts";
 import type { Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -37,6 +35,7 @@ export interface Sizes {
   first: number;
   center: Vector3; // of the machine
   meshes: readonly BufferGeometry[];
+  detail: number; // of round shapes: the part of their faces that is drawn
 }
 export interface Drawn {
   object: Object3D;
@@ -44,6 +43,11 @@ export interface Drawn {
   update(frame: Frame): void;
   trace?(motion: Motion, row: number): void;
 }
+/** Faces around a round shape, of which `many` are wanted. */
+function around(sizes: Sizes, many: number): number {
+  return Math.max(6, Math.round(many * sizes.detail));
+}
+
 type Maker = (shape: Shape, sizes: Sizes) => Drawn;
 
 const COLORS: Record<string, ColorRepresentation> = {
@@ -60,7 +64,7 @@ function colour(shape: Shape): ColorRepresentation {
 }
 
 function solid(shape: Shape, geometry: BufferGeometry): Mesh {
-  const material = new MeshStandardMaterial({ color: colour(shape), roughness: 0.55, metalness: 0.1 });
+  const material = new MeshLambertMaterial({ color: colour(shape) });
   const mesh = new Mesh(geometry, material);
   mesh.matrixAutoUpdate = false;
   return mesh;
@@ -112,8 +116,8 @@ function bar(shape: Shape, sizes: Sizes, geometry: BufferGeometry, part: number)
 /** Thick in the middle. */
 function damper(shape: Shape, sizes: Sizes): Drawn {
   const object = new Group();
-  const thin = solid(shape, unitCylinder());
-  const thick = solid(shape, unitCylinder());
+  const thin = solid(shape, unitCylinder(around(sizes, 24)));
+  const thick = solid(shape, unitCylinder(around(sizes, 24)));
   object.add(thin, thick);
   return {
     object,
@@ -127,7 +131,7 @@ function damper(shape: Shape, sizes: Sizes): Drawn {
 }
 
 function ball(shape: Shape, sizes: Sizes): Drawn {
-  const object = solid(shape, new SphereGeometry(1, 32, 20));
+  const object = solid(shape, unitBall(around(sizes, 32)));
   return {
     object,
     shape,
@@ -141,7 +145,7 @@ function ball(shape: Shape, sizes: Sizes): Drawn {
 
 /** The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m), or a bar. */
 function ellipsoid(shape: Shape, sizes: Sizes): Drawn {
-  const object = solid(shape, new SphereGeometry(1, 32, 20));
+  const object = solid(shape, unitBall(around(sizes, 32)));
   return {
     object,
     shape,
@@ -198,7 +202,7 @@ function box(shape: Shape, sizes: Sizes): Drawn {
 /** Cylinders, discs and cones on a frame stand about their axis, their middle at its origin. */
 function turned(part: number, slim: number, top: number): Maker {
   return (shape, sizes) => {
-    const object = solid(shape, unitCylinder(top, 40));
+    const object = solid(shape, unitCylinder(around(sizes, 40), top));
     return {
       object,
       shape,
@@ -236,14 +240,14 @@ function spin(matrix: Matrix4, x: Vector3, radius: number): void {
 /** A disc shows that it turns: a spoke on both faces. */
 function disc(shape: Shape, sizes: Sizes): Drawn {
   const drawn = turned(0.1, 0.12, 1)(shape, sizes);
-  const spoke = new Mesh(new BoxGeometry(0.9, 0.08, 1.04).translate(0.45, 0, 0.5), new MeshStandardMaterial({ color: 0xf8fafc }));
+  const spoke = new Mesh(new BoxGeometry(0.9, 0.08, 1.04).translate(0.45, 0, 0.5), new MeshLambertMaterial({ color: 0xf8fafc }));
   drawn.object.add(spoke);
   return drawn;
 }
 
 function circle(shape: Shape, sizes: Sizes): Drawn {
   const large = "radius" in shape.numbers;
-  const object = solid(shape, new TorusGeometry(1, large ? 0.02 : 0.28, 12, 64));
+  const object = solid(shape, large ? unitRing(0.02, around(sizes, 12), 64) : unitRing(0.28, around(sizes, 8), around(sizes, 24)));
   return {
     object,
     shape,
@@ -257,7 +261,7 @@ function circle(shape: Shape, sizes: Sizes): Drawn {
 /** Triangles of a file; none where the file has none. */
 function surface(shape: Shape, sizes: Sizes): Drawn {
   const object = solid(shape, sizes.meshes[shape.mesh ?? -1] ?? new BufferGeometry());
-  (object.material as MeshStandardMaterial).side = DoubleSide;
+  (object.material as MeshLambertMaterial).side = DoubleSide;
   return {
     object,
     shape,
@@ -284,8 +288,8 @@ const direction: Way = (shape, frame, sizes) =>
 function arrow(wayOf: Way): Maker {
   return (shape, sizes) => {
     const object = new Group();
-    const shaft = solid(shape, unitCylinder());
-    const tip = solid(shape, unitCylinder(0.001));
+    const shaft = solid(shape, unitCylinder(around(sizes, 24)));
+    const tip = solid(shape, unitCylinder(around(sizes, 24), 0.001));
     object.add(shaft, tip);
     return {
       object,
@@ -364,7 +368,7 @@ function tripod(shape: Shape, sizes: Sizes): Drawn {
   const size = (shape.name === "world" ? 0.12 : 0.07) * sizes.length;
   const colours = [0xdc2626, 0x16a34a, 0x2563eb];
   const bars = colours.map((color) => {
-    const mesh = new Mesh(unitCylinder(1, 8), new MeshStandardMaterial({ color }));
+    const mesh = new Mesh(unitCylinder(8), new MeshLambertMaterial({ color }));
     mesh.matrixAutoUpdate = false;
     object.add(mesh);
     return mesh;
@@ -406,8 +410,8 @@ function ground(shape: Shape, sizes: Sizes): Drawn {
 }
 
 export const MAKERS: Record<string, Maker> = {
-  rod: (shape, sizes) => bar(shape, sizes, unitCylinder(), 0.007),
-  rope: (shape, sizes) => bar(shape, sizes, unitCylinder(), 0.004),
+  rod: (shape, sizes) => bar(shape, sizes, unitCylinder(around(sizes, 24)), 0.007),
+  rope: (shape, sizes) => bar(shape, sizes, unitCylinder(around(sizes, 24)), 0.004),
   spring: (shape, sizes) => bar(shape, sizes, unitCoil(9, 0.16), 0.02),
   damper,
   box,

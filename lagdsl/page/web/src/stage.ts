@@ -10,14 +10,13 @@ import {
   HemisphereLight,
   Matrix4,
   Mesh,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
   OrthographicCamera,
   PerspectiveCamera,
   Raycaster,
   Scene,
   Vector2,
   Vector3,
-  WebGLRenderer,
   type Object3D,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -26,6 +25,7 @@ import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { Overlay, sizeText, unitOf } from "./overlay.ts";
 import { drawing } from "./sketch.ts";
+import { Screen } from "./screen.ts";
 import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 const ROWS_LOOKED_AT = 200;
@@ -36,7 +36,7 @@ const POSTURES = 13;
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
-  private readonly renderer: WebGLRenderer;
+  private readonly screen: Screen;
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera | PerspectiveCamera;
   private readonly controls: OrbitControls;
@@ -48,6 +48,7 @@ export class Stage {
   readonly shown = { forces: true, frames: false };
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
+  private posed = false; // there is something to draw
 
   constructor(
     private readonly head: Head,
@@ -55,14 +56,14 @@ export class Stage {
     meshes: readonly BufferGeometry[],
     private readonly place: HTMLElement,
   ) {
-    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: false });
-    this.canvas = this.renderer.domElement;
+    this.screen = new Screen(() => this.render());
+    this.canvas = this.screen.canvas;
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
     place.append(this.canvas);
     this.box = extent(head, whole);
     const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = { ...sizesOf(head, whole, length, this.box.getCenter(new Vector3())), meshes };
+    this.sizes = { ...sizesOf(head, whole, length, this.box.getCenter(new Vector3())), meshes, detail: this.screen.detail(head.scene.shapes.length) };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.up);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -81,10 +82,11 @@ export class Stage {
     if (head.planar) arrows.position.z = 0.15 * length; // in front of what they belong to
     this.scene.add(arrows);
     this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
-    this.lookAt();
     this.theme();
-    new ResizeObserver(() => this.resize()).observe(place);
-    this.resize();
+    this.lookAt();
+    new ResizeObserver(() => {
+      if (place.clientWidth !== this.canvas.clientWidth || place.clientHeight !== this.canvas.clientHeight) this.resize();
+    }).observe(place);
   }
 
   private furnish(): void {
@@ -194,8 +196,7 @@ export class Stage {
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(width, height);
+    this.screen.size(width, height);
     this.fit(width / height);
     this.camera.updateProjectionMatrix();
     this.controls.update();
@@ -216,6 +217,7 @@ export class Stage {
   }
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
+    this.posed = true;
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
@@ -241,7 +243,7 @@ export class Stage {
         const ghost = drawn.object.clone();
         ghost.traverse((object) => {
           if (!(object instanceof Mesh)) return;
-          const material = (object.material as MeshStandardMaterial).clone();
+          const material = (object.material as MeshLambertMaterial).clone();
           Object.assign(material, { transparent: true, opacity: 0.22, depthWrite: false });
           object.material = material;
         });
@@ -257,7 +259,7 @@ export class Stage {
   }
 
   render(): void {
-    this.renderer.render(this.scene, this.camera);
+    if (this.posed) this.screen.draw(this.scene, this.camera);
   }
 
   /** The shape under a pointer. */
@@ -282,7 +284,7 @@ export class Stage {
   highlight(shapes: readonly Shape[]): void {
     for (const drawn of [...this.drawn, ...(this.overlay?.drawn ?? [])]) {
       drawn.object.traverse((object: Object3D) => {
-        if (object instanceof Mesh && object.material instanceof MeshStandardMaterial) {
+        if (object instanceof Mesh && object.material instanceof MeshLambertMaterial) {
           object.material.emissive.setHex(shapes.includes(drawn.shape) ? 0x7a5200 : 0);
         }
       });
@@ -333,7 +335,7 @@ function extent(head: Head, motion: Motion): Box3 {
   return box;
 }
 
-function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Omit<Sizes, "meshes"> {
+function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Omit<Sizes, "meshes" | "detail"> {
   const largest = (kind: string, role: string, width: number): number => {
     let most = 0;
     for (const shape of head.scene.shapes) {

@@ -1,0 +1,79 @@
+// The canvas: as fine as the processor that draws it allows.
+import { type Camera, type Scene, WebGLRenderer } from "three";
+
+/** [ms] without a new picture: the machine rests. Slow pictures follow each other slowly. */
+const CALM = 250;
+const LONGEST_CALM = 2000;
+const CALM_PICTURES = 4;
+const SMOOTH = 24; // so many shapes software draws in full detail
+const FINEST = 2;
+
+function bySoftware(context: WebGL2RenderingContext): boolean {
+  const known = context.getExtension("WEBGL_debug_renderer_info");
+  const name = context.getParameter(known?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+export class Screen {
+  readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly software: boolean;
+  private fine = true;
+  private rest = 0;
+  private before = 0;
+
+  /** `redraw` is asked for when the machine rests: then software has time for a finer picture. */
+  constructor(private readonly redraw: () => void) {
+    const wishes = { alpha: false, depth: true, stencil: false, preserveDrawingBuffer: true };
+    const plain = document.createElement("canvas");
+    const context = plain.getContext("webgl2", { ...wishes, antialias: false });
+    // Smooth edges by several samples in each pixel take software several times as long.
+    if (context !== null && bySoftware(context)) {
+      this.software = true;
+      this.renderer = new WebGLRenderer({ canvas: plain, context, ...wishes });
+    } else {
+      this.software = false;
+      context?.getExtension("WEBGL_lose_context")?.loseContext();
+      this.renderer = new WebGLRenderer({ ...wishes, antialias: true });
+    }
+    this.canvas = this.renderer.domElement;
+    this.fine = !this.software;
+    this.ratio();
+  }
+
+  /** The part of the faces of round shapes that is drawn, where there are `count` of them. */
+  detail(count: number): number {
+    return this.software ? Math.min(1, Math.sqrt(SMOOTH / Math.max(count, 1))) : 1;
+  }
+
+  size(width: number, height: number): void {
+    this.renderer.setSize(width, height);
+  }
+
+  draw(scene: Scene, camera: Camera): void {
+    if (this.software) this.soften();
+    this.renderer.render(scene, camera);
+  }
+
+  /** While pictures follow each other each has the pixels of the page; one that stays has more, and smooth edges. */
+  private soften(): void {
+    const resting = this.rest < 0;
+    if (this.fine !== resting) {
+      this.fine = resting;
+      this.ratio();
+    }
+    clearTimeout(this.rest);
+    const now = performance.now();
+    const calm = Math.min(Math.max(CALM_PICTURES * (now - this.before), CALM), LONGEST_CALM);
+    this.before = now;
+    this.rest = resting ? 0 : setTimeout(() => {
+      this.rest = -1;
+      this.redraw();
+    }, calm);
+  }
+
+  private ratio(): void {
+    const own = Math.min(window.devicePixelRatio, FINEST);
+    this.renderer.setPixelRatio(this.software ? (this.fine ? FINEST : Math.min(own, 1)) : own);
+  }
+}
