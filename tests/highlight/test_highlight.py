@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import subprocess
 import tomllib
@@ -12,16 +11,18 @@ from pathlib import Path
 import pytest
 from choice import spread
 
-from highlight.kinds_of_texts import ROOT, TRAPS, as_the_parser_reads, difference, texts
-from highlight.textmate_engine import KINDS, Engine
+from highlight.kinds_of_texts import GAP, ROOT, TRAPS, as_the_parser_reads, difference, texts
+from highlight.textmate_engine import Engine
 from lagdsl.highlight.generate import TEXTMATE, files
 from lagdsl.highlight.pygments_lexer import TOKENS, LagLexer
 from lagdsl.highlight.rules import Kind
+from lagdsl.highlight.textmate import SCOPES
 
 TEXTS = {**{f"trap {number}": text for number, text in enumerate(TRAPS)}, **texts()}
 BY_TOKEN = {token: kind for kind, token in TOKENS.items()}
 ENGINE = Engine(json.loads(files()[TEXTMATE]))
-NODE_MODULES = Path(os.environ.get("PEERS", ROOT / ".peers")).absolute() / "node_modules"
+CHECKER = ROOT / "editors" / "vscode" / "node_modules" / ".bin" / "vscode-tmgrammar-test"
+NO_NAMES = sorted(scope for kind, scope in SCOPES.items() if kind not in (Kind.NAME, Kind.TYPE))
 
 
 def by_pygments(text: str) -> list[str]:
@@ -55,21 +56,44 @@ def test_textmate_colours_what_the_parser_reads() -> None:
     assert wrong(names, {name: ENGINE.kinds(TEXTS[name]) for name in names}) == []
 
 
-@pytest.mark.skipif(
-    not (NODE_MODULES / "vscode-textmate").is_dir() or shutil.which("node") is None,
-    reason="needs node with vscode-textmate and vscode-oniguruma: `make peers`",
-)
+@pytest.mark.skipif(not CHECKER.exists() or shutil.which("node") is None, reason="needs node and `npm ci`")
 def test_vscode_colours_what_the_parser_reads(tmp_path: Path) -> None:
-    """The engine of VS Code, with Oniguruma."""
-    request = tmp_path / "texts.json"
-    names = chosen_texts()
-    request.write_text(json.dumps({"grammar": files()[TEXTMATE], "texts": {name: TEXTS[name] for name in names}}))
-    script = Path(__file__).with_name("textmate.cjs")
-    command = ["node", str(script), str(request)]
-    environment = {**os.environ, "NODE_PATH": str(NODE_MODULES)}
-    shown = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=300).stdout
-    coloured = {name: [KINDS.get(scope, "none") for scope in scopes] for name, scopes in json.loads(shown).items()}
-    assert wrong(names, coloured) == []
+    """The engine of VS Code, with Oniguruma, by vscode-tmgrammar-test: each text with its scopes below its lines."""
+    for number, name in enumerate(chosen_texts()):
+        expected = as_the_parser_reads(TEXTS[name])
+        if expected is not None:
+            (tmp_path / f"{number}.lag").write_text(with_scopes(name, TEXTS[name], expected), encoding="utf-8")
+    (tmp_path / "wrong.lag").write_text(with_scopes("wrong", "model A end A;", [Kind.STRING] * 5), encoding="utf-8")
+    command = [CHECKER, "--compact", "--grammar", ROOT / TEXTMATE, tmp_path / "*.lag"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+    told = [line for line in done.stdout.splitlines() if "ERROR" in line and "wrong.lag" not in line]
+    assert told == [], done.stderr
+    assert "wrong.lag" in done.stdout
+
+
+def with_scopes(name: str, text: str, kinds: list[str]) -> str:
+    """A text of vscode-tmgrammar-test: below each line the scopes of its characters; a name has those of none else."""
+    lines, at = [f'§ SYNTAX TEST "source.lag" "{name}"'], 0
+    for line in text.split("\n"):
+        lines.append(line)
+        columns = [
+            (GAP if character.isspace() else kind, len(character.encode("utf-16-le")) // 2)
+            for character, kind in zip(line, kinds[at : at + len(line)], strict=False)
+        ]
+        lines += _scopes(columns)
+        at += len(line) + 1
+    return "\n".join(lines)
+
+
+def _scopes(columns: list[tuple[str, int]]) -> list[str]:
+    """One line for each kind; `<-` stands for the first column, where the mark of these lines is."""
+    told = []
+    for kind in sorted({kind for kind, _ in columns} - {GAP}):
+        marks = "".join(("^" if each == kind else " ") * width for each, width in columns)
+        scopes = f"- {' '.join(NO_NAMES)}" if kind == Kind.NAME else SCOPES[Kind(kind)]
+        told += [f"§<- {scopes}"] if marks[0] == "^" else []
+        told += [f"§{marks[1:]} {scopes}"] if "^" in marks[1:] else []
+    return told
 
 
 def test_texts_are_read_by_the_parser() -> None:
