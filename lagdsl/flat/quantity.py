@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, fields
 from enum import StrEnum
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypedDict, cast
 
 from lagdsl.record import record
 from lagdsl.source import Span
@@ -46,3 +46,26 @@ class Quantity(Item):
     literal_docs: tuple[str | None, ...] = ()
     type_doc: str | None = None
     protected: bool = False
+
+
+class QuantityFields(TypedDict):
+    """The fields of a Quantity, as arguments of one."""
+
+    spans: Spans
+    name: str
+    dimension: Dimension
+    unit: str
+    display_unit: str | None
+    doc: str | None
+    type_name: str
+    symbol: str | None
+    base: Base
+    literals: tuple[str, ...]
+    literal_docs: tuple[str | None, ...]
+    type_doc: str | None
+    protected: bool
+
+
+def fields_of(item: Quantity) -> QuantityFields:
+    """The fields that a quantity shares with every other one, as arguments of a quantity of another kind."""
+    return cast(QuantityFields, {each.name: getattr(item, each.name) for each in fields(Quantity)})

@@ -210,7 +210,7 @@ def _outputs(ctx: Context, contents: Contents, discretes: Mapping[str, list[Disc
             with ctx.current.inside(symbol.scope):
                 outputs += quantities.outputs(ctx, symbol)
         elif "output" in symbol.prefixes:
-            outputs += quantities.discrete_outputs(discretes.get(symbol.name, []))
+            outputs += quantities.outputs_of_discretes(discretes.get(symbol.name, []))
     return outputs
 
 

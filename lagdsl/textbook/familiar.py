@@ -8,8 +8,7 @@ formula; equal moments of inertia of one body are written as one. Numbers that c
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 from lagdsl.flat.expression import (
     Binary,
@@ -23,7 +22,7 @@ from lagdsl.flat.expression import (
     Vector,
 )
 from lagdsl.flat.model import Definition, FlatModel, Parameter, PointMass, RigidBody
-from lagdsl.flat.quantity import Quantity, Variability
+from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.flat.traversal import postorder
 from lagdsl.source import Span
 from lagdsl.units import Dimension
@@ -53,7 +52,7 @@ def familiar(model: FlatModel) -> Familiar:
         if item.name not in twins
     ]
     aliases = tuple(
-        Definition(**_fields(item), value=Variable(twins[item.name]), variability=Variability.PARAMETER)
+        Definition(**fields_of(item), value=Variable(twins[item.name]), variability=Variability.PARAMETER)
         for item in model.parameters
         if item.name in twins
     )
@@ -88,11 +87,6 @@ def _twins(parameters: tuple[Parameter, ...]) -> Iterator[tuple[str, str]]:
         known = first.setdefault((array, item.value), item.name)
         if known != item.name:
             yield item.name, known
-
-
-def _fields(item: Parameter) -> dict[str, Any]:
-    """The attributes that a parameter shares with every quantity."""
-    return {field.name: getattr(item, field.name) for field in fields(Quantity)}
 
 
 def _is_idle(item: Parameter) -> bool:

@@ -9,7 +9,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output
-from lagdsl.flat.quantity import Variability
+from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.semantics.assembly.closed_form.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.closed_form.linear import variables
 from lagdsl.semantics.assembly.closed_form.pose import displacement, misalignment
@@ -22,7 +22,6 @@ from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
 from lagdsl.semantics.scope.scope import Symbol
 from lagdsl.semantics.scope.values import FrameValue, Order, Scalar
-from lagdsl.semantics.types.quantity_fields import QuantityFields
 from lagdsl.semantics.variables import quantities
 from lagdsl.semantics.variables.resolver import every
 from lagdsl.syntax import nodes
@@ -103,7 +102,7 @@ class Closures:
             if formula.wound and formula.name in exact:
                 raise NoFormulaError
             item = by_name[formula.name]
-            fields = _fields(item)
+            fields = fields_of(item)
             ctx.product.named.append(Definition(**fields, value=formula.value, variability=Variability.CONTINUOUS))
             joint = cut.link.instance.name
             value = flat.Variable(item.name)
@@ -213,21 +212,3 @@ class Closures:
 
 def _needs(item: Definition, names: dict[str, FlatExpression]) -> bool:
     return any(name in names for name in variables((item.value,)))
-
-
-def _fields(item: flat_model.Coordinate) -> QuantityFields:
-    return QuantityFields(
-        spans=item.spans,
-        name=item.name,
-        dimension=item.dimension,
-        unit=item.unit,
-        display_unit=item.display_unit,
-        doc=item.doc,
-        type_name=item.type_name,
-        symbol=item.symbol,
-        base=item.base,
-        literals=item.literals,
-        literal_docs=item.literal_docs,
-        type_doc=item.type_doc,
-        protected=item.protected,
-    )

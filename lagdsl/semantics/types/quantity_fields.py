@@ -2,31 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
-
-from lagdsl.flat.quantity import Base, Spans
+from lagdsl.flat.quantity import Base, QuantityFields
 from lagdsl.semantics.scope.naming import element_name
 from lagdsl.semantics.scope.scope import Indices, Symbol, TypeInfo
 from lagdsl.semantics.scope.values import AnyDimension
-from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.naming import unit_text
-
-
-class QuantityFields(TypedDict):
-    spans: Spans
-    name: str
-    dimension: Dimension
-    unit: str
-    display_unit: str | None
-    doc: str | None
-    type_name: str
-    symbol: str | None
-    base: Base
-    literals: tuple[str, ...]
-    literal_docs: tuple[str | None, ...]
-    type_doc: str | None
-    protected: bool
 
 
 def quantity_fields(

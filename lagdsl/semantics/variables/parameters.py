@@ -8,7 +8,7 @@ from itertools import product as cartesian
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.finite import is_unbounded
-from lagdsl.flat.quantity import Variability
+from lagdsl.flat.quantity import QuantityFields, Variability
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.instance_diagnostics import report_missing
@@ -16,7 +16,7 @@ from lagdsl.semantics.scope.naming import kind_of
 from lagdsl.semantics.scope.scope import Indices, Symbol
 from lagdsl.semantics.scope.values import POISON, Array, Order, Poison, Scalar, Text, is_structural, rank
 from lagdsl.semantics.types.bindings import Expected, bound
-from lagdsl.semantics.types.quantity_fields import QuantityFields, quantity_fields
+from lagdsl.semantics.types.quantity_fields import quantity_fields
 from lagdsl.semantics.variables import attributes, free_parameters
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
 from typing import Literal, TypedDict, cast
 
 from lagdsl.diagnostics import Label
@@ -11,7 +10,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.events import Discrete
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Quantity, Variability
+from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
@@ -194,11 +193,11 @@ def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
     ]
 
 
-def discrete_outputs(items: list[Discrete]) -> list[flat_model.Output]:
+def outputs_of_discretes(items: list[Discrete]) -> list[flat_model.Output]:
     """Outputs of the same names, for discrete variables that are declared `output`."""
     return [
         flat_model.Output(
-            **{each.name: getattr(item, each.name) for each in fields(Quantity)},
+            **fields_of(item),
             value=flat.Variable(item.name),
             minimum=item.minimum,
             maximum=item.maximum,
