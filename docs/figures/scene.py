@@ -7,7 +7,7 @@ from pathlib import Path
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import flatten_file, read
 from lagdsl.plot.picture.film import write_picture
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.source import SourceFile
 
 FOLDER = Path(__file__).parents[1] / "images" / "scene"

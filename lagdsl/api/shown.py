@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import xarray
 
     from lagdsl.api.derivation import Derivation
-    from lagdsl.plot.picture.recording import Wishes
+    from lagdsl.plot.picture.wishes import Wishes
     from lagdsl.signals.inputs import Signal
     from lagdsl.source import SourceFile
     from lagdsl.verify.certificate import Certificate
@@ -135,7 +135,7 @@ class Shown(ByName):
         start: Mapping[str, Value] | None,
         inputs: Mapping[str, Signal | str] | Path | str | None,
     ) -> Wishes:
-        from lagdsl.plot.picture.recording import Wishes
+        from lagdsl.plot.picture.wishes import Wishes
 
         self._parameter_vector(parameters)
         return Wishes(

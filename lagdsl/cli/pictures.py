@@ -12,7 +12,7 @@ from lagdsl.cli.options import PATH, Command, combined
 from lagdsl.cli.output import draft_of, require_ending, require_figure, require_writable
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.record import record
 from lagdsl.settings.literal import seconds
 

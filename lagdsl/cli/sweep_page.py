@@ -10,7 +10,7 @@ import click
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.page.runs import MOST_RUNS, Setting, sweep_page
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:

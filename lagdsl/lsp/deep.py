@@ -105,7 +105,7 @@ def _write_page(flat: Any, request: Request, file: SourceFile) -> bool:
     if request.page is None:
         return False
     from lagdsl.page.page import page
-    from lagdsl.plot.picture.recording import Wishes
+    from lagdsl.plot.picture.wishes import Wishes
     from lagdsl.source.whole_file import whole_file
 
     with whole_file(Path(request.page)) as draft:

@@ -16,7 +16,8 @@ from lagdsl.page.head import Json
 from lagdsl.page.page import head_of_recording
 from lagdsl.page.runs import Run, page_of_runs
 from lagdsl.page.states import States, own_parameters, recording_of, rows_of
-from lagdsl.plot.picture.recording import Prepared, Wishes, prepare
+from lagdsl.plot.picture.recording import Prepared, prepare
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
 

@@ -23,7 +23,8 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.page.arrows import arrows
 from lagdsl.page.head import Json, head_of
-from lagdsl.plot.picture.recording import Recording, Wishes, record_motion
+from lagdsl.plot.picture.recording import Recording, record_motion
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.resources import page_folder
 from lagdsl.signals.inputs import signals
 from lagdsl.signals.trajectory import Trajectory

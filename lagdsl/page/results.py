@@ -16,7 +16,8 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.page.page import head_of_recording
 from lagdsl.page.runs import Run, page_of_runs
 from lagdsl.page.states import States, own_parameters, recording_of
-from lagdsl.plot.picture.recording import Prepared, Wishes, prepare
+from lagdsl.plot.picture.recording import Prepared, prepare
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.signals.table_io import Tables, read_inputs
 from lagdsl.signals.trajectory import Column, Trajectory
 from lagdsl.simulate.table import heads_of

@@ -11,7 +11,8 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.page.head import Json
 from lagdsl.page.page import head_of_recording, html_of, starts_of
-from lagdsl.plot.picture.recording import Recording, Wishes, prepare, recorded
+from lagdsl.plot.picture.recording import Recording, prepare, recorded
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.record import record
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile

@@ -13,7 +13,6 @@ from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.runtime.structures import InitialFault
-from lagdsl.simulate.contradictions import report_contradiction
 from lagdsl.structure.constraints import ENDLESS
 from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
@@ -32,8 +31,11 @@ def report_no_start(
     """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838 or E0839, if there is no start; the last one only if it is
     `searched` for."""
     unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
-    if searched and unmet and flat.initial_equations and report_contradiction(flat, layout, run, t, found, sink):
-        return
+    if searched and unmet and flat.initial_equations:
+        from lagdsl.simulate.contradictions import report_contradiction  # few models contradict themselves
+
+        if report_contradiction(flat, layout, run, t, found, sink):
+            return
     match found.fault:
         case InitialFault.NONE:
             return

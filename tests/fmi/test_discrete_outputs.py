@@ -15,7 +15,8 @@ import lagdsl
 from fmi.texts import export_text
 from lagdsl.backends.modelica.emit import ModelicaBackend
 from lagdsl.backends.start import start_of
-from lagdsl.plot.picture.recording import Wishes, record_motion
+from lagdsl.plot.picture.recording import record_motion
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.simulate.initialize import initial_state
 

@@ -13,7 +13,7 @@ from typing import Any
 from lagdsl.diagnostics import Sink
 from lagdsl.page.page import page
 from lagdsl.pipeline import flatten_file, read
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 
 MODELS = Path(__file__).parents[2] / "models"
 

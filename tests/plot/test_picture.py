@@ -18,9 +18,10 @@ from lagdsl.pipeline import flatten_file, read
 from lagdsl.plot.picture.draw import draw, prepared
 from lagdsl.plot.picture.faces import Faces, cube, cylinder, sphere, torus
 from lagdsl.plot.picture.film import write_film, write_picture
-from lagdsl.plot.picture.recording import Wishes, record_motion, up_of
+from lagdsl.plot.picture.recording import record_motion, up_of
 from lagdsl.plot.picture.shapes import MAKERS, parts_of
 from lagdsl.plot.picture.stage import Stage, stage_of
+from lagdsl.plot.picture.wishes import Wishes
 
 MODELS = Path(__file__).parents[2] / "models"
 EVERY = sorted(path.relative_to(MODELS).with_suffix("").as_posix() for path in MODELS.rglob("*.lag"))

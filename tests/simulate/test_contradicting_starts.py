@@ -93,3 +93,17 @@ def test_a_fixed_start_and_a_free_parameter() -> None:
     declarations = "parameter Length a(fixed = false, start = 1 m); coordinate Length x(start = 1 m, fixed = true), y;"
     assert "contradicts the fixed start of `x` and `x = a`" in told(declarations, "x = a; a = 3 m;")["E0839"].message
     assert not told(declarations, "x = a; y = 3*a;").keys() & {"E0839", "E0815", "E0801"}
+
+
+def test_the_runtime_alone_decides_that_there_is_no_start(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The search for contradictions is for words: it runs after a failure, which stands without it."""
+    asked = []
+
+    def nothing_found(*arguments: object) -> bool:
+        asked.append(arguments)
+        return False
+
+    monkeypatch.setattr("lagdsl.simulate.contradictions.report_contradiction", nothing_found)
+    assert not {"E0839", "E0815", "E0801"} & told(_FREE, "x = 1 m; 2*x = 2 m;").keys() and not asked
+    assert "E0815" in told(_FREE, "x = 2 m; x = 3 m;") and len(asked) == 1
+    assert "E0801" in told("coordinate Length x(start = 1 m, fixed = true), y;", "x = 2 m;") and len(asked) == 2

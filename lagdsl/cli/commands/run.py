@@ -32,7 +32,7 @@ from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Route, findings
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.literal import seconds

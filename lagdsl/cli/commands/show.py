@@ -17,7 +17,7 @@ from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import findings
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.source import SourceFile

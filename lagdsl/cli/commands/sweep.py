@@ -32,7 +32,7 @@ from lagdsl.cli.text_table import aligned
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file, flatten_for_runs
-from lagdsl.plot.picture.recording import Wishes
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split

@@ -14,8 +14,9 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.plot.picture.draw import Drawn, draw, prepared, save_picture
-from lagdsl.plot.picture.recording import Recording, Wishes, record_motion, up_of
+from lagdsl.plot.picture.recording import Recording, record_motion, up_of
 from lagdsl.plot.picture.stage import stage_of
+from lagdsl.plot.picture.wishes import Wishes
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
-from dataclasses import field, replace
+from collections.abc import Collection
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.model import FlatModel, computed_outputs
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation, compile_flat
+from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
@@ -20,21 +21,9 @@ from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.scene.living import START, Living, living
 from lagdsl.scene.meshes import meshes_of
 from lagdsl.scene.shapes import Scene
-from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
-
-
-@record(kw_only=True)
-class Wishes:
-    """Values that a motion begins with, by name in SI units. The experiment of the model says the others."""
-
-    stop: float | None = None
-    tolerance: float | None = None
-    parameters: Mapping[str, float] = field(default_factory=dict)
-    start: Mapping[str, float] = field(default_factory=dict)
-    inputs: Mapping[str, Signal] = field(default_factory=dict)
 
 
 @record(kw_only=True)
