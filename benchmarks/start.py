@@ -31,8 +31,8 @@ def measure(say: Callable[[str], None]) -> dict[str, object]:
     base = process_cpu_seconds([sys.executable, "-c", "import numpy, click, rich"])
     run = _first_run(MODELS / "double_pendulum.lag")
     say("start: SymPy")
-    ours = first_call_cpu_seconds("against_sympy", "lagdsl_cart_double_pendulum()")
-    theirs = first_call_cpu_seconds("against_sympy", "sympy_cart_double_pendulum()")
+    ours = first_call_cpu_seconds("in_numpy", "cart_double_pendulum()")
+    theirs = first_call_cpu_seconds("against_sympy", "cart_double_pendulum()")
     say("start: the hanging chain")
     points = [_chain(links) for links in SIZES]
     return {
