@@ -21,12 +21,17 @@ def place_of(name: str, folder: Path) -> Path:
     It lies in the package of the text: the nearest folder around it that has a package.xml, else its own. A name never
     leads out of it.
     """
-    if Path(name).suffix.lower() not in READERS:
+    if not is_drawable(name):
         raise MeshError(f"files of meshes end in {', '.join(READERS)}")
     if Path(name).is_absolute():
         raise MeshError("its name begins at the root of the machine, not at the folder of the text")
     home = folder.resolve()
     return in_folder(home / name, package_of(home))
+
+
+def is_drawable(name: str) -> bool:
+    """True if files that end like this have a reader."""
+    return Path(name).suffix.lower() in READERS
 
 
 def in_folder(file: Path, home: Path) -> Path:

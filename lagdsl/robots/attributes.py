@@ -8,6 +8,7 @@ from collections import Counter
 
 from lagdsl.robots.description import ZERO, Pose, Vector
 from lagdsl.robots.findings import Findings
+from lagdsl.robots.mesh_faults import MeshFault, once_for_each_reason
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
@@ -17,12 +18,13 @@ LONGEST = 60  # characters of a text that a message repeats
 
 
 class Attributes:
-    """Reads the values of elements; counts the elements that nobody reads."""
+    """Reads the values of elements; counts the elements that nobody reads, collects meshes that cannot be taken."""
 
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
         self.left_out: Counter[str] = Counter()
         self.first_left_out: dict[str, Span] = {}
+        self.untaken: list[MeshFault] = []
 
     def text(self, element: Element, name: str) -> str | None:
         """The value of an attribute that must be there and not be empty; None after E1005."""
@@ -86,6 +88,12 @@ class Attributes:
         for tag, count in self.left_out.items():
             times = "once" if count == 1 else f"{count} times"
             self.findings.note("N1019", self.first_left_out[tag], tag=tag, times=times)
+
+    def tell_untaken(self) -> None:
+        """One error, E1013, for each reason against meshes."""
+        for fault, notes in once_for_each_reason(self.untaken):
+            instead = "the shape is left out"
+            self.findings.error("E1013", fault.span, notes=notes, file=fault.file, reason=fault.reason, instead=instead)
 
     def _numbers(self, element: Element, name: str, count: int, most: float = math.inf) -> list[float] | None:
         words = element.attributes[name].split()

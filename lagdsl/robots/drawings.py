@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import assert_never
 
-from lagdsl.meshes.files import place_of
+from lagdsl.meshes.files import is_drawable, place_of
 from lagdsl.meshes.triangles import MeshError
 from lagdsl.robots.description import Box, Capsule, Cylinder, Mesh, Pose, Sphere, Visual
+from lagdsl.robots.mesh_faults import MeshFault
 from lagdsl.robots.numbers import angle, array, number, quantity
 from lagdsl.robots.plan import Plan, frame_of
 from lagdsl.syntax.print_expressions import quoted
@@ -22,12 +23,21 @@ def drawings(plan: Plan, folder: Path) -> Iterator[str]:
             yield from _drawn(visual, frame_of(plan, link), plan.links[link.name], folder)
 
 
-def undrawn(plan: Plan, folder: Path) -> Iterator[tuple[Mesh, str]]:
+def undrawn(plan: Plan, folder: Path) -> Iterator[MeshFault]:
     """Meshes whose files a text in that folder cannot name, and the reasons."""
     for link in plan.robot.links:
         for visual in link.visuals:
             if isinstance(visual, Mesh) and isinstance(file := _file_of(visual, folder), MeshError):
-                yield visual, str(file)
+                yield MeshFault(visual.file, visual.span, str(file))
+
+
+def folder_of_all(plan: Plan, path: Path) -> str:
+    """The nearest folder around the robot's file that holds all meshes of which there is a reader: a text in it draws
+    them. From the working directory, if it lies there."""
+    visuals = [visual for link in plan.robot.links for visual in link.visuals]
+    places = [each.place.resolve().parent for each in visuals if isinstance(each, Mesh) and is_drawable(each.file)]
+    home = Path(os.path.commonpath([path.resolve().parent, *places]))
+    return (home.relative_to(Path.cwd()) if home.is_relative_to(Path.cwd()) else home).as_posix()
 
 
 def _drawn(visual: Visual, frame: str, link: str, folder: Path) -> Iterator[str]:

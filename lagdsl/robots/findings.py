@@ -25,7 +25,7 @@ class Findings:
         own = Sink()
         own.report(code, span, *labels, **arguments)
         for diagnostic in own.diagnostics:
-            self.sink.add(replace(diagnostic, severity=Severity.WARNING, notes=(instead,), help=None))
+            self.sink.add(replace(diagnostic, severity=Severity.WARNING, notes=(*diagnostic.notes, instead), help=None))
 
     def note(self, code: str, span: Span | None, **arguments: Any) -> None:
         """Report a note."""

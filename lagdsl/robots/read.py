@@ -6,10 +6,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
+from lagdsl.meshes.files import is_drawable
 from lagdsl.robots.description import Robot
-from lagdsl.robots.drawings import undrawn
+from lagdsl.robots.drawings import folder_of_all, undrawn
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.plan import Style, planned, rigid_with_root
+from lagdsl.robots.mesh_faults import once_for_each_reason
+from lagdsl.robots.plan import Plan, Style, planned, rigid_with_root
 from lagdsl.robots.text import model_text
 from lagdsl.robots.urdf import read_urdf
 from lagdsl.robots.xml_tree import read_xml
@@ -48,11 +50,18 @@ def robot_text(path: Path, style: Style, sink: Sink, folder: Path, lenient: bool
         sink.report("E1018", robot.span)
         return None
     plan = planned(robot, style, findings)
-    for mesh, reason in undrawn(plan, folder):
-        findings.note("N1023", mesh.span, file=mesh.file, reason=reason)
+    _tell_undrawn(plan, path, folder, findings)
     text = format_text(SourceFile(str(path), model_text(plan, folder)), sink)
     assert text is not None, sink.diagnostics
     return text
+
+
+def _tell_undrawn(plan: Plan, path: Path, folder: Path, findings: Findings) -> None:
+    """N1023 for each reason for which the text draws no mesh, with the folder whose text would."""
+    home = folder_of_all(plan, path)
+    for mesh, notes in once_for_each_reason(undrawn(plan, folder)):
+        help = None if is_drawable(mesh.file) else "convert it to one of these formats"
+        findings.note("N1023", mesh.span, notes=notes, help=help, file=mesh.file, reason=mesh.reason, home=home)
 
 
 def _turns_alone(robot: Robot) -> bool:

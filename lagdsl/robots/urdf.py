@@ -41,6 +41,7 @@ class _Reader:
     def robot(self, root: Element) -> Robot | None:
         self.read.leave_out_others(root, _TOP)
         links = [link for element in root.all("link") if (link := self._link(element)) is not None]
+        self.read.tell_untaken()
         joints = [joint for element in root.all("joint") if (joint := self._joint(element)) is not None]
         if self.findings.sink.has_errors:
             return None

@@ -11,6 +11,7 @@ from lagdsl.meshes.triangles import MeshError
 from lagdsl.robots.attributes import Attributes
 from lagdsl.robots.description import Box, Cylinder, Mesh, Pose, Sphere, Visual
 from lagdsl.robots.findings import Findings
+from lagdsl.robots.mesh_faults import MeshFault
 from lagdsl.robots.xml_tree import Element
 
 _KNOWN = frozenset({"origin", "geometry", "material"})
@@ -27,13 +28,13 @@ def read_visuals(link: Element, path: Path, read: Attributes, findings: Findings
                 "E1005", visual.head, element="visual", what="element `<geometry>`", instead="it is left out"
             )
             continue
-        shape = _shape(geometry.children[0], read.pose(visual), path, read, findings)
+        shape = _shape(geometry.children[0], read.pose(visual), path, read)
         if shape is not None:
             found.append(shape)
     return tuple(found)
 
 
-def _shape(element: Element, pose: Pose, path: Path, read: Attributes, findings: Findings) -> Visual | None:
+def _shape(element: Element, pose: Pose, path: Path, read: Attributes) -> Visual | None:
     match element.tag:
         case "box":
             return Box(pose=pose, size=read.vector(element, "size"), span=element.head)
@@ -43,13 +44,13 @@ def _shape(element: Element, pose: Pose, path: Path, read: Attributes, findings:
         case "sphere":
             return Sphere(pose=pose, radius=read.required(element, "radius", element, "sphere"), span=element.head)
         case "mesh":
-            return _mesh(element, pose, path, read, findings)
+            return _mesh(element, pose, path, read)
         case _:
             read.leave_out(element)
             return None
 
 
-def _mesh(element: Element, pose: Pose, path: Path, read: Attributes, findings: Findings) -> Mesh | None:
+def _mesh(element: Element, pose: Pose, path: Path, read: Attributes) -> Mesh | None:
     name = read.text(element, "filename")
     if name is None:
         return None
@@ -57,8 +58,7 @@ def _mesh(element: Element, pose: Pose, path: Path, read: Attributes, findings: 
     try:
         place = mesh_place(name, path)
     except MeshError as fault:
-        head = element.place("filename")
-        findings.error("E1013", head, file=name, reason=str(fault), instead="the shape is left out")
+        read.untaken.append(MeshFault(name, element.place("filename"), str(fault)))
         return None
     return Mesh(file=name, place=place, pose=pose, scale=scale, span=element.head)
 

@@ -186,6 +186,29 @@ def test_meshes_of_packages_are_found(tmp_path: Path, name: str) -> None:
     assert [each.code for each in told] == ["N1023"] and "lies outside of the folder `text`" in told[0].message
 
 
+def test_a_reason_against_several_meshes_is_told_once(tmp_path: Path) -> None:
+    shapes = "".join(
+        f'<visual><geometry><mesh filename="package://arm/meshes/{name}"/></geometry></visual>'
+        for name in ("b.stl", "c.stl", "b.stl", "d.glb")
+    )
+    path = tmp_path / "arm" / "urdf" / "arm.urdf"
+    path.parent.mkdir(parents=True)
+    text = with_mesh("package://arm/meshes/a.stl").replace("</visual>", f"</visual>{shapes}", 1)
+    ((code, line, _),) = refusal(path, text.replace("//arm", "//leg"))
+    assert (code, line) == ("E1013", 4)
+    assert len(refusal(path, text)) == 1
+    (path.parents[1] / "meshes").mkdir()
+    for name in ("a.stl", "b.stl", "c.stl", "d.glb"):
+        (path.parents[1] / "meshes" / name).write_text("solid")
+    _, told = imported(path, folder=path.parent)
+    outside, other = told
+    assert "outside of the folder `urdf`" in outside.message and "`b.stl`, `c.stl`" in outside.notes[0]
+    assert outside.help is not None and f"`{path.parents[1].as_posix()}`" in outside.help
+    assert "d.glb" in other.message and other.help == "convert it to one of these formats"
+    _, told = imported(path, folder=path.parents[1])
+    assert [each.message for each in told] == [other.message]
+
+
 def test_a_rod_of_a_file_with_impossible_moments_keeps_its_moments(tmp_path: Path) -> None:
     """Lenient: the energy of the moments as they are; about the axis x of the joint it is that of 3 kg.m2."""
     path = tmp_path / "robot.urdf"

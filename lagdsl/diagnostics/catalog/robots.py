@@ -74,6 +74,6 @@ ROWS: dict[str, Row] = {
     "N1023": note(
         "the text does not draw the mesh `{file}`: {reason}",
         label="named here",
-        help="write the text into the folder of the robot with `-o` (in Python `folder=`)",
+        help="write the text into the folder `{home}` with `-o` (in Python `folder=`)",
     ),
 }
