@@ -154,20 +154,31 @@ DOCKING = [
     ),
 ]
 
+# Two circles of two sizes, in which nothing couples one with the other.
+CIRCLES = (
+    "coordinate Real x(start = 6e-7, nominal = 1e-6), y(start = -8e-7, nominal = 1e-6);"
+    "coordinate Real p(start = 6e5, nominal = 1e6), q(start = -8e5, nominal = 1e6);"
+    "kinetic 1/2*(der(x)^2 + der(y)^2 + der(p)^2 + der(q)^2); potential 9.81e-6*y + 9.81e6*q;"
+    "constraint small: x^2 + y^2 = 1e-12; constraint large: p^2 + q^2 = 1e12;"
+)
+
 BESIDE = [
     Attack(
         "micrometres_beside_a_thousand_kilometres",
         # both swing like a pendulum of length 1 under 9.81
-        model(
-            "coordinate Real x(start = 6e-7, nominal = 1e-6), y(start = -8e-7, nominal = 1e-6);"
-            "coordinate Real p(start = 6e5, nominal = 1e6), q(start = -8e5, nominal = 1e6);"
-            "kinetic 1/2*(der(x)^2 + der(y)^2 + der(p)^2 + der(q)^2); potential 9.81e-6*y + 9.81e6*q;"
-            "constraint small: x^2 + y^2 = 1e-12; constraint large: p^2 + q^2 = 1e12;"
-            "output Real off = 1e6*x - 1e-6*p; output Real r = (x^2 + y^2)*1e12;"
-        ),
+        model(CIRCLES + "output Real off = 1e6*x - 1e-6*p; output Real r = (x^2 + y^2)*1e12;"),
         2.0,
         {"off": 0.0, "r": 1.0},
         near=1e-7,
+    ),
+    Attack(
+        "micrometres_beside_a_thousand_kilometres_by_rough_steps",
+        # the small one stays on its circle though the large one alone decides the steps
+        model(CIRCLES + "output Real r = (x^2 + y^2)*1e12; output Real big = (p^2 + q^2)*1e-12;"),
+        20.0,
+        {"r": 1.0, "big": 1.0},
+        tolerance=1e-3,
+        near=1e-12,
     ),
     Attack(
         "contradiction_beside_something_fast",

@@ -67,7 +67,7 @@ static void solve_dense(problem *x, size_t rank)
     double *memory = malloc((lag_system_memory(x->n, x->m) + 1) * sizeof(double));
     lag_system system;
     CHECK(memory != NULL);
-    lag_system_place(&system, x->n, x->m, memory);
+    lag_system_place(&system, x->n, x->m, NULL, memory);
     CHECK(lag_system_factor(&system, x->mass, x->jacobian, rank, NULL) == LAG_OK);
     lag_system_solve(&system, x->force, x->gamma, x->a, x->lam);
     free(memory);

@@ -9,6 +9,7 @@ typedef struct problem {
     size_t n, m;
     double mass[MOST * MOST], jacobian[MOST * MOST], force[MOST], gamma[MOST], a[MOST], lam[MOST];
     size_t coordinate;
+    const size_t *components;
 } problem;
 
 static lag_status solve(problem *x, size_t most)
@@ -17,7 +18,7 @@ static lag_status solve(problem *x, size_t most)
     double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     lag_system system;
     CHECK(memory != NULL);
-    lag_system_place(&system, x->n, x->m, memory);
+    lag_system_place(&system, x->n, x->m, x->components, memory);
     const lag_status status = lag_system_factor(&system, x->mass, x->jacobian, most, &x->coordinate);
     if (status == LAG_OK) {
         lag_system_solve(&system, x->force, x->gamma, x->a, x->lam);
@@ -61,6 +62,7 @@ static void draw_problem(problem *x, size_t n, size_t m, size_t rank, double spr
     double b[MOST * MOST];
     x->n = n;
     x->m = m;
+    x->components = NULL;
     for (size_t i = 0; i < rank * n; ++i) {
         b[i] = draw(seed);
     }
@@ -123,6 +125,21 @@ static void dependent_rows(void)
     }
 }
 
+/* Rows of a small and of a large part, which have no coordinate in common: each has its rank, however long the other's rows are. */
+static void parts_of_two_sizes(void)
+{
+    static const size_t components[] = {0, 0, 2, 2};
+    for (double ratio = 1e-30; ratio < 1e31; ratio *= 1e5) {
+        problem x = {.n = 4, .m = 2, .mass = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+            .jacobian = {3.0, 4.0, 0.0, 0.0, 0.0, 0.0, 3.0 * ratio, 4.0 * ratio}, .gamma = {25.0, 50.0 * ratio}, .components = components};
+        CHECK(solve(&x, 2) == LAG_OK);
+        CHECK_NEAR(x.a[0], 3.0, 1e-14); /* the shortest one */
+        CHECK_NEAR(x.a[1], 4.0, 1e-14);
+        CHECK_NEAR(x.a[2], 6.0, 1e-14);
+        CHECK_NEAR(x.a[3], 8.0, 1e-14);
+    }
+}
+
 static void zero_row_has_zero_multiplier(void)
 {
     problem x = {.n = 2, .m = 2, .mass = {2.0, 0.0, 0.0, 3.0}, .jacobian = {0.0, 0.0, 1.0, 1.0}, .force = {1.0, 5.0}};
@@ -172,6 +189,7 @@ int main(void)
 {
     regular_and_singular_mass();
     dependent_rows();
+    parts_of_two_sizes();
     zero_row_has_zero_multiplier();
     indefinite_mass();
     undetermined_coordinate_is_named();

@@ -21,6 +21,7 @@ typedef struct lag_system {
     size_t indefinite;      /* 1: `factor` holds eigenvectors, 0: a Cholesky factor */
     const double *mass;     /* (n, n) */
     const double *jacobian; /* (m, n) */
+    const size_t *components; /* (n) coordinates of different ones share no row and no entry of M; null: all are of one */
     /* (m) 1: of rows that depend on each other this one counts as the dependent one, where the others do as well; null: what rounding says */
     const unsigned char *late;
     /* (n) (m) natural sizes: of rows that depend on each other those count that are long in these; null: all that are not very short */
@@ -42,8 +43,8 @@ typedef struct lag_system {
 /* Doubles that a system of n unknowns and m rows needs. */
 size_t lag_system_memory(size_t n, size_t m);
 
-/* Lays out `system` in `memory`. */
-void lag_system_place(lag_system *system, size_t n, size_t m, double *memory);
+/* Lays out `system` in `memory`. `components` (n) are numbers of what M and J couple; null: all that there is. */
+void lag_system_place(lag_system *system, size_t n, size_t m, const size_t *components, double *memory);
 
 /*
  * Factors the system of `mass` (n, n) and `jacobian` (m, n), of whose rows at most `most` are independent; both must stay.

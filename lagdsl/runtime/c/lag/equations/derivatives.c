@@ -38,7 +38,7 @@ static void place_system(lag_derivatives *d, const lag_model *model, double **me
     d->phi = lag_take(memory, m);
     d->residual = lag_take(memory, m);
     d->unused = lag_take(memory, m * n);
-    lag_system_place(&d->system, n, m, lag_take(memory, lag_system_memory(n, m)));
+    lag_system_place(&d->system, n, m, model->components, lag_take(memory, lag_system_memory(n, m)));
     d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 

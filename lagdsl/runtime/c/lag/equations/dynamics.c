@@ -54,7 +54,7 @@ static lag_status solve_formed(
     double *lam,
     size_t *coordinate)
 {
-    lag_system_place(system, model->nq, model->nc, to->system);
+    lag_system_place(system, model->nq, model->nc, model->components, to->system);
     const lag_status status = lag_system_factor(system, to->mass, to->jacobian, model->rank, coordinate);
     if (status != LAG_OK) {
         lag_fill(model->nq, (double)NAN, qdd);

@@ -246,7 +246,7 @@ static lag_status solve_by_dense(
         status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
     }
     if (status == LAG_OK) {
-        lag_system_place(&by->dense, model->nq, model->nc, to->system);
+        lag_system_place(&by->dense, model->nq, model->nc, model->components, to->system);
         status = lag_system_factor(&by->dense, to->mass, to->jacobian, model->rank, coordinate);
     }
     return status;

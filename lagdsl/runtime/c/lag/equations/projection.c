@@ -189,7 +189,7 @@ static lag_status smallest(lag_projection *projection, int every)
             projection->right[rows++] = -projection->phi[i];
         }
     }
-    lag_system_place(&system, n, rows, projection->system);
+    lag_system_place(&system, n, rows, model->components, projection->system);
     const size_t most = rows < model->rank ? rows : model->rank;
     lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
     if (status == LAG_SINGULAR) {
@@ -334,7 +334,7 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
         }
     }
     const size_t most = model->rank + (rows - model->nc);
-    lag_system_place(&system, n, rows, projection->system);
+    lag_system_place(&system, n, rows, model->components, projection->system);
     const lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
     if (status != LAG_OK) {
         *reached = 0;

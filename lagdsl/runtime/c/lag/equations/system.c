@@ -32,10 +32,11 @@ size_t lag_system_memory(size_t n, size_t m)
     return 3 * n * n + m * n + m * m + 5 * n + 4 * m + 2 * least(n, m);
 }
 
-void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
+void lag_system_place(lag_system *s, size_t n, size_t m, const size_t *components, double *memory)
 {
     s->n = n;
     s->m = m;
+    s->components = components;
     s->rank = s->combinations = 0;
     s->indefinite = 0;
     s->mass = NULL;
@@ -114,24 +115,56 @@ static double length_of_row(const lag_system *s, size_t i, double part, int depe
     return fmax(natural < part ? natural : part, fmin(LEAST_PART, part));
 }
 
-static void scale_rows(lag_system *s, int dependent)
+static size_t component(const lag_system *s, size_t coordinate)
+{
+    return s->components != NULL ? s->components[coordinate] : 0;
+}
+
+/* Components of rows, into `l`; a row that is zero may count to any. */
+static void find_components(lag_system *s)
+{
+    for (size_t i = 0; i < s->m; ++i) {
+        size_t j = 0;
+        while (j + 1 < s->n && s->jacobian[i * s->n + j] == 0.0) {
+            ++j;
+        }
+        s->l[i] = s->n > 0 ? (double)component(s, j) : 0.0;
+    }
+}
+
+/* Lengths of rows, as they are judged, into `row_scale`: light coordinates count beside the heaviest one of their component. */
+static void judge_rows(lag_system *s)
 {
     const size_t n = s->n;
-    double least = (double)INFINITY, longest = 0.0;
-    for (size_t j = 0; j < n; ++j) {
-        least = fmin(least, s->column_scale[j]);
-    }
     for (size_t i = 0; i < s->m; ++i) {
+        double least = (double)INFINITY;
         double sum = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            least = (double)component(s, j) == s->l[i] ? fmin(least, s->column_scale[j]) : least;
+        }
         for (size_t j = 0; j < n; ++j) {
             const double judged = s->jacobian[i * n + j] * fmin(s->column_scale[j], LIGHTEST * least);
             sum += judged * judged;
         }
         s->row_scale[i] = sqrt(sum);
-        longest = fmax(longest, s->row_scale[i]);
     }
     for (size_t i = 0; i < s->m; ++i) {
+        s->row_rest[i] = 0.0;
+        for (size_t k = 0; k < s->m; ++k) {
+            s->row_rest[i] = s->l[k] == s->l[i] ? fmax(s->row_rest[i], s->row_scale[k]) : s->row_rest[i];
+        }
+    }
+}
+
+/* Rows of several components have no coordinate in common: each is judged beside the longest one of its own. */
+static void scale_rows(lag_system *s, int dependent)
+{
+    const size_t n = s->n;
+    find_components(s);
+    judge_rows(s);
+    for (size_t i = 0; i < s->m; ++i) {
         const double judged = s->row_scale[i];
+        const double longest = s->row_rest[i];
         double sum = 0.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] = s->jacobian[i * n + j] * s->column_scale[j];

@@ -127,7 +127,7 @@ lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_
     if (status == LAG_OK) {
         choose(impact, blow);
         const size_t rows = cut_down(impact);
-        lag_system_place(&system, impact->count, rows, impact->system);
+        lag_system_place(&system, impact->count, rows, NULL, impact->system);
         status = lag_system_factor(&system, impact->mass, impact->jacobian, rows < model->rank ? rows : model->rank, &coordinate);
     }
     if (status == LAG_SINGULAR) {

@@ -150,7 +150,7 @@ static lag_status solve(lag_momentum *momentum, const double *held, int *reached
             momentum->right[rows++] = 0.0;
         }
     }
-    lag_system_place(&system, n, rows, momentum->system);
+    lag_system_place(&system, n, rows, model->components, momentum->system);
     const lag_status status =
         lag_system_factor(&system, momentum->mass, momentum->chosen, model->rank + (rows - model->nc), &momentum->motion->coordinate);
     if (status != LAG_OK) {

@@ -106,7 +106,7 @@ static lag_status respond(lag_refraction *r, lag_system *system)
 {
     const lag_model *model = r->motion->model;
     lag_momentum *momentum = r->momentum;
-    lag_system_place(system, model->nq, model->nc, momentum->system);
+    lag_system_place(system, model->nq, model->nc, model->components, momentum->system);
     const lag_status status = lag_system_factor(system, momentum->mass, momentum->jacobian, model->rank, &r->motion->coordinate);
     lag_fill(model->nc, 0.0, momentum->right);
     if (status == LAG_OK) {
