@@ -65,6 +65,12 @@ class Instance:
         assert not left
         self.fmu.exitInitializationMode()
 
+    def allowed(self) -> np.ndarray:
+        """Absolute errors of the states: parts of their nominal values, as the standards recommend."""
+        nominals = np.zeros(self.size)
+        self.fmu.getNominalsOfContinuousStates(_pointer(nominals), self.size)
+        return ABSOLUTE * nominals
+
     def update(self) -> float:
         """Event mode up to its end, and continuous time; the time of the next event."""
         again, next_time = True, np.inf
@@ -150,7 +156,7 @@ def _to_event(one: Instance, t: float, x: np.ndarray, limit: float, stop: float)
     before = one.indicators(t, x) > 0
     if not limit > t:
         return t, x, limit < stop
-    solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST * stop)
+    solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=one.allowed(), max_step=LONGEST * stop)
     while solver.status == "running":
         t, x = solver.t, solver.y.copy()
         assert solver.step() is None
@@ -176,7 +182,7 @@ def _first_change(
 
     end = _changed(margin, t, solver.t)
     for _ in range(60):
-        again = DOP853(one.rates, t, x, end, rtol=RELATIVE, atol=ABSOLUTE)
+        again = DOP853(one.rates, t, x, end, rtol=RELATIVE, atol=one.allowed())
         while again.status == "running":
             again.step()
         if end >= solver.t or np.any((one.indicators(end, again.y) > 0) != before):

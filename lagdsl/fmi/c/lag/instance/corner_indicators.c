@@ -54,7 +54,7 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
 {
     const size_t count = instance->fmu->model->ncorner;
     const lag_status status = count > 0 ? look(instance, t, x) : LAG_OK;
-    double *largest = instance->largest + lag_instance_first_corner(instance);
+    double *largest = instance->largest;
     double *latched = instance->latched + lag_instance_first_corner(instance);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double behind = -instance->side[i] * instance->far[i];
@@ -73,7 +73,7 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
 void lag_instance_pass_corners(lag_instance *instance)
 {
     const size_t count = instance->fmu->model->ncorner;
-    double *largest = instance->largest + lag_instance_first_corner(instance);
+    double *largest = instance->largest;
     for (size_t i = 0; i < count; ++i) {
         largest[i] = fmax(largest[i], fabs(instance->far[i]));
     }

@@ -9,10 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The margin, as a part of the magnitudes seen, at most this and this part of the tolerance, and so many times its round-off. */
-static const double PART = 1e-12;
-static const double ALLOWED = 0.1;
-static const double ROUNDINGS = 64.0;
 /* During an event, a value has changed if it lies behind zero by this part of its margin. */
 static const double CLEARLY = 0.6;
 /*
@@ -22,6 +18,8 @@ static const double CLEARLY = 0.6;
 static const double FARTHER = 4.0;
 /* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
 static const double ROUGH = 100.0;
+/* An instant that lies so many roundings of the time behind the present is now. */
+static const double ROUNDINGS = 64.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
 /* An importer finds an event, which margins delay, within this part of the experiment. */
@@ -53,10 +51,15 @@ static double value(const lag_instance *instance, size_t i)
     return lag_zero_crossing_value(&instance->run->crossings, i);
 }
 
+double lag_instance_round_off(const lag_instance *instance, size_t i)
+{
+    return lag_zero_crossing_noise(&instance->run->crossings, i);
+}
+
+/* The standards forbid an indicator that is zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
 static double margin(const lag_instance *instance, size_t i)
 {
-    const double part = fmin(PART, ALLOWED * instance->held.tolerance);
-    return part * instance->largest[i] + ROUNDINGS * lag_zero_crossing_noise(&instance->run->crossings, i);
+    return fmax(DBL_MIN, lag_instance_round_off(instance, i));
 }
 
 double lag_instance_side(const lag_instance *instance, size_t i)
@@ -66,11 +69,6 @@ double lag_instance_side(const lag_instance *instance, size_t i)
     const int relation = i < instance->fmu->model->nindicator;
     const int below = i >= corner && instance->side[i - corner] < 0.0;
     return below || (relation && run->motion.w[run->crossings.places.relation + i] == 0.0) ? -1.0 : 1.0;
-}
-
-double lag_instance_round_off(const lag_instance *instance, size_t i)
-{
-    return lag_zero_crossing_noise(&instance->run->crossings, i);
 }
 
 /* Values at a state. */
@@ -108,11 +106,10 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
     lag_contacts_follow(&instance->run->instants.contacts, x);
     const lag_status status = look(instance, t, x);
     instance->known = 0;
-    instance->held.nodes = 0;
+    lag_instance_forget_path(instance);
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->latched[i] = fmax(0.0, -value(instance, i)) + instance->errors[i];
-        instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
     }
     return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
 }
@@ -122,7 +119,6 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
         if (value(instance, i) > margin(instance, i)) {
             instance->latched[i] = instance->errors[i] = 0.0;
         }
@@ -146,7 +142,6 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
         const double behind = instance->latched[i] + CLEARLY * margin(instance, i);
         const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
         instance->run->crossings.changed[i] = changed;
-        instance->largest[i] = changed ? 0.0 : instance->largest[i];
         *any = *any || changed;
     }
     const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
@@ -307,7 +302,7 @@ lag_status lag_instance_enter_continuous(lag_instance *instance)
     const lag_status status = lag_instance_begin(instance);
     instance->held.last = instance->held.t;
     instance->held.span = 0.0;
-    instance->held.nodes = 0;
+    lag_instance_forget_path(instance);
     return status;
 }
 

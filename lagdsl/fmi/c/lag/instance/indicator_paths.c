@@ -29,7 +29,7 @@ typedef struct step {
     lag_instance *instance;
     node base, tip;
     double *seen[LAG_LOOKS]; /* (watched) room, at the looks of a piece */
-    int searched;            /* the importer asks again within a step: pieces that have shown a change become no longer */
+    int searched;            /* the importer asks again before a change that was shown: pieces become no longer, and none is too short */
 } step;
 
 size_t lag_instance_node(const lag_fmu *fmu)
@@ -223,10 +223,10 @@ static lag_status look_along(lag_instance *instance)
     for (int k = 0; k < LAG_LOOKS; ++k) {
         in.seen[k] = instance->looks + (size_t)k * count_of(&in);
     }
-    in.searched = instance->held.nodes > 0 && !(instance->held.t > *in.tip.t);
+    in.searched = instance->held.nodes > 0 && instance->held.t < instance->held.shown;
     advance(&in);
     const int is_short = !(*in.tip.t - *in.base.t > SHORT * instance->run->options.length);
-    if (instance->held.nodes < 2 || is_short || shows(&in)) {
+    if (instance->held.nodes < 2 || (is_short && !in.searched) || shows(&in)) {
         return LAG_OK;
     }
     motion->inputs = NULL;
@@ -252,9 +252,16 @@ lag_status lag_instance_follow_path(lag_instance *instance)
     const double *passed = node_at(instance, instance->tip).passed;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double room = held->nodes > 0 && passed[i] != 0.0 ? -fabs(instance->room[i]) : instance->room[i];
+        instance->held.shown = room < 0.0 ? fmax(instance->held.shown, held->t) : instance->held.shown;
         if (!lag_instance_is_held(instance, i)) {
             *g++ = lag_instance_side(instance, i) * room;
         }
     }
     return status;
+}
+
+void lag_instance_forget_path(lag_instance *instance)
+{
+    instance->held.nodes = 0;
+    instance->held.shown = -(double)INFINITY;
 }

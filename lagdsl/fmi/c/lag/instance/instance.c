@@ -38,8 +38,8 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 3 * lag_instance_watched(fmu) +
-           model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_watched(fmu) +
+           2 * model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -105,7 +105,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->left = lag_take(&memory, model->nu);
     instance->paths = (lag_path *)(void *)lag_take(&memory, PATH * model->nu);
-    instance->largest = lag_take(&memory, watched);
+    instance->largest = lag_take(&memory, model->ncorner);
     instance->latched = lag_take(&memory, watched);
     instance->errors = lag_take(&memory, watched);
     instance->side = lag_take(&memory, model->ncorner);

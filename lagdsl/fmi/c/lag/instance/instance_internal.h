@@ -55,6 +55,7 @@ typedef struct lag_held {
     int entered;            /* event mode: nothing has been looked at yet */
     double reach;           /* the last piece of this path that was looked at was so long [s]; 0: none yet */
     int nodes;              /* so many of `base` and `tip` are known */
+    double shown;           /* a change was shown at this time, and nowhere behind it */
     int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
@@ -82,7 +83,7 @@ struct lag_instance {
     double *given_inputs;   /* (nu) flags: this one was set */
     lag_path *paths;        /* (nu) */
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
-    double *largest;        /* (relations, contacts, corners) magnitudes seen since they stand as they do */
+    double *largest;        /* (ncorner) magnitudes of distances of corners seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
     double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
@@ -193,6 +194,8 @@ void lag_instance_pass_corners(lag_instance *instance);
  * importer asked has the sign behind the change, so that the importer locates the first one.
  */
 lag_status lag_instance_follow_path(lag_instance *instance);
+/* A path begins here. */
+void lag_instance_forget_path(lag_instance *instance);
 /* Doubles of a node, and of `looks`. */
 size_t lag_instance_node(const lag_fmu *fmu);
 size_t lag_instance_path_looks(const lag_fmu *fmu);
