@@ -116,7 +116,7 @@ AT_THE_STOP = [
 
 # The last tick is at the stop: it ticks, once.
 TICK_AT_THE_STOP = [
-    crossing(f"tick_of_{period}_at_the_stop", TICKS.format(period), count * period, {"k": count + 1.0})
+    crossing(f"tick_{count}_of_{period}_at_the_stop", TICKS.format(period), count * period, {"k": count + 1.0})
     for period, count in ((0.1, 14), (0.1, 3), (0.7, 7), (1.0, 7), (0.0625, 7))
 ]
 

@@ -127,7 +127,7 @@ def ends_exactly(fmu: Exported, stop: float, names: Sequence[str], starts: Mappi
             next_time = one.update()
             for _ in range(MOST_EVENTS):
                 x = one.states()
-                t, x, at_event = _to_event(one, t, x, min(next_time, stop), stop)
+                t, x, at_event = _to_event(one, t, x, next_time, stop)
                 if not at_event and t >= stop:
                     break
                 one.fmu.enterEventMode()
@@ -151,11 +151,12 @@ def _value(one: Instance, fmu: Exported, name: str) -> float:
     return float(values[index or 0])
 
 
-def _to_event(one: Instance, t: float, x: np.ndarray, limit: float, stop: float) -> tuple[float, np.ndarray, bool]:
-    """Steps up to the first event, or to `limit`; True where there is one."""
+def _to_event(one: Instance, t: float, x: np.ndarray, next_time: float, stop: float) -> tuple[float, np.ndarray, bool]:
+    """Steps up to the first event, one at the stop included, or to `stop`; True where there is one."""
     before = one.indicators(t, x) > 0
+    limit = min(next_time, stop)
     if not limit > t:
-        return t, x, limit < stop
+        return t, x, next_time <= stop
     solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=one.allowed(), max_step=LONGEST * stop)
     while solver.status == "running":
         t, x = solver.t, solver.y.copy()
@@ -166,7 +167,7 @@ def _to_event(one: Instance, t: float, x: np.ndarray, limit: float, stop: float)
         if one.is_at_event():
             return solver.t, solver.y, True
         t, x = solver.t, solver.y
-    return t, x, limit < stop
+    return t, x, next_time <= stop
 
 
 def _first_change(

@@ -45,13 +45,11 @@ SPOILED = {
         "missed_events-teeth_by_mod": "they come and go between two looks of CVODE",
         "missed_events-needle_of_a_wide_square": "it comes and goes between two looks of CVODE",
     },
-    "CoSimulation": {
-        "crossings_at_bounds-tick_of_": "a tick at the end of the last step belongs to the next one",
-    },
+    "CoSimulation": {},
 }
 
 
-# States of an importer have no more digits: a gap of 5 mm between two places at 7000 km, which closes at 1 cm/s, changes by
+# States of an importer have no more digits: a gap of 5 mm between places at 7000 km, which closes at 1 cm/s, changes by
 # 16 roundings of both, the margin, in 5e-6 s; the steps of this importer round the place by 1e-8 m, that is 1e-6 s.
 ROUNDED = {"scales-relation_far_from_the_origin": 1e-5}
 

@@ -115,6 +115,21 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
     return deliver(instance, fmin(reached(run), end));
 }
 
+/* At the stop no step follows that would begin with what happens there: clocks tick, as at the end of a run. */
+static lag_status end_at_the_stop(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    lag_status status = finish(instance, run->stepper.t);
+    const size_t before = run->events;
+    if (status == LAG_OK) {
+        status = lag_run_ticks(run);
+    }
+    if (status == LAG_OK && run->events > before) {
+        status = lag_instance_latch(instance, run->stepper.t, run->stepper.x);
+    }
+    return status == LAG_OK ? deliver(instance, run->stepper.t) : status;
+}
+
 /*
  * True if steps of length h are too long for the explicit method. The exact Jacobian decides once, so that all steps cost
  * the same.
@@ -197,6 +212,9 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
         status = held->step > 0.0 ? go_fixed(instance, end) : go(instance, end, far, stops, &told->event);
+        if (status == LAG_OK && !told->event && held->t == end && end + SAME * h >= held->stop) {
+            status = end_at_the_stop(instance);
+        }
     }
     if (status != LAG_OK) {
         const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;

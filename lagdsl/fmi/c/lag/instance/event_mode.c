@@ -148,13 +148,23 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
     return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, t, instance->x, any) : status;
 }
 
+/* The next instant that is known ahead; the stop, if it lies behind that by round-off. */
+static double next_instant(const lag_instance *instance)
+{
+    const lag_instants *instants = &instance->run->instants;
+    if (instance->fmu->model->event == NULL) {
+        return (double)INFINITY;
+    }
+    const double next = lag_instants_next(instants);
+    return next > instance->held.stop && lag_instants_due(instants, instance->held.stop) ? instance->held.stop : next;
+}
+
 /* The present, or an instant before the end that lies so shortly behind it that an importer could not go there by a step. */
 static double present(const lag_instance *instance)
 {
     const double t = instance->held.t;
-    const lag_instants *instants = &instance->run->instants;
-    const double next = instance->fmu->model->event != NULL ? lag_instants_next(instants) : (double)INFINITY;
-    const double same = ROUNDINGS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
+    const double next = next_instant(instance);
+    const double same = ROUNDINGS * DBL_EPSILON * fmax(fabs(t), instance->run->instants.contacts.length);
     return t < instance->held.stop && next - t <= same ? fmax(t, next) : t;
 }
 
@@ -292,7 +302,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
         status = lag_instance_carry_out(instance);
         told->states_changed = memcmp(instance->point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
     }
-    told->next = instance->fmu->model->event != NULL ? lag_instants_next(&instance->run->instants) : (double)INFINITY;
+    told->next = next_instant(instance);
     told->terminate = held->stopped;
     return status;
 }
