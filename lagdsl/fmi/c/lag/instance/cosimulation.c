@@ -190,15 +190,21 @@ static lag_status begin(lag_instance *instance, double far)
     return status;
 }
 
+/* Times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost. */
+static double end_of_step(const lag_instance *instance, double t)
+{
+    return instance->fmu->model->event != NULL ? lag_instants_same(&instance->run->instants, t) : t;
+}
+
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
-    const double end = held->t + h;
     lag_status status = lag_instance_begin(instance);
     *told = (lag_progress){.t = held->t};
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
     }
+    const double end = end_of_step(instance, held->t + h);
     if (held->jumped) {
         lag_instance_chain_inputs(instance);
     }

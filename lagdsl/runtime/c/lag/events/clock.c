@@ -79,6 +79,12 @@ double lag_clock_instant(const lag_clock *clock, unsigned long long k)
     return clock->first + (double)k * clock->period;
 }
 
+double lag_clock_nearest(const lag_clock *clock, double t)
+{
+    const double about = nearbyint((t - clock->first) / clock->period);
+    return lag_clock_instant(clock, about > 0.0 ? (unsigned long long)fmin(about, LARGEST_WHOLE) : 0);
+}
+
 void lag_clock_seek(lag_clock *clock, double t)
 {
     const double about = floor((t - clock->first) / clock->period) - 1.0;

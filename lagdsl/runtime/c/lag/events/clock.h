@@ -18,6 +18,9 @@ lag_clock lag_clock_of(double first, double period);
 /* The time of instant k; infinite where k cannot be counted any more (from 2^53 on). */
 double lag_clock_instant(const lag_clock *clock, unsigned long long k);
 
+/* The instant that is nearest to t. */
+double lag_clock_nearest(const lag_clock *clock, double t);
+
 /* Lets the next instant be the first that is not before t. */
 void lag_clock_seek(lag_clock *clock, double t);
 

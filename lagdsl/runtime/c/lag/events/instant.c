@@ -89,6 +89,16 @@ int lag_instants_due(const lag_instants *instants, double t)
     return i < instants->motion->model->nclock || instants->timed.next <= t || lag_contacts_next(&instants->contacts) <= t;
 }
 
+double lag_instants_same(const lag_instants *instants, double t)
+{
+    double same = t;
+    for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
+        const double instant = lag_clock_nearest(&instants->clock[i], t);
+        same = instant < same && t - instant <= SAME_TICK * instants->clock[i].period ? instant : same;
+    }
+    return same;
+}
+
 /* Clocks that tick now, into w; they go on to their next tick. */
 static lag_status ring(lag_instants *instants, double t, const double *x)
 {

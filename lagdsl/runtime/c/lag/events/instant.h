@@ -58,6 +58,9 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
 /* 1: lag_instants_tick would do something. */
 int lag_instants_due(const lag_instants *instants, double t);
 
+/* The instant of a tick before t that differs from t by round-off only; else t. */
+double lag_instants_same(const lag_instants *instants, double t);
+
 /*
  * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact). With `ticks`,
  * also the ticks at t. LAG_CHATTER: events crowd.
