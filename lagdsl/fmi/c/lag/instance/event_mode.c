@@ -56,7 +56,7 @@ double lag_instance_round_off(const lag_instance *instance, size_t i)
     return lag_zero_crossing_noise(&instance->run->crossings, i);
 }
 
-/* The standards forbid an indicator that is zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
+/* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
 static double margin(const lag_instance *instance, size_t i)
 {
     return fmax(DBL_MIN, lag_instance_round_off(instance, i));
