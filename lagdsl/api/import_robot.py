@@ -24,8 +24,8 @@ def import_robot(
     the file (of every joint where the file tells none), those of `all` joints, or `none`. With `floating` the base
     moves freely, by a quaternion; else it is fixed to the world. With `lenient` parts that the language has no place
     for, or that no body can have, are left out with a warning. `folder` is that of the text, from which it names files
-    of meshes. Notes and warnings go to `sink`. Raises CompilationFailed with the
-    lines of the file that stand in the way.
+    of meshes. Notes and warnings go to `sink`. Raises CompilationFailed with the lines of the file that stand in the
+    way.
     """
     from lagdsl.robots.plan import Style
     from lagdsl.robots.read import robot_text

@@ -69,7 +69,7 @@ class Documents:
 
     def _files(self) -> Iterator[Path]:
         """The files of the workspace's folders, and those beside open texts."""
-        own = [Path(each.snapshot.file.name).parent for each in self.open.values() if each.uri.startswith("file:")]
+        own = [each.snapshot.file.folder for each in self.open.values() if each.uri.startswith("file:")]
         seen: set[Path] = set()
         for folder, pattern in [*((f, "**/*.lag") for f in self.folders), *((f, "*.lag") for f in own)]:
             for path in sorted(folder.glob(pattern)) if folder.is_dir() else ():

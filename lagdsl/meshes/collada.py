@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from lagdsl.meshes.elements import Element, elements, numbers
+from lagdsl.meshes.elements import elements, numbers
 from lagdsl.meshes.triangles import MOST_TRIANGLES, Integers, MeshError, Triangles, triangles
 from lagdsl.numerics.rank import Floats
 
@@ -22,11 +23,11 @@ _LARGEST = 2**31
 def read_collada(content: bytes) -> Triangles:
     """All triangles of the scene; of a file without a scene those of all geometries."""
     root = elements(content)
-    known = {element.attributes["id"]: element for element in root.every() if "id" in element.attributes}
-    scenes = [known.get(_target(each)) for each in root.every("instance_visual_scene")]
-    tops = [node for scene in scenes if scene is not None for node in scene.all("node")]
+    known = {element.attrib["id"]: element for element in root.iter() if "id" in element.attrib}
+    scenes = [known.get(_target(each)) for each in root.iter("instance_visual_scene")]
+    tops = [node for scene in scenes if scene is not None for node in scene.findall("node")]
     if not tops:
-        placed = [(geometry, np.eye(4)) for geometry in root.every("geometry")]
+        placed = [(geometry, np.eye(4)) for geometry in root.iter("geometry")]
     else:
         walk = _Walk(known)
         placed = [found for node in tops for found in walk.placed(node, np.eye(4), 0)]
@@ -49,11 +50,11 @@ def read_collada(content: bytes) -> Triangles:
 
 def _unit(root: Element) -> float:
     """Metres of the unit of the file."""
-    asset = root.first("asset")
-    unit = asset.first("unit") if asset is not None else None
-    if unit is None or "meter" not in unit.attributes:
+    asset = root.find("asset")
+    unit = asset.find("unit") if asset is not None else None
+    if unit is None or "meter" not in unit.attrib:
         return 1.0
-    size = numbers(unit.attributes["meter"])
+    size = numbers(unit.attrib["meter"])
     if len(size) != 1 or not 0.0 < size[0] < math.inf:
         raise MeshError("its unit has no length")
     return float(size[0])
@@ -61,7 +62,7 @@ def _unit(root: Element) -> float:
 
 def _target(element: Element) -> str:
     """The id of `url="#id"`, `source="#id"`."""
-    return element.attributes.get("url", element.attributes.get("source", "")).partition("#")[2]
+    return element.attrib.get("url", element.attrib.get("source", "")).partition("#")[2]
 
 
 class _Walk:
@@ -76,7 +77,7 @@ class _Walk:
         if depth > _DEEPEST or self.count > _MOST_PLACES:
             raise MeshError(f"it has more than {_MOST_PLACES} nodes, or more than {_DEEPEST} in a row")
         matrix = before
-        for child in node.children:
+        for child in node:
             match child.tag:
                 case "matrix" | "translate" | "rotate" | "scale":
                     matrix = matrix @ _transformation(child)
@@ -118,15 +119,15 @@ def _transformation(element: Element) -> Floats:
 
 def _geometry(geometry: Element, known: dict[str, Element]) -> Triangles | None:
     """The triangles of a geometry in its own coordinates; None if it has none."""
-    mesh = geometry.first("mesh")
+    mesh = geometry.find("mesh")
     points: list[Floats] = []
     corners: list[Integers] = []
     count = 0
-    for primitive in mesh.children if mesh is not None else ():
+    for primitive in mesh if mesh is not None else ():
         if primitive.tag not in ("triangles", "polylist", "polygons"):
             continue
-        inputs = [(int(i.attributes.get("offset", "0")), i) for i in primitive.all("input")]
-        vertex = next(((offset, i) for offset, i in inputs if i.attributes.get("semantic") == "VERTEX"), None)
+        inputs = [(int(i.attrib.get("offset", "0")), i) for i in primitive.findall("input")]
+        vertex = next(((offset, i) for offset, i in inputs if i.attrib.get("semantic") == "VERTEX"), None)
         if vertex is None:
             raise MeshError(f"a `<{primitive.tag}>` has no vertices")
         own = _positions(vertex[1], known)
@@ -142,14 +143,14 @@ def _geometry(geometry: Element, known: dict[str, Element]) -> Triangles | None:
 def _positions(vertex: Element, known: dict[str, Element]) -> Floats:
     """The points (n, 3) that an input with the semantic VERTEX leads to."""
     vertices = known.get(_target(vertex))
-    inputs = vertices.all("input") if vertices is not None else []
-    source = next((known.get(_target(i)) for i in inputs if i.attributes.get("semantic") == "POSITION"), None)
-    array = source.first("float_array") if source is not None else None
+    inputs = vertices.findall("input") if vertices is not None else []
+    source = next((known.get(_target(i)) for i in inputs if i.attrib.get("semantic") == "POSITION"), None)
+    array = source.find("float_array") if source is not None else None
     if source is None or array is None:
         raise MeshError("its points are missing")
     values = numbers(array.text)
-    accessor = next(iter(source.every("accessor")), None)
-    stride = int(accessor.attributes.get("stride", "3")) if accessor is not None else 3
+    accessor = next(iter(source.iter("accessor")), None)
+    stride = int(accessor.attrib.get("stride", "3")) if accessor is not None else 3
     if not 3 <= stride <= 16 or len(values) % stride:
         raise MeshError("its points have a wrong number of coordinates")
     return values.reshape(-1, stride)[:, :3]
@@ -157,10 +158,10 @@ def _positions(vertex: Element, known: dict[str, Element]) -> Floats:
 
 def _corners(primitive: Element, offset: int, stride: int) -> Iterator[Integers]:
     """Triangles of the indices of points; polygons become fans about their first point."""
-    lists = [_whole(p.text) for p in primitive.all("p")]
+    lists = [_whole(p.text) for p in primitive.findall("p")]
     if any(len(each) % stride for each in lists):
         raise MeshError(f"a `<{primitive.tag}>` ends within a point")
-    vcount = primitive.first("vcount")
+    vcount = primitive.find("vcount")
     for each in lists:
         index = each.reshape(-1, stride)[:, offset]
         if primitive.tag == "polylist":
@@ -174,7 +175,7 @@ def _corners(primitive: Element, offset: int, stride: int) -> Iterator[Integers]
         yield _fans(index, sizes)
 
 
-def _whole(text: str) -> Integers:
+def _whole(text: str | None) -> Integers:
     values = numbers(text)
     if not np.all(np.abs(values) < _LARGEST):
         raise MeshError("a triangle has a point that the file does not have")

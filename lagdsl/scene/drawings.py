@@ -7,6 +7,7 @@ from typing import cast
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.scene.shapes import Columns, Shape, ShapeKind
+from lagdsl.semantics.items.shapes import KINDS
 
 _AXES = ("x", "y", "z")
 _VECTORS = (
@@ -16,7 +17,7 @@ _VECTORS = (
 
 
 _SYMBOLS = frozenset({"rod", "cylinder", "box", "sphere", "circle"})
-_SIZES = frozenset({"radius", "length", "width", "height", "size"})
+_SIZES = frozenset(role for role, kind in KINDS.items() if kind in ("length", "three lengths"))
 
 
 def is_symbol(drawing: fm.Drawing) -> bool:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.quantity import Spans
 from lagdsl.meshes.files import place_of, read_mesh
 from lagdsl.meshes.triangles import MeshError, Triangles
 from lagdsl.scene.shapes import Shape
@@ -27,7 +26,7 @@ def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Tr
         if shape.kind != "mesh" or name is None:
             continue
         try:
-            files[k] = place_of(name, folder_of(shape.spans))
+            files[k] = place_of(name, shape.spans[0].file.folder)
         except MeshError:
             continue
     most = min(_MOST, _MOST_TOGETHER // max(len(set(files.values())), 1))
@@ -40,8 +39,3 @@ def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Tr
                 name = dict(shapes[k].texts)["file"]
                 sink.report("W0351", shapes[k].spans[0], file=name, reason=str(fault))
     return found
-
-
-def folder_of(spans: Spans) -> Path:
-    """The folder of the text in which a statement stands; that of the process for a text without a file."""
-    return Path(spans[0].file.name).parent

@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from dataclasses import field
+from pathlib import Path
 
 from lagdsl.record import record
 
@@ -27,6 +28,11 @@ class SourceFile:
 
     def __hash__(self) -> int:
         return id(self)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the file; that of the process for a text without a file."""
+        return Path(self.name).parent
 
     def line_number(self, offset: int) -> int:
         """1-based number of the line that holds the character at `offset`."""

@@ -100,6 +100,7 @@ WRONG = [
     (".dae", collada(unit="0"), "no length"),
     (".dae", collada(unit=""), "no length"),
     (".dae", collada(nodes="<node><matrix>1 0</matrix></node>"), "wrong number of values"),
+    (".dae", collada().replace(b'version="1.0"', b'version="1.0" encoding="klingon"'), "unknown encoding"),
     (".dae", collada(nodes='<node id="n"><instance_node url="#n"/></node>'), "nodes"),
     (".dae", collada(nodes='<node><instance_node url="#n0"/></node>', library=DOUBLED), "nodes"),
 ]

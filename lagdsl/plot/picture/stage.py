@@ -25,8 +25,8 @@ class Stage:
     `high`.
 
     `length` [m] is the size of the machine, `mass` [kg] the largest, `force` and `torque` the length of an arrow for a
-    unit of its load [m/N, 1/N]. `axes`: the unit directions right, up
-    and back (towards the viewer). `meshes`: corners (n, 4, 3) by the number of the shape, in units of its file.
+    unit of its load [m/N, 1/N]. `axes`: the unit directions right, up and back (towards the viewer). `meshes`: corners
+    (n, 4, 3) by the number of the shape, in units of its file.
     """
 
     scene: Scene

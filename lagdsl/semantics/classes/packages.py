@@ -226,7 +226,7 @@ def beside(file: SourceFile, above: int = 0) -> Place | None:
     """The folder of a file, or the one that many folders above it; None for a text that is no file."""
     if file.name.startswith("<"):
         return None
-    folder = Path(file.name).parent
+    folder = file.folder
     for _ in range(above):
         folder = folder / ".." if folder.name in ("", "..") else folder.parent
     return Place(folder, "the folder of the file", str(folder))

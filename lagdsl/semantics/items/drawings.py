@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import assert_never
 
 from lagdsl.diagnostics.suggest import did_you_mean
@@ -68,7 +67,7 @@ def _shows_something(ctx: Context, node: nodes.Draw, place: Place, arguments: di
     from lagdsl.meshes.triangles import MeshError
 
     try:
-        place_of(file, Path(node.span.file.name).parent)
+        place_of(file, node.span.file.folder)
     except MeshError as fault:
         ctx.sink.report("W0351", node.span, file=file, reason=str(fault))
     return True
