@@ -33,6 +33,13 @@ RULES: dict[str, tuple[str, tuple[float, ...]]] = {
         "body plate(m = 1 kg, I = {0.01 kg.m2, 0.05 kg.m2, 0.055 kg.m2}) on A;",
         (),
     ),
+    "component": (
+        "import Lag.Spatial.*; Revolute outer(axis = {0, 0, 1}, q(start = 20 deg)); gravity = 0;"
+        "Revolute inner(axis = {1, 0, 0}, q(start = 60 deg)); Body weight(m = 0.1 kg, com = {0, 0, 0.15 m});"
+        "Body ring(m = 0.4 kg, I = {1e-3, 1e-3, 2e-3}); Body rotor(m = 0.8 kg, I = {5e-4, 5e-4, 9e-4});"
+        "connect(world, outer, inner, rotor); connect(outer.frame_b, ring); connect(inner.frame_b, weight);",
+        (),
+    ),
     "spring": (
         "coordinate Length x(start = 1 m), y; gravity = 0; point P = {x, y}; mass 1 kg at P;"
         "potential V = 0.5*(20 N/m)*(norm(P - world.origin) - 0.5 m)^2;",

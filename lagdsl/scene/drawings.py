@@ -26,6 +26,11 @@ def is_symbol(drawing: fm.Drawing) -> bool:
     return drawing.shape in _SYMBOLS and len(drawing.spans) > 1 and not sized
 
 
+def is_mass_centre(drawing: fm.Drawing) -> bool:
+    """True for the ball of no size that a component draws at a point."""
+    return is_symbol(drawing) and drawing.shape == "sphere" and drawing.place == "at"
+
+
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     """The shape of one statement."""
     numbers, vectors = dict(placed(drawing.anchors, columns)), []

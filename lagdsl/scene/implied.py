@@ -96,6 +96,25 @@ def bodies(machine: Machine) -> Iterator[Shape]:
         yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, spans=item.spans)
 
 
+def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
+    """The instances of classes that hold a body with moments of inertia."""
+    at = _evaluator(flat, 0)
+    return frozenset(body.spans[1:] for body in flat.bodies if any(_number(at, each) != 0.0 for each in body.inertia))
+
+
+def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
+    """A thin arm from the frame of a body to its mass center, one of the `centres` that components draw."""
+    frames = {body.spans[1:]: fx.FrameOrigin(body.frame) for body in machine.flat.bodies}
+    for drawing in centres:
+        [center] = drawing.anchors
+        own = frames.get(drawing.spans[1:])
+        if own is None or isinstance(center, str):
+            continue
+        at = machine.positions[0]
+        if np.linalg.norm(at.vector(center) - at.vector(own)) > _HELD:
+            yield _between("rope", "to the mass center", own, center, drawing.spans, machine.columns)
+
+
 def springs(machine: Machine) -> Iterator[Shape]:
     """A spring between two points whose distance stands in a potential; a damper likewise, in a dissipation."""
     seen: set[tuple[str, fx.FlatExpression, fx.FlatExpression]] = set()

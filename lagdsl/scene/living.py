@@ -10,14 +10,16 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, Values
 from lagdsl.record import record
-from lagdsl.scene.drawings import drawn, is_symbol
+from lagdsl.scene.drawings import drawn, is_mass_centre, is_symbol
 from lagdsl.scene.implied import (
     arms,
     bodies,
     frames,
     gauges,
     grounds,
+    have_inertia,
     is_planar,
+    levers,
     loads,
     machine_of,
     masses,
@@ -63,12 +65,19 @@ def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -
 
 def scene_of(flat: fm.FlatModel) -> Scene:
     """Shapes of the drawings, then those that the rules add. Meshes show the links themselves: symbols of joints and
-    massless arms would stand in them."""
+    massless arms would stand in them. The ellipsoid of inertia says more than the symbol of a mass centre."""
     columns = Columns()
     has_meshes = any(drawing.shape == "mesh" for drawing in flat.drawings)
-    seen = [drawing for drawing in flat.drawings if not (has_meshes and is_symbol(drawing))]
+    centres = [] if has_meshes else [drawing for drawing in flat.drawings if is_mass_centre(drawing)]
+    if has_meshes:
+        seen = [drawing for drawing in flat.drawings if not is_symbol(drawing)]
+    else:
+        ellipsoids = have_inertia(flat)
+        seen = [each for each in flat.drawings if not (each in centres and each.spans[1:] in ellipsoids)]
+        flat = replace(flat, drawings=tuple(seen))
     shapes: list[Shape] = [drawn(drawing, columns) for drawing in seen]
     machine = machine_of(flat, columns)
+    shapes += levers(machine, centres)
     for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads, gauges, frames):
         if not (has_meshes and rule is arms):
             shapes += rule(machine)

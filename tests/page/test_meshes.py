@@ -77,7 +77,7 @@ def test_links_with_meshes_have_no_symbols_in_them(tmp_path: Path) -> None:
         return [shape["kind"] for shape in head(tmp_path, *drawings)["scene"]["shapes"] if shape["kind"] != "frame"]
 
     assert kinds('draw mesh(file = "box.stl") on link.frame_a;') == ["mesh"]
-    assert kinds() == ["cylinder", "sphere"]
+    assert kinds() == ["cylinder", "rope", "body"]
 
 
 @pytest.mark.parametrize(

@@ -103,6 +103,16 @@ def test_bodies_are_shown_by_their_inertia() -> None:
     assert dict(shape(found, "body").numbers).keys() >= {"at", "x", "y", "z", "mass", "inertia", "com"}
 
 
+def test_the_body_of_a_component_is_seen_by_its_inertia_and_a_point_by_a_ball_on_an_arm() -> None:
+    found = scene(
+        "import Lag.Spatial.*; Revolute joint; Body wheel(m = 2 kg, I = {1, 1, 2}), weight(m = 1 kg, com = {0, 0, 1});"
+        "gravity = 0; connect(world, joint, wheel); connect(joint.frame_b, weight);"
+    )
+    assert kinds(found)["body"] == kinds(found)["sphere"] == kinds(found)["rope"] == 1
+    arm, ball = shape(found, "rope"), shape(found, "sphere")
+    assert dict(arm.numbers)["to"] == dict(ball.numbers)["at"]
+
+
 @pytest.mark.parametrize(
     ("body", "planar"),
     [

@@ -100,10 +100,11 @@ def _paint(picture: Drawn, parts: Sequence[Part], opacity: float) -> None:
     if not corners:
         return
     places, inks, depth = np.concatenate(corners), np.concatenate(colors), np.concatenate(depths)
-    inks[:, 3] *= opacity
     order = np.argsort(depth, kind="stable")
     # Seams between faces show in pale pictures where faces have edges, in full ones where they have none.
-    edge = "none" if opacity < 1.0 else inks[order]
+    edge = inks[order]
+    edge[:, 3] = (inks[order, 3] == 1.0) & (opacity == 1.0)
+    inks[:, 3] *= opacity
     picture.axes.add_collection(
         PolyCollection(places[order], facecolors=inks[order], edgecolors=edge, linewidths=0.4, closed=True),  # type: ignore[arg-type]
         autolim=False,
@@ -120,7 +121,7 @@ def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
     (ax, ay), (bx, by) = (places[:, 2] - places[:, 0]).T, (places[:, 3] - places[:, 1]).T
     front = (ax * by - ay * bx > 0.0) if part.closed else np.ones(len(places), dtype=bool)
     shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else lit(part.color, normals)
-    inks = np.concatenate([shades, np.ones((len(places), 1))], axis=1)
+    inks = np.concatenate([shades, np.full((len(places), 1), part.opacity)], axis=1)
     return places[front], inks[front], depth.mean(axis=1)[front]
 
 

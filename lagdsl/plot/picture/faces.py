@@ -17,11 +17,12 @@ _ROUND, _BALL, _TURNS = 18, 10, 9
 class Faces:
     """Quadrilaterals (n, 4, 3) [m], counterclockwise seen from outside, in one color (red, green, blue), 0 to 1.
 
-    `closed`: nobody sees the inside. `flat`: a line or a mark, which has no light and shade.
+    `opacity` 0 to 1. `closed`: nobody sees the inside. `flat`: a line or a mark, which has no light and shade.
     """
 
     corners: Floats
     color: tuple[float, float, float]
+    opacity: float = 1.0
     closed: bool = True
     flat: bool = False
 

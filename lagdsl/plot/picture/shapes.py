@@ -28,6 +28,7 @@ from lagdsl.record import record
 from lagdsl.scene.shapes import Shape, ShapeKind
 
 _WORLD = np.eye(3)
+_CLEAR = 0.55  # opacity of ellipsoids of inertia
 _SPOKE = (0.973, 0.980, 0.988)
 _AXES = ((0.863, 0.149, 0.149), (0.086, 0.639, 0.290), (0.145, 0.388, 0.922))
 
@@ -70,8 +71,8 @@ class Pose:
         size = float(np.linalg.norm(made))
         return np.asarray(made / size if size > 0.0 else _WORLD[2])
 
-    def solid(self, unit: Floats, matrix: Floats) -> Faces:
-        return Faces(corners=placed(unit, matrix), color=self.color)
+    def solid(self, unit: Floats, matrix: Floats, opacity: float = 1.0) -> Faces:
+        return Faces(corners=placed(unit, matrix), color=self.color, opacity=opacity)
 
 
 Maker = Callable[[Pose], list[Part]]
@@ -114,7 +115,7 @@ def _damper(pose: Pose) -> list[Part]:
 
 def _ball(pose: Pose) -> list[Part]:
     most = pose.stage.scales["mass"]
-    share = float(np.cbrt(max(pose.scalar("mass", most), 0.0) / (most or 1.0)))
+    share = float(np.cbrt(max(pose.scalar("mass", most), 0.0) / most)) if most > 0.0 else 1.0
     radius = pose.scalar("radius", 0.04 * pose.stage.length * max(share, 0.25))
     x, y, z = pose.axes * radius
     return [pose.solid(sphere(), matrix_of(x, y, z, pose.vector("at")))]
@@ -136,7 +137,8 @@ def _ellipsoid(pose: Pose) -> list[Part]:
     if np.linalg.det(own) < 0.0:
         own[:, 0] *= -1.0
     x, y, z = ((own[:, k] @ pose.axes) * semi[k] for k in range(3))
-    return [pose.solid(sphere(), matrix_of(x, y, z, pose.vector("at") + com @ pose.axes))]
+    # Bodies may stand in each other: gimbals and their rotor.
+    return [pose.solid(sphere(), matrix_of(x, y, z, pose.vector("at") + com @ pose.axes), _CLEAR)]
 
 
 def _is_bar(moments: Floats, com: Floats) -> bool:

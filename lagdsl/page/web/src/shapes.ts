@@ -50,6 +50,7 @@ function around(sizes: Sizes, many: number): number {
 
 type Maker = (shape: Shape, sizes: Sizes) => Drawn;
 
+const CLEAR = 0.55; // opacity of ellipsoids of inertia
 const COLORS: Record<string, ColorRepresentation> = {
   rod: 0x64748b, rope: 0x64748b, spring: 0x0d9488, damper: 0x7c3aed, mass: 0x2563eb, body: 0x3b82f6, box: 0x3b82f6,
   cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, mesh: 0x94a3b8, arrow: 0xd97706,
@@ -136,7 +137,8 @@ function ball(shape: Shape, sizes: Sizes): Drawn {
     object,
     shape,
     update(frame) {
-      const share = Math.cbrt(Math.max(scalar(shape, "mass", frame, sizes.mass), 0) / (sizes.mass || 1));
+      const mass = scalar(shape, "mass", frame, sizes.mass);
+      const share = sizes.mass > 0 ? Math.cbrt(Math.max(mass, 0) / sizes.mass) : 1;
       const radius = scalar(shape, "radius", frame, 0.04 * sizes.length * Math.max(share, 0.25));
       object.matrix.copy(posed(shape, frame, radius, radius, radius));
     },
@@ -146,6 +148,8 @@ function ball(shape: Shape, sizes: Sizes): Drawn {
 /** The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m), or a bar. */
 function ellipsoid(shape: Shape, sizes: Sizes): Drawn {
   const object = solid(shape, unitBall(around(sizes, 32)));
+  // Bodies may stand in each other: gimbals and their rotor.
+  Object.assign(object.material, { transparent: true, opacity: CLEAR, depthWrite: false });
   return {
     object,
     shape,

@@ -31,7 +31,7 @@ import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
 const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
-const SOLID = new Set(["box", "disc", "sphere", "mass", "body", "circle", "mesh"]);
+const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
 const POSTURES = 13;
 
 export class Stage {
