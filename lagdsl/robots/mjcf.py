@@ -13,6 +13,7 @@ from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.mjcf_actuators import actuators_of, tendons_of
 from lagdsl.robots.mjcf_bounds import check_bounds, check_numbers
+from lagdsl.robots.mjcf_contacts import tell_contacts
 from lagdsl.robots.mjcf_features import tell_features
 from lagdsl.robots.mjcf_parts import Places, joints_of, links_of
 from lagdsl.robots.tree import MAX_LINKS, weightless_as_rigid
@@ -49,6 +50,7 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
     places = Places(mujoco, model, root.head, _named(elements), path.parent)
     tell_features(mujoco, model, places, findings)
     _tell_left_out(elements, findings)
+    tell_contacts(places, findings)
     links, base = links_of(places, findings), places.body(0)
     joints = weightless_as_rigid(base, links, joints_of(places, findings), findings)
     tendons = tendons_of(places, joints, findings)

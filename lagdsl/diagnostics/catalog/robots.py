@@ -76,4 +76,9 @@ ROWS: dict[str, Row] = {
         label="named here",
         help="write the text into the folder `{home}` with `-o` (in Python `folder=`)",
     ),
+    "N1024": note(
+        "contacts between shapes are left out: MuJoCo lets {bodies} touch others",
+        label="the first one",
+        help="write a `contact` or a `PlaneContact` for each point that touches something",
+    ),
 }
