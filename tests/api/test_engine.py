@@ -89,7 +89,9 @@ def test_long_work_goes_on_in_c_with_the_same_numbers(work: tuple[float, float])
 def test_a_library_that_cannot_be_loaded_is_not_used() -> None:
     engine = _auto()
     assert engine._compiler is not None
-    (cache_folder() / f"{engine._name(engine._compiler)}.so").write_bytes(b"not a library")
+    library = cache_folder() / f"{engine._name(engine._compiler)}.so"
+    library.parent.mkdir()
+    library.write_bytes(b"not a library")
     assert not _auto().is_compiled
 
 

@@ -38,15 +38,15 @@ def build(
 ) -> Path:
     """The shared library of C `sources` (text by relative path), from the cache unless `fresh`.
 
-    `flags` come beside those that all libraries are compiled with. `name` is that of the file; without one it follows
-    from everything that the library is made of. Raises CompilationFailed: E0911 no compiler, E0912 it failed, E0913
-    nowhere to write; Cancelled.
+    `flags` come beside those that all libraries are compiled with. `name` is that of the file, with its folder if it
+    has one; without a name it follows from everything that the library is made of. Raises CompilationFailed: E0911 no
+    compiler, E0912 it failed, E0913 nowhere to write; Cancelled.
     """
     compiler = find_compiler()
     folder = cache_folder()
     library = folder / f"{name or content_hash(sources, compiler, flags)}.so"
     if fresh or not library.exists():
-        _build_into(library, sources, compiler, flags, cancellation)
+        _build_into(library, folder, sources, compiler, flags, cancellation)
     return library
 
 
@@ -65,20 +65,22 @@ def content_hash(sources: Mapping[str, str], compiler: Compiler, flags: Sequence
 
 def _build_into(
     library: Path,
+    cache: Path,
     sources: Mapping[str, str],
     compiler: Compiler,
     flags: Sequence[str],
     cancellation: Cancellation | None,
 ) -> None:
     try:
-        with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as name:
+        with tempfile.TemporaryDirectory(dir=cache, prefix="build-") as name:
             folder = Path(name)
             for path, text in sources.items():
                 (folder / path).parent.mkdir(parents=True, exist_ok=True)
                 (folder / path).write_text(text, encoding="utf-8")
             call = _Call(compiler, folder, tuple(flags), cancellation)
-            objects = [_object(call, library.parent, path, sources) for path in sources if path.endswith(".c")]
+            objects = [_object(call, cache, path, sources) for path in sources if path.endswith(".c")]
             link_shared(compiler, folder, [str(path) for path in objects], library.name)
+            library.parent.mkdir(exist_ok=True)
             (folder / library.name).replace(library)
     except OSError as problem:
         raise failure("E0913", reason=str(problem)) from None

@@ -88,9 +88,9 @@ class AutoEngine(TapeEngine):
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
 
     def _has_library(self) -> bool:
-        """True if the cache has a library whose name begins with the key; its whole name takes longer to find."""
+        """True if the cache has the folder of this program: names of libraries in it take longer to find."""
         try:
-            return any(cache_folder().glob(f"{self._key}*.so"))
+            return (cache_folder() / self._key).is_dir()
         except (CompilationFailed, OSError):
             return False
 
@@ -114,7 +114,7 @@ class AutoEngine(TapeEngine):
 
     @cached_property
     def _key(self) -> str:
-        """Prefix of the names of libraries in the cache that were made of this program."""
+        """The folder in the cache of libraries that were made of this program."""
         return digest(self._program)[:20]
 
     def _name(self, compiler: Compiler) -> str:
@@ -122,7 +122,7 @@ class AutoEngine(TapeEngine):
         from lagdsl.runtime.building.build import content_hash
         from lagdsl.runtime.building.compiler import ALIKE
 
-        return f"{self._key}-{content_hash({'program': _writers()}, compiler, (ALIKE,))}"
+        return f"{self._key}/{content_hash({'program': _writers()}, compiler, (ALIKE,))}"
 
 
 def _building(program: Program, name: str) -> BackgroundBuild:
