@@ -15,12 +15,15 @@ export PYTHONDONTWRITEBYTECODE :=
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
 
-# Modules that nothing imports need not be compiled. The pip of a distribution may be years old, and takes a third longer than the
-# newest.
+# uv installs in half of pip's CPU time (docs/adr/0168). Only pip knows what was set for pip, such as an index of one's own: it
+# installs where uv cannot. Modules that nothing imports need not be compiled.
+PIP    := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+UV     := $(BIN)/uv pip install --quiet --system-certs --python $(BIN)/python
+
 $(READY): pyproject.toml
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --upgrade pip
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable '.[dev]'
+	$(PIP) uv
+	$(UV) --editable '.[dev]' || $(PIP) --editable '.[dev]'
 	touch $@
 
 check:  ## what must hold before a merge: style, types, floors, C under sanitizers, tests with one of each kind
@@ -99,11 +102,11 @@ extension:  ## the extension for VS Code, editors/vscode/lagdsl.vsix: needs node
 	cd editors/vscode && npm ci --silent && npm run package
 
 page-check: $(READY)  ## pages of all models in a real browser: needs node and Chromium
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
+	$(PIP) playwright
 	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/page
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed; living pages need Chromium
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
+	$(PIP) playwright
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py
 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs
@@ -112,7 +115,7 @@ peers:  ## an environment of their own for the libraries that the benchmarks com
 	! command -v npm >/dev/null || npm install --silent --prefix $(PEERS) vscode-textmate vscode-oniguruma
 
 $(VENV)/.docs: $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	$(PIP) --editable '.[docs]'
 	touch $@
 
 docs: $(VENV)/.docs  ## the site in build/site; broken links are errors
