@@ -12,8 +12,10 @@ import json
 import zlib
 from base64 import b64encode
 from collections.abc import Sequence
+from functools import cache
 from hashlib import sha256
 from html import escape
+from pathlib import Path
 
 import numpy as np
 
@@ -124,9 +126,9 @@ def html_of(
     )
     doc = f"<p>{escape(flat.doc)}</p>" if flat.doc else ""
     data = {
-        "code": _packed((folder / "page.js").read_bytes()),
-        "worker": _packed((folder / "worker.js").read_bytes()),
-        "wasm": _packed((folder / "lag.wasm").read_bytes()),
+        "code": _packed_file(folder / "page.js"),
+        "worker": _packed_file(folder / "worker.js"),
+        "wasm": _packed_file(folder / "lag.wasm"),
         "tape": _packed(model_tape),
         **({"vectors": _packed(arrow_tape)} if arrow_tape else {}),
         "motion": _packed(motion),
@@ -169,6 +171,12 @@ _TABLE = (
 
 def _empty(name: str) -> str:
     return f'<div id="{name}"></div>'
+
+
+@cache
+def _packed_file(path: Path) -> str:
+    """One of those that all pages carry: to pack them takes longer than the rest of a small page."""
+    return _packed(path.read_bytes())
 
 
 def _packed(data: bytes) -> str:

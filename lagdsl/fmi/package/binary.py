@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from functools import lru_cache
 from pathlib import Path
 
 from lagdsl.fmi.package.libraries import without_timestamps
@@ -129,9 +130,15 @@ def _read(path: str, sources: Mapping[str, str]) -> list[str]:
     """Names of a C file and all that it includes: another model finds the runtime compiled by names and texts."""
     names = [path]
     for name in names:
-        included = (each for each in _INCLUDE.findall(sources[name]) if each in sources)
-        names += [each for each in dict.fromkeys(included) if each not in names]
+        included = (each for each in _included(sources[name]) if each in sources)
+        names += [each for each in included if each not in names]
     return names
+
+
+@lru_cache(maxsize=1024)
+def _included(text: str) -> tuple[str, ...]:
+    """Most files are those of the runtime, the same ones in each FMU."""
+    return tuple(dict.fromkeys(_INCLUDE.findall(text)))
 
 
 def _digest(*parts: str) -> str:
