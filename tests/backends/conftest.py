@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 from made_modules import SANITIZED, Done, Made, make, sanitized_objects
+
+from lagdsl.runtime.lock import locked
 
 
 @pytest.fixture(scope="session")
@@ -23,6 +26,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
         variables = "\n".join(argument for argument in arguments if "=" in argument)
         objects = kept / hashlib.sha256(variables.encode()).hexdigest()
         objects.mkdir(parents=True, exist_ok=True)
-        return make(folder, objects, *arguments)
+        with locked(objects.with_suffix(".lock")) if not any(objects.iterdir()) else nullcontext():
+            return make(folder, objects, *arguments)
 
     return built
