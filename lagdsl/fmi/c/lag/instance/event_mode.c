@@ -51,15 +51,10 @@ static double value(const lag_instance *instance, size_t i)
     return lag_zero_crossing_value(&instance->run->crossings, i);
 }
 
+/* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
 double lag_instance_round_off(const lag_instance *instance, size_t i)
 {
-    return lag_zero_crossing_noise(&instance->run->crossings, i);
-}
-
-/* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
-static double margin(const lag_instance *instance, size_t i)
-{
-    return fmax(DBL_MIN, lag_instance_round_off(instance, i));
+    return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
 }
 
 double lag_instance_side(const lag_instance *instance, size_t i)
@@ -83,7 +78,7 @@ lag_status lag_instance_look(lag_instance *instance, double t, const double *x, 
     const size_t count = watched(instance);
     const lag_status status = look(instance, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[i] = lag_instance_is_held(instance, i) ? 1.0 : value(instance, i) + margin(instance, i) + instance->latched[i];
+        room[i] = lag_instance_is_held(instance, i) ? 1.0 : value(instance, i) + lag_instance_round_off(instance, i) + instance->latched[i];
     }
     return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
 }
@@ -119,7 +114,7 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        if (value(instance, i) > margin(instance, i)) {
+        if (value(instance, i) > lag_instance_round_off(instance, i)) {
             instance->latched[i] = instance->errors[i] = 0.0;
         }
     }
@@ -139,7 +134,7 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
     const lag_status status = look(instance, t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = instance->latched[i] + CLEARLY * margin(instance, i);
+        const double behind = instance->latched[i] + CLEARLY * lag_instance_round_off(instance, i);
         const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
         instance->run->crossings.changed[i] = changed;
         *any = *any || changed;
@@ -202,7 +197,7 @@ static double flight(const lag_instance *instance)
     double late = 0.0;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
-        const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * margin(instance, first + i);
+        const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * lag_instance_round_off(instance, first + i);
         const double behind = seen - value(instance, first + i);
         if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
             late = fmax(late, -behind / crossings->speed[i]);
@@ -235,7 +230,7 @@ static lag_status step_back(lag_instance *instance)
     const lag_status status = look(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         if (-value(instance, i) > instance->latched[i]) {
-            instance->errors[i] = FARTHER * fmax(instance->errors[i], margin(instance, i));
+            instance->errors[i] = FARTHER * fmax(instance->errors[i], lag_instance_round_off(instance, i));
         }
     }
     return status;
@@ -261,7 +256,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = located ? 0.0 : flight(instance);
         run->instants.late = located ? 0.0 : LATE * run->instants.contacts.length;
-        status = lag_run_event(run, h, run->crossings.changed);
+        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->crossings.changed);
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
     if (status == LAG_OK) {

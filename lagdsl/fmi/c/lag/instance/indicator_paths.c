@@ -251,7 +251,8 @@ lag_status lag_instance_follow_path(lag_instance *instance)
     }
     const double *passed = node_at(instance, instance->tip).passed;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double room = held->nodes > 0 && passed[i] != 0.0 ? -fabs(instance->room[i]) : instance->room[i];
+        const double behind = -fabs(instance->room[i]) - lag_instance_round_off(instance, i); /* no zero for a search to end at */
+        const double room = held->nodes > 0 && passed[i] != 0.0 ? behind : instance->room[i];
         instance->held.shown = room < 0.0 ? fmax(instance->held.shown, held->t) : instance->held.shown;
         if (!lag_instance_is_held(instance, i)) {
             *g++ = lag_instance_side(instance, i) * room;

@@ -258,7 +258,7 @@ lag_status lag_instance_look(lag_instance *instance, double t, const double *x, 
 int lag_instance_is_held(const lag_instance *instance, size_t which);
 /* Sign of an indicator while nothing changes: 1, or -1 for relations that do not hold and corners that are below zero. */
 double lag_instance_side(const lag_instance *instance, size_t which);
-/* Round-off of its room, as far as it is known. */
+/* Round-off of its room, as far as it is known: the margin, more than zero. */
 double lag_instance_round_off(const lag_instance *instance, size_t which);
 /* A value that is behind zero now is no event until it goes further. */
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
