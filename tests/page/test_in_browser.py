@@ -229,6 +229,17 @@ def test_a_page_fits_a_telephone(scheme: str, browser: Any, tmp_path: Path) -> N
     opened = Opened(browser, path, 390, 844)
     opened.page.emulate_media(color_scheme=scheme)
     assert opened.page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    opened.page.keyboard.press("Space")
+    opened.page.locator(".track input").evaluate("bar => { bar.value = bar.max / 2; bar.oninput(); }")
+    opened.page.locator("#curves-tab").click()
+    opened.page.wait_for_function(
+        """() => {
+            const [cursor, over] = [document.querySelector('.u-cursor-x'), document.querySelector('.u-over')];
+            const at = new DOMMatrix(getComputedStyle(cursor).transform).m41 / over.clientWidth;
+            return over.clientWidth > 0 && Math.abs(at - 0.5) < 0.02;
+        }""",
+        timeout=MOST_MILLISECONDS,
+    )
     assert opened.faults == []
     opened.page.close()
 

@@ -46,6 +46,10 @@ export class Curves {
       this.seen = contentRect.width > 0;
       this.resize();
     }).observe(place);
+    window.addEventListener("beforeprint", () => {
+      this.seen = true;
+      this.point(this.time);
+    });
     this.rebuild();
   }
 
@@ -194,7 +198,7 @@ export class Curves {
   private resize(): void {
     for (const { plot } of this.charts) plot.setSize(this.size());
     this.portrait.resize();
-    this.point(this.time);
+    queueMicrotask(() => this.point(this.time)); // plots take their new sizes in a microtask, too
   }
 }
 

@@ -70,14 +70,15 @@ export class Stage {
     this.controls.enableRotate = !head.planar;
     this.controls.addEventListener("change", () => this.render());
     this.controls.addEventListener("start", () => (this.moved = true));
-    this.grid = this.ground(length);
-    this.scene.add(this.grid, new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
+    this.scene.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
     const sun = new DirectionalLight(0xffffff, 2);
     sun.position.set(0.6, 1, 1.2);
     this.camera.add(sun);
     this.scene.add(this.camera, this.ghosts);
     this.furnish();
     this.enclose();
+    this.grid = this.ground(length);
+    this.scene.add(this.grid);
     const arrows = new Group();
     if (head.planar) arrows.position.z = 0.15 * length; // in front of what they belong to
     this.scene.add(arrows);
