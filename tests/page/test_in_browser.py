@@ -229,19 +229,25 @@ def test_a_page_fits_a_telephone(scheme: str, browser: Any, tmp_path: Path) -> N
     opened = Opened(browser, path, 390, 844)
     opened.page.emulate_media(color_scheme=scheme)
     assert opened.page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
-    opened.page.keyboard.press("Space")
-    opened.page.locator(".track input").evaluate("bar => { bar.value = bar.max / 2; bar.oninput(); }")
-    opened.page.locator("#curves-tab").click()
-    opened.page.wait_for_function(
-        """() => {
-            const [cursor, over] = [document.querySelector('.u-cursor-x'), document.querySelector('.u-over')];
-            const at = new DOMMatrix(getComputedStyle(cursor).transform).m41 / over.clientWidth;
-            return over.clientWidth > 0 && Math.abs(at - 0.5) < 0.02;
-        }""",
-        timeout=MOST_MILLISECONDS,
-    )
     assert opened.faults == []
     opened.page.close()
+
+
+def test_the_cursor_of_curves_stands_where_the_clock_is(browser: Any, tmp_path: Path) -> None:
+    """Also where its panel was hidden before, and had another size."""
+    path = tmp_path / "page.html"
+    path.write_text(page_of("double_pendulum"), encoding="utf-8")
+    page = Opened(browser, path, 1280, 800).page
+    page.keyboard.press("Space")
+    page.locator(".track input").evaluate("bar => { bar.value = bar.max / 2; bar.oninput(); }")
+    page.locator("#curves-tab").click()
+    page.wait_for_timeout(1000)
+    at = page.evaluate("""() => {
+        const cursor = getComputedStyle(document.querySelector('.u-cursor-x'));
+        return new DOMMatrix(cursor.transform).m41 / document.querySelector('.u-over').clientWidth;
+    }""")
+    assert at == pytest.approx(0.5, abs=0.02)
+    page.close()
 
 
 def test_a_notebook_shows_the_page_in_its_frame(browser: Any, tmp_path: Path) -> None:
