@@ -54,7 +54,7 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
         return Report("hang", "oracle")
     except UnsettledError as unsettled:
         # A force that reverses at every crossing: there is no motion beyond it, and both say so at one instant.
-        alike = found.code == "E0804" and abs(unsettled.time - found.end) < INSTANT
+        alike = found.code in ("E0804", "E0833") and abs(unsettled.time - found.end) < INSTANT
         return (
             Report("same", "refused") if alike else Report("differs", f"{found.code} at {found.end:.9g}: {unsettled}")
         )
