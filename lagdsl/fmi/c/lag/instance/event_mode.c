@@ -22,8 +22,8 @@ static const double ROUGH = 100.0;
 static const double ROUNDINGS = 64.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
-/* An importer finds an event, which margins delay, within this part of the experiment. */
-static const double LATE = 1e-9;
+/* An importer finds an event, which margins delay by round-off, within this part of the experiment. */
+static const double LATE = 1e-13;
 
 /* Relations and contacts. */
 static size_t watched(const lag_instance *instance)

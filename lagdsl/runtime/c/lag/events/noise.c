@@ -16,7 +16,7 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * lag_motion_size(model) + 3 * count_of(model) : 0;
+    return count_of(model) > 0 ? 2 * lag_motion_size(model) + 4 * count_of(model) : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -28,6 +28,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->point = lag_take(&memory, size);
     noise->value = lag_take(&memory, count_of(model));
     noise->other = lag_take(&memory, count_of(model));
+    noise->opposite = lag_take(&memory, count_of(model));
     noise->sigma = memory;
     memset(noise->peak, 0, size * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
@@ -61,16 +62,16 @@ static lag_status evaluate(lag_motion *motion, double t, const double *x, double
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
 }
 
-/* The same after change k. */
-static lag_status change(lag_noise *noise, double t, const double *x, unsigned k)
+/* The same after change k, or after the opposite one (`sign` -1), into `values`. */
+static lag_status change(lag_noise *noise, double t, const double *x, unsigned k, double sign, double *values)
 {
     lag_motion *motion = noise->motion;
     const lag_model *model = motion->model;
     for (size_t i = 0; i < lag_motion_size(model); ++i) {
-        const double by = CHANGE * noise->peak[i];
+        const double by = sign * CHANGE * noise->peak[i];
         noise->point[i] = same_sign(i, k) ? x[i] + by : x[i] - by;
     }
-    return evaluate(motion, t - CHANGE * fabs(t), noise->point, noise->other);
+    return evaluate(motion, t - sign * CHANGE * fabs(t), noise->point, values);
 }
 
 void lag_noise_find(lag_noise *noise, double t, const double *x)
@@ -88,11 +89,11 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
         ++changes;
     }
     for (unsigned k = 0; k < changes; ++k) {
-        if (change(noise, t, x, k) != LAG_OK) {
+        if (change(noise, t, x, k, 1.0, noise->other) != LAG_OK || change(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
             continue;
         }
-        for (size_t i = 0; i < count_of(model); ++i) {
-            const double by = fabs(noise->other[i] - noise->value[i]);
+        for (size_t i = 0; i < count_of(model); ++i) { /* a jump that is near lies on one side */
+            const double by = fmin(fabs(noise->other[i] - noise->value[i]), fabs(noise->opposite[i] - noise->value[i]));
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }

@@ -12,7 +12,7 @@ typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz) largest magnitude of each number so far */
     double *point;        /* (2 nq + nz) */
-    double *value, *other; /* (nindicator + ncorner) */
+    double *value, *other, *opposite; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
 } lag_noise;
 
