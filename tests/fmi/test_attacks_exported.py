@@ -44,6 +44,9 @@ SPOILED = {
     "ModelExchange": {
         "missed_events-teeth_by_mod": "they come and go between two looks of CVODE",
         "missed_events-needle_of_a_wide_square": "it comes and goes between two looks of CVODE",
+        "missed_events-before_a_jump_of": "needles that end at a jump are lost",
+        "missed_events-behind_a_jump_of_1e-09": "some are lost with CVODE",
+        "missed_events-zeros_of_1e-09": "some are lost with CVODE",
     },
     "CoSimulation": {},
 }
@@ -72,8 +75,9 @@ SOME = [f"{module[5:]}-{name}" for module, name in MODULES.items() if name is no
 PAIRS = chosen([(n, v) for n in ROWS for v in VERSIONS], [(n, VERSIONS[i % 2]) for i, n in enumerate(SOME)])
 
 
-# Our importer has no tables of inputs.
-EXCHANGED = {name: row for name, row in ROWS.items() if not row.inputs}
+# Our importer has no tables of inputs. Needles that end at a jump are lost in model exchange.
+LOST = "missed_events-before_a_jump_of"
+EXCHANGED = {name: row for name, row in ROWS.items() if not row.inputs and not name.startswith(LOST)}
 EXACT = [
     ("contacts_in_a_row-soft_stop_of_two", 2),
     ("scales-micrometres_beside_a_thousand_kilometres", 3),
