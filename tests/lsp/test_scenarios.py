@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from choice import chosen
 from lsp_editor import Editor
 from lsp_texts import FOUR_BAR, PENDULUM
 from lsprotocol import types as lsp
@@ -293,19 +294,30 @@ def test_hints_tell_freedom_redundancy_and_units(editor: Editor, folder: Path) -
     assert "[W]" in labels
 
 
+ROW = """model Row
+  gravity = 0;
+  coordinate Length x[2](each start = 0.1 m);
+  mass 1 kg at {x[1], x[2]};
+end Row;
+"""
+
+
 @pytest.mark.parametrize(
-    ("right", "wrong", "title"),
+    ("sound", "right", "wrong", "title"),
     [
-        ("l*sin(theta)", "l*sin(thet)", "write `theta`"),
-        ("at {l*sin", "at {1 + l*sin", "write `1 m`"),
-        ("kg;", "kg, n = 2 kg;", "delete `, n = 2 kg`"),
-        ("kg;", "kg", "insert `;`"),
+        (PENDULUM, "l*sin(theta)", "l*sin(thet)", "write `theta`"),
+        (PENDULUM, "at {l*sin", "at {1 + l*sin", "write `1 m`"),
+        (PENDULUM, "kg;", "kg, n = 2 kg;", "delete `, n = 2 kg`"),
+        (PENDULUM, "kg;", "kg", "insert `;`"),
+        (PENDULUM, "m = 1 kg", "m = 1,0 kg", "write `1.0 kg`"),
+        (PENDULUM, "m = 1 kg", "m := 1 kg", "write `=`"),
+        (ROW, "each start", "start", "write `each start = 0.1 m`"),
     ],
 )
 def test_an_action_writes_what_the_help_proposes(
-    editor: Editor, folder: Path, right: str, wrong: str, title: str
+    editor: Editor, folder: Path, sound: str, right: str, wrong: str, title: str
 ) -> None:
-    text = PENDULUM.replace(right, wrong)
+    text = sound.replace(right, wrong)
     uri = editor.open((folder / f"action{wrong.encode().hex()}.lag").as_uri(), text)
     (found, *_) = editor.diagnostics_of(uri)
     params = lsp.CodeActionParams(
@@ -323,14 +335,31 @@ def _offset(text: str, place: lsp.Position) -> int:
     return sum(len(line) + 1 for line in text.split("\n")[: place.line]) + place.character
 
 
-def test_lenses_run_the_model(editor: Editor, pendulum: str) -> None:
+LENSES = {"run": "der(theta)", "derive": "<math", "verify": "order of the steps"}
+
+
+@pytest.mark.parametrize("word", chosen(LENSES, ["run", "derive"]))
+def test_lenses_do_what_they_say(editor: Editor, pendulum: str, word: str) -> None:
     found = editor.ask("textDocument/codeLens", lsp.CodeLensParams(lsp.TextDocumentIdentifier(pendulum)))
     assert [each.command.title for each in found] == ["run", "show", "derive", "verify"]
-    command = found[0].command
+    (command,) = (each.command for each in found if each.command.title == word)
     address = editor.ask(
         "workspace/executeCommand", lsp.ExecuteCommandParams(command.command, arguments=command.arguments)
     )
     assert address in [each.uri for each in editor.shown_documents]
     said = Path(address.removeprefix("file://")).read_text()
     assert "Pendulum" in said
+    assert LENSES[word] in said
     assert "error" not in said
+
+
+def test_files_beside_a_text_are_read_when_they_are_asked_for(editor: Editor, folder: Path) -> None:
+    """A library of wrong files in the folder costs nothing and says nothing, until a text names it."""
+    library = folder / "Wrong"
+    library.mkdir()
+    (library / "package.lag").write_text("package Wrong\nend Wrong;\n")
+    (library / "Broken.lag").write_text("component Broken coordinate end")
+    uri = editor.open((folder / "lazy.lag").as_uri(), PENDULUM)
+    assert editor.diagnostics_of(uri) == []
+    editor.change(uri, PENDULUM.replace("end Pendulum", "  Wrong.Broken b;\nend Pendulum"))
+    assert [each.severity for each in editor.diagnostics_of(uri)][:1] == [lsp.DiagnosticSeverity.Error]

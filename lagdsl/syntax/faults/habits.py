@@ -6,6 +6,7 @@ import re
 
 from lark import Token
 
+from lagdsl.diagnostics import Edit
 from lagdsl.diagnostics.catalog.habits import form_help, package_help, word_help
 from lagdsl.diagnostics.catalog.syntax import unexpected_help
 from lagdsl.source import Span
@@ -34,8 +35,10 @@ def decimal_comma(session: Session, token: Token) -> bool:
         return False
     whole = before[0].replace(".", "") if _GROUPED.fullmatch(before[0]) else before[0]
     span = Span(session.file, comma - len(before[0]), after.end())
-    help_text = f"a number has a decimal point: `{whole}.{after[0]}`"
-    session.sink.report("E0100", span, found=f"`{span.text}`", expected="one number", help=help_text)
+    number = f"{whole}.{after[0]}"
+    help_text = f"a number has a decimal point: `{number}`"
+    edit = Edit(span, number)
+    session.sink.report("E0100", span, found=f"`{span.text}`", expected="one number", help=help_text, edit=edit)
     session.panic(token)
     return True
 
@@ -47,10 +50,9 @@ def assignment(session: Session, token: Token) -> bool:
         return False
     if not session.stack.accepts(ahead.type):
         return False
+    span = session.span(token).to(session.span(ahead))
     help_text = "write `=`: equations and bindings are no assignments"
-    session.sink.report(
-        "E0100", session.span(token).to(session.span(ahead)), found="`:=`", expected="`=`", help=help_text
-    )
+    session.sink.report("E0100", span, found="`:=`", expected="`=`", help=help_text, edit=Edit(span, "="))
     session.rewind(end_of(token))
     return True
 
@@ -66,7 +68,8 @@ def foreign_power(session: Session, token: Token) -> bool:
         base[0].value if base else "", mark, power.value if power is not None else "", "an operator"
     )
     span = session.span(session.previous).to(session.span(token))
-    session.sink.report("E0100", span, found=f"`{mark}`", expected="an operator", help=help_text)
+    edit = Edit(span, "^")
+    session.sink.report("E0100", span, found=f"`{mark}`", expected="an operator", help=help_text, edit=edit)
     session.panic(token)
     return True
 
@@ -84,7 +87,8 @@ def semicolon_in_brackets(session: Session, token: Token) -> bool:
     whole = session.file.text[end_of(opened) : end_of(token) + len(inside[0])].replace(";", ",").strip()
     shown = f": `{{{whole}}}`" if len(whole) <= 40 and whole.isprintable() else ""
     help_text = f"components stand in braces, separated by commas{shown}"
-    session.sink.report("E0100", session.span(token), found="`;`", expected="`,`", help=help_text)
+    span = session.span(token)
+    session.sink.report("E0100", span, found="`;`", expected="`,`", help=help_text, edit=Edit(span, ","))
     if not session.shift(token.update(type="COMMA", value=",")):
         session.panic(token)
     return True
@@ -117,11 +121,12 @@ def equality_for_equation(session: Session, token: Token) -> bool:
     relation = next((each for each in statement if each.type == "REL"), None)
     if relation is None:
         return False
+    span = session.span(relation)
     if relation.value == "==":
-        help_text = "an equation is written with one `=`"
+        help_text, edit = "an equation is written with one `=`", Edit(span, "=")
     else:
-        help_text = "an inequality is a contact: `contact a >= b with restitution = 0;`"
-    session.sink.report("E0100", session.span(relation), found=found(relation), expected="`=`", help=help_text)
+        help_text, edit = "an inequality is a contact: `contact a >= b with restitution = 0;`", None
+    session.sink.report("E0100", span, found=found(relation), expected="`=`", help=help_text, edit=edit)
     session.panic(token)
     return True
 

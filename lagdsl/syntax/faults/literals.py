@@ -6,6 +6,7 @@ import re
 
 from lark import Token
 
+from lagdsl.diagnostics import Edit
 from lagdsl.source import Span
 from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.session import Session
@@ -23,7 +24,8 @@ def unit_after_number(session: Session, token: Token) -> bool:
         return False
     if token.value in _BRANCHES and session.stack.accepts("ELSEIF"):
         span = session.span(token)
-        session.sink.report("E0100", span, found=found(token), expected=expected(session.stack), help="write `elseif`")
+        words, edit = expected(session.stack), Edit(span, "elseif")
+        session.sink.report("E0100", span, found=found(token), expected=words, help="write `elseif`", edit=edit)
         return session.shift(token.update(type="ELSEIF", value="elseif"))
     match = _UNIT_LIKE.match(text, start_of(token))
     assert match is not None
