@@ -112,7 +112,6 @@ bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy fmuloader fmu-manipulation-toolbox jax rumoca pymoca
-	! command -v npm >/dev/null || npm install --silent --prefix $(PEERS) vscode-textmate vscode-oniguruma
 
 $(VENV)/.docs: $(READY)
 	$(PIP) --editable '.[docs]'
