@@ -114,7 +114,7 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        if (value(instance, i) > lag_instance_round_off(instance, i)) {
+        if (value(instance, i) > lag_instance_round_off(instance, i) + instance->errors[i]) {
             instance->latched[i] = instance->errors[i] = 0.0;
         }
     }
@@ -224,13 +224,27 @@ static int is_idle(const lag_instance *instance)
     return idle;
 }
 
-/* Errors of the importer have moved whatever seemed to change in an event without effect. */
+/* An importer that has brought this to zero is wrong by its round-off, or by the way that an open contact which separates should have gone. */
+static double least_error(const lag_instance *instance, size_t i)
+{
+    const lag_run *run = instance->run;
+    const size_t first = instance->fmu->model->nindicator;
+    const int open = i >= first && run->motion.w[run->crossings.places.contact + i - first] == 0.0;
+    const double way = open ? run->crossings.speed[i - first] * instance->held.span : 0.0;
+    return fmax(way, lag_instance_round_off(instance, i));
+}
+
+/*
+ * Errors of the importer have moved whatever seemed to change in an event without effect: what lies behind zero farther than before, and what
+ * did so along a path that the importer's error has bent.
+ */
 static lag_status step_back(lag_instance *instance)
 {
     const lag_status status = look(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        if (-value(instance, i) > instance->latched[i]) {
-            instance->errors[i] = FARTHER * fmax(instance->errors[i], lag_instance_round_off(instance, i));
+        const int bent = value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
+        if (bent || -value(instance, i) > instance->latched[i]) {
+            instance->errors[i] = FARTHER * fmax(instance->errors[i], least_error(instance, i));
         }
     }
     return status;
@@ -265,7 +279,8 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
-        status = any && is_idle(instance) ? step_back(instance) : LAG_OK;
+        status = is_idle(instance) ? step_back(instance) : LAG_OK;
+        lag_instance_end_path(instance, any);
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;
     }
     if (status == LAG_OK) {

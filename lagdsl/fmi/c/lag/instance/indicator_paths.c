@@ -3,7 +3,8 @@
  * instance remembers the last two states at which it was asked, looks along Hermite's cubic between them, and an indicator that passes zero
  * there keeps the sign behind zero until event mode: the importer searches the step for the first change, as for any other. Between a
  * state before that change and one behind it the cubic is as exact as the search is narrow. A change that only the cubic shows
- * disappears there; the importer then finds an event without effect at the end of its step.
+ * disappears there; the importer then finds an event without effect at the end of its step. Errors of an importer bend the cubic of its first steps
+ * behind such an event, too: bounces that are lower than its errors would cause events without end.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -19,6 +20,8 @@ static const double SHORTEST = 0x1p-8;
 static const double SHAPELESS = 1e3;
 /* Steps that are shorter than this part of the experiment show by themselves: bounces within them are rest. */
 static const double SHORT = 1e-6;
+/* Behind a change that was shown and was none, the path is not looked along for so many times the step that has shown it. */
+static const double LONGER = 4.0;
 
 typedef struct node {
     double *t, *x, *f, *u, *passed; /* (1) (size) (size) (nu) (watched) 1: this one has changed on the way here; -1: it shows so */
@@ -216,6 +219,16 @@ static int shows(const step *in)
     return any;
 }
 
+/* The importer asks again before a change that was shown. */
+static int was_shown_behind(const lag_instance *instance)
+{
+    int any = 0;
+    for (size_t i = 0; i < lag_instance_watched(instance->fmu); ++i) {
+        any = any || instance->held.t < instance->shown[i];
+    }
+    return any;
+}
+
 static lag_status look_along(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
@@ -223,10 +236,12 @@ static lag_status look_along(lag_instance *instance)
     for (int k = 0; k < LAG_LOOKS; ++k) {
         in.seen[k] = instance->looks + (size_t)k * count_of(&in);
     }
-    in.searched = instance->held.nodes > 0 && instance->held.t < instance->held.shown;
+    in.searched = instance->held.nodes > 0 && was_shown_behind(instance);
     advance(&in);
-    const int is_short = !(*in.tip.t - *in.base.t > SHORT * instance->run->options.length);
-    if (instance->held.nodes < 2 || (is_short && !in.searched) || shows(&in)) {
+    const double length = *in.tip.t - *in.base.t;
+    const int is_short = !(length > SHORT * instance->run->options.length) && !in.searched;
+    const int is_blind = *in.tip.t < instance->held.latched_at + instance->held.blind;
+    if (instance->held.nodes < 2 || is_short || is_blind || shows(&in)) {
         return LAG_OK;
     }
     motion->inputs = NULL;
@@ -253,7 +268,7 @@ lag_status lag_instance_follow_path(lag_instance *instance)
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double behind = -fabs(instance->room[i]) - lag_instance_round_off(instance, i); /* no zero for a search to end at */
         const double room = held->nodes > 0 && passed[i] != 0.0 ? behind : instance->room[i];
-        instance->held.shown = room < 0.0 ? fmax(instance->held.shown, held->t) : instance->held.shown;
+        instance->shown[i] = room < 0.0 ? fmax(instance->shown[i], held->t) : instance->shown[i];
         if (!lag_instance_is_held(instance, i)) {
             *g++ = lag_instance_side(instance, i) * room;
         }
@@ -261,8 +276,22 @@ lag_status lag_instance_follow_path(lag_instance *instance)
     return status;
 }
 
+void lag_instance_end_path(lag_instance *instance, int any)
+{
+    lag_held *held = &instance->held;
+    int shown = 0;
+    for (size_t i = 0; i < lag_instance_watched(instance->fmu); ++i) {
+        shown = shown || instance->shown[i] >= held->t;
+    }
+    if (any || shown || held->t > held->latched_at) {
+        held->blind = shown && !any ? LONGER * held->span : 0.0;
+    }
+}
+
 void lag_instance_forget_path(lag_instance *instance)
 {
     instance->held.nodes = 0;
-    instance->held.shown = -(double)INFINITY;
+    for (size_t i = 0; i < lag_instance_watched(instance->fmu); ++i) {
+        instance->shown[i] = -(double)INFINITY;
+    }
 }

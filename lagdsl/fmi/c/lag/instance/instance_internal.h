@@ -54,8 +54,8 @@ typedef struct lag_held {
     int polynomial;         /* inputs have derivatives */
     int entered;            /* event mode: nothing has been looked at yet */
     double reach;           /* the last piece of this path that was looked at was so long [s]; 0: none yet */
+    double blind;           /* behind the last event the path is not looked along for so long [s] */
     int nodes;              /* so many of `base` and `tip` are known */
-    double shown;           /* a change was shown at this time, and nowhere behind it */
     int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
@@ -86,6 +86,7 @@ struct lag_instance {
     double *largest;        /* (ncorner) magnitudes of distances of corners seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
     double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
+    double *shown;          /* (relations, contacts, corners) a change was shown at this time, and nowhere behind it, since the path began */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
@@ -194,6 +195,8 @@ void lag_instance_pass_corners(lag_instance *instance);
  * importer asked has the sign behind the change, so that the importer locates the first one.
  */
 lag_status lag_instance_follow_path(lag_instance *instance);
+/* A path ends with an event; any: something has changed there. */
+void lag_instance_end_path(lag_instance *instance, int any);
 /* A path begins here. */
 void lag_instance_forget_path(lag_instance *instance);
 /* Doubles of a node, and of `looks`. */
