@@ -32,7 +32,7 @@ def report_no_start(
     `searched` for."""
     unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
     if searched and unmet and flat.initial_equations:
-        from lagdsl.simulate.contradictions import report_contradiction  # few models contradict themselves
+        from lagdsl.structure.contradictions import report_contradiction  # few models contradict themselves
 
         if report_contradiction(flat, layout, run, t, found, sink):
             return

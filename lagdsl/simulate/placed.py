@@ -14,8 +14,8 @@ from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_options import RunSettings
 from lagdsl.runtime.signal_tables import TabledInputs
-from lagdsl.simulate.scales import scales_of
 from lagdsl.structure.names import contact_rows
+from lagdsl.structure.scales import scales_of
 
 # Residuals below this part of the tolerance need no projection.
 PROJECTION_PART = 1e-3

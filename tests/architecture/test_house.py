@@ -110,7 +110,7 @@ def test_a_run_loads_neither_scenes_nor_searches(root: Path) -> None:
     loaded = _loaded("run", str(root / "models" / "double_pendulum.lag"))
     assert not _packages(loaded) & HEAVY
     assert _floors(loaded) == CHECKED | RUN
-    assert not loaded & {"lagdsl.plot.picture.recording", "lagdsl.simulate.contradictions"}
+    assert not loaded & {"lagdsl.plot.picture.recording", "lagdsl.structure.contradictions"}
 
 
 def test_formatting_does_not_even_load_numpy(root: Path) -> None:

@@ -103,7 +103,7 @@ def test_the_runtime_alone_decides_that_there_is_no_start(monkeypatch: pytest.Mo
         asked.append(arguments)
         return False
 
-    monkeypatch.setattr("lagdsl.simulate.contradictions.report_contradiction", nothing_found)
+    monkeypatch.setattr("lagdsl.structure.contradictions.report_contradiction", nothing_found)
     assert not {"E0839", "E0815", "E0801"} & told(_FREE, "x = 1 m; 2*x = 2 m;").keys() and not asked
     assert "E0815" in told(_FREE, "x = 2 m; x = 3 m;") and len(asked) == 1
     assert "E0801" in told("coordinate Length x(start = 1 m, fixed = true), y;", "x = 2 m;") and len(asked) == 2

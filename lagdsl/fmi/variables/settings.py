@@ -16,10 +16,10 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
-from lagdsl.simulate.scales import scales_of
 from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.points import geometry
+from lagdsl.structure.scales import scales_of
 
 # A tick nearer to the start than this part of the period is there (lag/events/instant.c).
 _SAME_TICK = 1e-9

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from typing import Protocol
 
 import numpy as np
 
@@ -19,7 +20,6 @@ from lagdsl.numerics.levenberg_marquardt import descend
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.source import Span
 from lagdsl.structure.names import grammatical_subject, located, place
 from lagdsl.structure.points import natural_sizes
@@ -46,15 +46,41 @@ class _Condition:
     label: str
 
 
-def report_contradiction(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> bool:
+class Functions(Protocol):
+    """Functions of the model, as the search that failed had them: a run of the runtime."""
+
+    def evaluate(self, function: str, t: float, x: Floats, count: int) -> Floats:
+        """The first `count` results of a function at the state x (2 nq + nz,)."""
+
+    def take_parameters(self, p: Floats) -> None:
+        """Evaluations take the parameters p (np,) from now on."""
+
+
+class Failed(Protocol):
+    """A search for a start that failed: from `starts` it reached the state `x`, (2 nq + nz,) both, with the parameters
+    `p` (np,)."""
+
+    @property
+    def starts(self) -> Floats: ...
+
+    @property
+    def x(self) -> Floats: ...
+
+    @property
+    def p(self) -> Floats: ...
+
+
+def report_contradiction(
+    flat: FlatModel, layout: Layout, functions: Functions, t: float, failed: Failed, sink: Sink
+) -> bool:
     """E0839 that names initial equations, fixed starts and constraints that contradict each other; False if there are
     no such, or the model is too large to look for them."""
     conditions = _conditions(flat, layout)
-    if len(found.x) + sum(parameter.free for parameter in flat.parameters) > _MOST_UNKNOWNS:
+    if len(failed.x) + sum(parameter.free for parameter in flat.parameters) > _MOST_UNKNOWNS:
         return False
     if len(conditions) > _MOST_CONDITIONS:
         return False
-    system = _System(flat, layout, run, t, found)
+    system = _System(flat, layout, functions, t, failed)
     if system.holds(conditions):
         return False
     left = list(conditions)
@@ -115,20 +141,20 @@ class _System:
     """All rows at a state and free parameters: phi (nc,), J qd + b (nc,), differences from the starts (2 nq + nz,),
     equations (ne,)."""
 
-    def __init__(self, flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found) -> None:
+    def __init__(self, flat: FlatModel, layout: Layout, functions: Functions, t: float, failed: Failed) -> None:
         self._counts = (len(flat.coordinates), len(layout.constraints), len(flat.initial_equations))
-        self._run, self._t, self._found = run, t, found
+        self._functions, self._t, self._failed = functions, t, failed
         n = len(flat.coordinates)
-        sizes = natural_sizes(flat.coordinates, layout.components, found.starts[:n])
+        sizes = natural_sizes(flat.coordinates, layout.components, failed.starts[:n])
         states = [state.nominal or 1.0 for state in flat.states]
         known = {parameter.name: parameter for parameter in flat.parameters}
         slots = [known[slot.name] for slot in layout.parameters]
         self._free = [k for k, parameter in enumerate(slots) if parameter.free]
         changes = [abs(slots[k].nominal or slots[k].value) or 1.0 for k in self._free]
         self._sizes = np.concatenate([sizes, sizes, np.array([*states, *changes], dtype=np.float64)])
-        parameters = found.p[self._free] if self._free else np.zeros(0)
-        starts = np.append(found.starts, [slots[k].value for k in self._free])
-        self._beginnings = [np.append(found.x, parameters), starts]
+        parameters = failed.p[self._free] if self._free else np.zeros(0)
+        starts = np.append(failed.starts, [slots[k].value for k in self._free])
+        self._beginnings = [np.append(failed.x, parameters), starts]
         generator = np.random.default_rng(20011)
         for _ in range(_TRIES):
             self._beginnings.append(starts + _WIDTH * self._sizes * generator.standard_normal(len(starts)))
@@ -158,17 +184,17 @@ class _System:
     def _values(self, unknowns: Floats) -> Floats:
         n, count, equations = self._counts
         width = count * (1 + n)
-        x = unknowns[: len(self._found.x)]
+        x = unknowns[: len(self._failed.x)]
         if self._free:
-            p = self._found.p.copy()
+            p = self._failed.p.copy()
             p[self._free] = unknowns[len(x) :]
-            self._run.take_parameters(p)
+            self._functions.take_parameters(p)
         return np.concatenate(
             [
-                self._run.evaluate("position_constraint", self._t, x, width)[:count] if count else np.zeros(0),
-                self._run.evaluate("velocity_constraint", self._t, x, width)[:count] if count else np.zeros(0),
-                x - self._found.starts,
-                self._run.evaluate("initial_equation", self._t, x, equations),
+                self._functions.evaluate("position_constraint", self._t, x, width)[:count] if count else np.zeros(0),
+                self._functions.evaluate("velocity_constraint", self._t, x, width)[:count] if count else np.zeros(0),
+                x - self._failed.starts,
+                self._functions.evaluate("initial_equation", self._t, x, equations),
             ]
         )
 
