@@ -87,7 +87,7 @@ static const lag_model MODEL = {.version = LAG_MODEL_VERSION,
 static double times[ROWS];
 static double rows[ROWS * SIZE];
 
-static lag_run *place(const double *p, double tolerance)
+static lag_run *place_filling(const lag_model *model, const double *p, double tolerance)
 {
     const lag_run_options options = {.p = p,
         .method = &lag_dop853,
@@ -96,9 +96,14 @@ static lag_run *place(const double *p, double tolerance)
         .count = ROWS,
         .times = times,
         .rows = rows};
-    void *block = malloc(lag_run_size(&MODEL, &options));
+    void *block = malloc(lag_run_size(model, &options));
     CHECK(block != NULL);
-    return lag_run_place(block, &MODEL, &options);
+    return lag_run_place(block, model, &options);
+}
+
+static lag_run *place(const double *p, double tolerance)
+{
+    return place_filling(&MODEL, p, tolerance);
 }
 
 static void crossed(double tolerance)
@@ -171,6 +176,21 @@ static void taken_back(void)
     free(other);
 }
 
+/* Before the crossing the functions become those of another filling, and the first one is gone. */
+static void filled_anew(void)
+{
+    lag_model first = MODEL;
+    lag_run *run = place_filling(&first, P, 1e-10);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 0.2, 0) == LAG_OK);
+    CHECK(lag_run_change(run, &MODEL, NULL) == LAG_OK);
+    memset(&first, 0xff, sizeof first);
+    CHECK(lag_run_to(run, 2.0, 0) == LAG_OK);
+    CHECK_NEAR(run->stepper.x[0], 3.0, 1e-8);
+    CHECK_NEAR(run->stepper.x[1], -3.0, 1e-8);
+    free(run);
+}
+
 int main(void)
 {
     for (int i = 0; i < ROWS; ++i) {
@@ -183,6 +203,7 @@ int main(void)
     missed(-1e-8);
     missed(-1e-4);
     taken_back();
+    filled_anew();
     (void)printf("singular: ok\n");
     return EXIT_SUCCESS;
 }

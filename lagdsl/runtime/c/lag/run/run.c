@@ -202,6 +202,7 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
         return LAG_BAD_STATE_DATA;
     }
     motion->model = model;
+    run->look.model = model; /* the one before need not live any longer */
     motion->at.context = model->context;
     motion->at.workspace = workspace;
     return motion->at.p != NULL ? model->prepare(&motion->at) : LAG_OK;
