@@ -10,7 +10,7 @@ from lagdsl.analysis.eigen import Complexes, eigen
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, System
-from lagdsl.analysis.steady import Steadiness, steadiness
+from lagdsl.analysis.steady import Steadiness, imbalance, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
 
@@ -80,8 +80,7 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         return None
     found = steadiness(system, plain)
     if found.kind == "neither":
-        first = ", ".join(f"{name} = {value:.3g}" for name, value in found.unbalanced[:3])
-        sink.report("W0854", None, rates=first)
+        sink.report("W0854", None, reason=imbalance(found))
     turned = at if found.turning is None else found.turning.relative(at)
     values, vectors = eigen(turned.a)
     layout = system.engine.layout

@@ -28,12 +28,13 @@ _SAME = 1e-7
 _TURN = 0.7
 _SHIFTS = (0.6180339887, -0.4142135623)
 _STEPS = 4
+_MOST_TOLD = 4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Steadiness:
     """`running` are names of what changes at a constant rate; `unbalanced` names what keeps a point from being steady,
-    with its rate of change in SI units. `turning` is given where bodies turn steadily in quaternions: then A - X is
+    with its rate of change in SI units; where that is zero, the row of A changes along the motion. `turning` is given where bodies turn steadily in quaternions: then A - X is
     constant."""
 
     kind: Literal["equilibrium", "steady motion", "neither"]
@@ -107,7 +108,8 @@ def _judged(system: System, at: Reduced, turning: Turning | None) -> Steadiness:
     if not unbalanced:
         running_entries = [i for i in idle if moving[i]]
         wrong = _elsewhere(system, at, turning, sizes, omega, running_entries, kept)
-        unbalanced = [(_rate_name(names[i]), rate) for i, rate in wrong]
+        still = all(abs(rate) <= RESTS * sizes[i] * omega for i, rate in wrong)
+        unbalanced = [(_rate_name(names[i]), 0.0 if still else rate) for i, rate in wrong]
     running = [names[i] for i in idle if moving[i]]
     speeds = np.abs(at.flow.point.qd) / at.partition.sizes / omega
     coordinates = [c.name for c in system.flat.coordinates]
@@ -116,6 +118,14 @@ def _judged(system: System, at: Reduced, turning: Turning | None) -> Steadiness:
         return Steadiness(kind="neither", running=tuple(running), unbalanced=tuple(unbalanced))
     kind: Literal["equilibrium", "steady motion"] = "steady motion" if running else "equilibrium"
     return Steadiness(kind=kind, running=tuple(running), unbalanced=(), turning=turning)
+
+
+def imbalance(found: Steadiness) -> str:
+    """Why a point is neither an equilibrium nor part of a steady motion, in words."""
+    first = found.unbalanced[:_MOST_TOLD]
+    if any(value for _, value in found.unbalanced):
+        return f"{', '.join(f'{name} = {value:.4g}' for name, value in first)} (SI units)"
+    return f"nothing accelerates, but the linear equations of {', '.join(name for name, _ in first)} change along the motion"
 
 
 def _rate_name(name: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.analysis.point import Point, System
-from lagdsl.analysis.steady import Steadiness
+from lagdsl.analysis.steady import Steadiness, imbalance
 from lagdsl.flat.display import Display, display, display_rate
 
 _MOST = 12
@@ -31,8 +31,7 @@ def steadiness_text(found: Steadiness) -> str:
         case "steady motion":
             return _steady_text(found)
         case "neither":
-            left = ", ".join(f"{name} = {value:.4g}" for name, value in found.unbalanced[:4])
-            return f"This is neither an equilibrium nor a steady motion: {left} (SI units)."
+            return f"This is neither an equilibrium nor a steady motion: {imbalance(found)}."
 
 
 def _steady_text(found: Steadiness) -> str:

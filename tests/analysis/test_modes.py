@@ -228,6 +228,20 @@ def test_a_force_that_depends_on_the_time_is_no_equilibrium() -> None:
     assert lagdsl.compile(text).modes().steadiness.kind == "neither"
 
 
+def test_rest_in_equations_that_change_with_time_is_told_as_such() -> None:
+    text = """model Shaken
+      coordinate Angle th(start = 170 deg);
+      gravity = -g_n*world.y;
+      mass 1 kg at {(1 m)*sin(th), (1 cm)*cos(time*(50 rad/s)) - (1 m)*cos(th)};
+    end Shaken;
+    """
+    sink = Sink()
+    modes = lagdsl.compile(text).modes(trim=True, sink=sink)
+    assert modes.steadiness.unbalanced == (("der(der(th))", 0.0),)
+    [diagnostic] = [d for d in sink.diagnostics if d.code == "W0854"]
+    assert "nothing accelerates, but the linear equations of der(der(th)) change along the motion" in diagnostic.message
+
+
 def test_a_coordinate_that_runs_and_matters_is_no_steady_motion() -> None:
     text = """model Runs
       parameter Stiffness k = 1 N/m;

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 from choice import chosen
 from sympy import Expr, Float, Symbol
 
@@ -297,6 +298,35 @@ def test_steady_motions(source: str | Path, closed: Callable[..., float]) -> Non
 
 def test_nothing_is_steady_where_a_rate_is_damped() -> None:
     assert studied(GOVERNOR.replace("end Gov", "  dissipation 0.1 N.m.s*der(phi)^2;\nend Gov")).steady is None
+
+
+def test_a_steady_motion_without_an_angle() -> None:
+    """A particle circles in a cone at r = g/(tan(a) w^2)."""
+    found = studied(
+        """model Cone
+          parameter Angle a = 30 deg;
+          coordinate Length r(start = 1 m);
+          coordinate Angle turn(der(start = 2 rad/s));
+          gravity = -g_n*world.z;
+          mass 1 kg at {r*cos(turn), r*sin(turn), r/tan(a)};
+        end Cone;"""
+    )
+    assert found.steady is not None and not found.equilibria and not found.singular
+    [place] = found.steady.places
+    [(r, value)] = place.at.items()
+    known = {"a": 0.6, "g_n": 9.80665, "der(turn)": 3.0}
+    assert r.name == "r" and number(value, known) == pytest.approx(9.80665 / np.tan(0.6) / 9.0)
+
+
+def test_rest_at_a_singular_place_of_the_coordinates_is_told() -> None:
+    """A spherical pendulum hangs still, or stands, where its azimuth determines nothing."""
+    source = _ROOT / "models/spherical_pendulum.lag"
+    found = studied(source)
+    assert not found.equilibria
+    angles = [dict((q.name, value) for q, value in place.at)["theta"] for place in found.singular]
+    assert angles == [0, sympy.pi]
+    assert "stays nowhere at rest" not in (text := str(lagdsl.compile(source).derive()))
+    assert "They hold only where the matrix of the accelerations is singular" in text
 
 
 def test_nowhere_at_rest() -> None:

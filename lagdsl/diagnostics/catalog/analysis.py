@@ -16,7 +16,8 @@ ROWS: dict[str, Row] = {
     "E0852": error(
         "no equilibrium found: {left}",
         None,
-        "free more coordinates or inputs, or give starts closer to the equilibrium you mean",
+        "free more coordinates or inputs, give starts closer to the equilibrium you mean, or keep the rates of the start "
+        "with `--steady`: a steady motion",
     ),
     "E0853": error(
         "`{name}` cannot be {what}",
@@ -24,7 +25,7 @@ ROWS: dict[str, Row] = {
         "there are {known}",
     ),
     "W0854": warning(
-        "this point is neither an equilibrium nor part of a steady motion: {rates}",
+        "this point is neither an equilibrium nor part of a steady motion: {reason}",
         None,
         "the eigenvalues describe the neighborhood for an instant only; find an equilibrium with `lag trim`",
     ),

@@ -125,4 +125,9 @@ ROWS: dict[str, Row] = {
         label="`com` must be built from parameters",
         help="give the body a frame that moves with it: `frame c = f.move({{x, 0, 0}});`, then `body ... on c`",
     ),
+    "W0525": warning(
+        "the reaction at `{name}` is zero: no mass, body, load, energy or constraint depends on this point",
+        label="nothing is held there",
+        help="write `mass m at {name};`: an equal position that is written again is another one",
+    ),
 }

@@ -234,11 +234,14 @@ def _missing_mark(before: str, found: str, after: str, expected: str) -> str | N
             call = "(...)" if after == "(" else ""
             return f"an operator may be missing: a product is written `{before}*{found}{call}`"
         return "an operator may be missing: a product is written with `*`"
+    if "`=`" in expected and before in _DECLARATIONS:
+        return f"a declaration ends with `;`: write `; {before} {found}`"
     if "`=`" in expected and operand and before.isidentifier():
         return f"`=` may be missing: `{before} = {found}`"
     return None
 
 
+_DECLARATIONS = ("parameter", "constant", "structural", "input", "output", "coordinate", "state", "discrete")
 _WORDS = {
     "elif": "write `elseif`",
     "elsif": "write `elseif`",

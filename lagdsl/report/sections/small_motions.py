@@ -55,6 +55,7 @@ _REST = "At rest, with all rates and accelerations zero, the equations of motion
 _REST_CONSTRAINED = "At rest, with all rates and accelerations zero, the equations of motion and the constraints are:"
 _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` finds them."
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
+_SINGULAR = "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
 _STEADY = " constant and all other coordinates are at rest; then the equations of motion are:"
@@ -112,10 +113,17 @@ def small_motions(page: Page) -> list[Block]:
         return [*blocks, Paragraph(text(_EVERYWHERE))]
     blocks += [Paragraph(text(_REST_CONSTRAINED if found.constrained else _REST)), Equations(lines)]
     if not found.equilibria:
-        blocks.append(Paragraph(text(_NOWHERE)))
+        blocks.append(_nowhere(page, found.singular))
     for group in _alike(found.equilibria):
         blocks += _equilibrium(page, group, constrained=found.constrained)
     return blocks if found.steady is None else [*blocks, *_steady_motions(page, found.steady)]
+
+
+def _nowhere(page: Page, singular: Sequence[Equilibrium]) -> Paragraph:
+    words: list[Text | Math] = [Text(_SINGULAR if singular else _NOWHERE)]
+    for number, place in enumerate(_places(page, singular)):
+        words += [Text(" and at "), *place] if number else place
+    return Paragraph((*words, Text(".")) if singular else tuple(words))
 
 
 def _steady_motions(page: Page, found: Steady) -> list[Block]:

@@ -165,7 +165,7 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     vector = as_vector(value)
     if direction is None or vector is None or not isinstance(vector.expression, flat.PointReference):
         if direction is not None:
-            hint = "declare the position first: `point P = ...;`"
+            hint = "declare the position, and let the mass stand there: `point P = ...;`, `mass m at P;`"
             ctx.sink.report("E0312", target.span, expected="the name of a point", found=kind_of(value), help=hint)
         return POISON
     reaction = flat.ReactionAlong(vector.expression.name, direction.expression)

@@ -1,8 +1,9 @@
-"""E0501, E0508, E0513, W0514: everything declared must do something."""
+"""E0501, E0508, E0513, W0514, W0525: everything declared must do something."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
@@ -10,6 +11,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence, Orders
 from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
+from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
 from lagdsl.source import Span
 
@@ -128,6 +130,32 @@ def _check_place(flat: fm.FlatModel, item: Item, where: _Place, sink: Sink) -> N
     elif not any(coordinate.name in where.orders for coordinate in flat.coordinates):
         reason = "no coordinate moves the place where it acts"
         sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
+
+
+def check_reactions(flat: fm.FlatModel, sink: Sink) -> None:
+    """W0525 where nothing that has mass, load or constraint is reached through a point whose reaction is asked for."""
+    for point, item in _asked(flat).items():
+        released = replace(flat, named=tuple(_as_variable(each) if each.name == point else each for each in flat.named))
+        if not any(point in orders for orders in _physics(released, Dependence(released))):
+            sink.report("W0525", place(item), *around(item), name=point)
+
+
+def _as_variable(named: fm.Named) -> fm.Named:
+    """A point that depends on nothing but itself."""
+    return replace(named, position=fx.Variable(named.name)) if isinstance(named, fm.Point) else named
+
+
+def _asked(flat: fm.FlatModel) -> dict[str, Item]:
+    """Points whose reaction is asked for, each with the item that asks first."""
+    definitions = (item for item in flat.named if isinstance(item, fm.Definition))
+    asked: dict[str, Item] = {}
+    seen: set[int] = set()
+    for item in (*flat.outputs, *flat.invariants, *definitions):
+        for node in postorder(item.value, seen):
+            seen.add(id(node))
+            if isinstance(node, fx.ReactionAlong):
+                asked.setdefault(node.point, item)
+    return asked
 
 
 def _anywhere(flat: fm.FlatModel) -> Span | None:

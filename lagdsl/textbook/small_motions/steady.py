@@ -6,7 +6,7 @@ Goldstein, Poole, Safko, *Classical Mechanics* (2002), 5.7 and 8.3; the conical 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Expr, Float, Integer, Symbol
 
@@ -41,6 +41,8 @@ def steady(balance: Balance, residuals: Sequence[Expr]) -> Steady | None:
     rates = tuple(qd for _, qd in turning)
     ignorable = {q for q, _ in turning}
     others = [q for q in table.q if q not in ignorable and q in present]
+    values = {rate: _RATE * (number + 1) for number, rate in enumerate(rates)}
+    balance = replace(balance, numbers={**balance.numbers, **values})
     rest = {x: Integer(0) for x in (*table.qd, *table.qdd) if x not in rates}
     try:
         equations = tuple(e for e in (balance.tidy(each.xreplace(rest)) for each in residuals) if e != 0)
@@ -49,7 +51,7 @@ def steady(balance: Balance, residuals: Sequence[Expr]) -> Steady | None:
         found = [each for each in places(balance, equations, others) if _is_regular(balance, residuals, each)]
     except (NotSolvedError, TooLargeError, ZeroDivisionError):
         return None
-    lasting = tuple(each for each in found if _holds(balance, equations, rates, each))
+    lasting = tuple(each for each in found if _holds(balance, equations, each))
     needed = tuple(rate for rate in rates if any(rate in e.free_symbols for e in equations))
     return Steady(rates=needed, equations=equations, places=lasting) if lasting else None
 
@@ -62,10 +64,9 @@ def _is_regular(balance: Balance, residuals: Sequence[Expr], place: Place) -> bo
     return True
 
 
-def _holds(balance: Balance, equations: Sequence[Expr], rates: Sequence[Symbol], place: Place) -> bool:
-    """True if the equations hold at some rates; beyond the reals, too, where a condition is not fulfilled."""
-    values = {**balance.numbers, **{rate: _RATE * (number + 1) for number, rate in enumerate(rates)}}
-    numbers = {symbol: Float(value, _DIGITS) for symbol, value in values.items()}
+def _holds(balance: Balance, equations: Sequence[Expr], place: Place) -> bool:
+    """True if the equations hold at the rates of `balance`; beyond the reals, too, where a condition is not fulfilled."""
+    numbers = {symbol: Float(value, _DIGITS) for symbol, value in balance.numbers.items()}
     try:
         for equation in equations:
             there = [each.xreplace(place.at).xreplace(numbers) for each in equation.expand().as_ordered_terms()]

@@ -52,7 +52,8 @@ class Equilibrium:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Study:
-    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why.
+    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why. Places of the
+    coordinates alone, at which the mass matrix is singular, are `singular` instead.
 
     `statics` are the residuals at rest, one per coordinate, then the constraint rows, if the system is `constrained`,
     with the inputs `held` at their default."""
@@ -62,6 +63,7 @@ class Study:
     held: tuple[tuple[Symbol, Expr], ...]
     equilibria: tuple[Equilibrium, ...]
     reason: str | None
+    singular: tuple[Equilibrium, ...] = ()
     constrained: bool = False
     steady: Steady | None = None
 
@@ -78,14 +80,15 @@ def study(flat: FlatModel, derivation: Derivation) -> Study:
     used = tuple((u, value) for u, value in held.items() if any(u in each.free_symbols for each in residuals))
     if reason is None:
         residuals = tuple(each.xreplace(held) for each in residuals)
-        statics, equilibria, reason = _equilibria(found, residuals)
+        statics, found_places, reason = _equilibria(found, residuals)
     if reason is not None:
         return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
     return Study(
         accelerations=solved,
         statics=statics,
         held=used,
-        equilibria=equilibria,
+        equilibria=tuple(each for each, is_regular in found_places if is_regular),
+        singular=tuple(each for each, is_regular in found_places if not is_regular),
         reason=None,
         constrained=bool(rows),
         steady=None if rows else steady(found, residuals),
@@ -114,14 +117,15 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
 
 def _equilibria(
     balance: Balance, residuals: Sequence[Expr]
-) -> tuple[tuple[Expr, ...], tuple[Equilibrium, ...], str | None]:
+) -> tuple[tuple[Expr, ...], tuple[tuple[Equilibrium, bool], ...], str | None]:
+    """The equations at rest, their solutions, each with whether the mass matrix is regular there, or why there are none."""
     table = balance.derivation.symbols
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
     statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
     try:
         found = places(balance, statics, _unknowns(balance))
         lasting = [each for each in found if _holds(balance, statics, each)]
-        equilibria = tuple(e for each in lasting if (e := _equilibrium(balance, residuals, each)) is not None)
+        equilibria = tuple(_equilibrium(balance, residuals, each) for each in lasting)
     except (NotSolvedError, TooLargeError):
         return statics, (), _NOT_SOLVED
     return statics, equilibria, None
@@ -157,23 +161,25 @@ def _fulfilled(balance: Balance, condition: Condition) -> bool:
     return abs(value) <= 1 if condition.kind == "unit" else value >= 0
 
 
-def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> Equilibrium | None:
-    """None where the mass matrix is singular: a place of the coordinates alone, as the origin of polar ones."""
+def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> tuple[Equilibrium, bool]:
+    """With False where the mass matrix is singular: a place of the coordinates alone, as the origin of polar ones."""
     arbitrary = tuple(x for x in _unknowns(balance) if x not in place.at)
     exists = _real(balance, place)
+    is_regular, about = True, None
     try:
         if balance.rows:
             regular(balance, residuals, place.at)
             raise NotLinearError
         about = linear(balance, residuals, place.at, real=exists)
     except SingularError:
-        return None
+        is_regular = False
     except (NotLinearError, TooLargeError):
-        about = None
-    return Equilibrium(
+        pass
+    equilibrium = Equilibrium(
         at=tuple(place.at.items()),
         arbitrary=arbitrary,
         conditions=place.conditions,
         exists=exists,
         linear=about,
     )
+    return equilibrium, is_regular
