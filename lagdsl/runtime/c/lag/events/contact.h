@@ -70,6 +70,9 @@ void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const
 /* Opens closed contacts that do not touch or do not stay. */
 lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
 
+/* 1: gaps of closed contacts have no rate beyond round-off. */
+int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
+
 /*
  * Impacts until nothing closes any more, first with those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
  * Closed contacts that are driven in take part without restitution, those that move apart afterwards, or would pull, open. Changes the rates in x and,

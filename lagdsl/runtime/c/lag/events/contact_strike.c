@@ -229,6 +229,16 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
     return status;
 }
 
+int lag_contacts_hold(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    int hold = !lag_any(count, flag(contacts, 0)) || lag_contacts_look(contacts, t, x) == LAG_OK;
+    for (size_t i = 0; i < count && hold; ++i) {
+        hold = *flag(contacts, i) == 0.0 || fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
+    }
+    return hold;
+}
+
 /* Contacts closed after impacts: those that were closed and those that struck, if they stay and do not pull. */
 static lag_status conclude(lag_contacts *contacts, double t, const double *x)
 {

@@ -80,13 +80,19 @@ double lag_instants_next(const lag_instants *instants)
     return next;
 }
 
-int lag_instants_due(const lag_instants *instants, double t)
+/* True if a clock ticks, or bounces are over. */
+static int is_told(const lag_instants *instants, double t)
 {
     size_t i = 0;
     while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
         ++i;
     }
-    return i < instants->motion->model->nclock || instants->timed.next <= t || lag_contacts_next(&instants->contacts) <= t;
+    return i < instants->motion->model->nclock || lag_contacts_next(&instants->contacts) <= t;
+}
+
+int lag_instants_due(const lag_instants *instants, double t)
+{
+    return is_told(instants, t) || instants->timed.next <= t;
 }
 
 double lag_instants_same(const lag_instants *instants, double t)
@@ -155,12 +161,8 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);
     }
-    if (status == LAG_OK) {
-        status = start_clocks(instants, t);
-    }
-    if (status == LAG_OK) {
-        status = ring(instants, t, x);
-    }
+    status = status == LAG_OK ? start_clocks(instants, t) : status;
+    status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status != LAG_OK) {
         return status;
     }
@@ -271,25 +273,25 @@ static lag_status follow(lag_instants *instants, double t, const double *x)
 
 lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)
 {
-    const lag_model *model = instants->motion->model;
     int jumped = 0;
     *quiet = 0;
-    for (size_t i = 0; i < model->nclock; ++i) {
-        if (is_due(instants, i, t)) {
-            return LAG_OK;
-        }
-    }
-    if (lag_contacts_next(&instants->contacts) <= t) {
+    if (is_told(instants, t)) {
         return LAG_OK;
     }
     remember(instants, x);
     lag_status status = turn(instants, t, x, &jumped);
-    *quiet = !jumped && !lag_timed_told(&instants->timed);
+    *quiet = !jumped && !lag_timed_told(&instants->timed) && lag_contacts_hold(&instants->contacts, t, x);
     if (!*quiet) {
-        memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
-        memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
+        lag_instants_take_back(instants, x);
     }
-    return status == LAG_OK && *quiet ? lag_timed_seek(&instants->timed, t) : status;
+    return status;
+}
+
+void lag_instants_take_back(const lag_instants *instants, double *x)
+{
+    const lag_model *model = instants->motion->model;
+    memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
+    memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
 }
 
 /* Carries out all that is due before the clauses: changes with time, clocks, the end of bounces. */
@@ -297,12 +299,8 @@ static lag_status strike(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;
     lag_status status = instants->timed.next <= t ? turn(instants, t, x, &jumped) : LAG_OK;
-    if (status == LAG_OK) {
-        status = rest(instants, t, x);
-    }
-    if (status == LAG_OK) {
-        status = ring(instants, t, x);
-    }
+    status = status == LAG_OK ? rest(instants, t, x) : status;
+    status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status == LAG_OK && instants->timed.next <= t) {
         status = tell_turned(instants, t, x);
         instants->timed.next = (double)INFINITY;

@@ -43,8 +43,11 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x);
 /* Time of the next tick, of what time alone changes, or of the end of bounces too short to follow; infinite without. */
 double lag_instants_next(const lag_instants *instants);
 
-/* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done. */
+/* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done, but for the search for the next ones. */
 lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet);
+
+/* The state and the discretes before what was done quietly. */
+void lag_instants_take_back(const lag_instants *instants, double *x);
 
 /*
  * Inputs jump at t from `before` (nu) to the present ones: rates follow the momenta that inputs prescribe. If it is a `blow`, contacts open

@@ -62,33 +62,55 @@ int lag_run_due(const lag_run *run, double t)
     return has_instants(run) && lag_instants_due(&run->instants, t);
 }
 
+/* *any: forces or inputs that have jumped turn relations, flagged in `changed`, or pull at closed contacts. */
+static lag_status find_turned(lag_run *run, int *any)
+{
+    const lag_model *model = run->motion.model;
+    double *changed = run->crossings.changed;
+    lag_status status = LAG_OK;
+    *any = 0;
+    if (model->nindicator + model->ncontact > 0) {
+        status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
+    }
+    if (status == LAG_EVENT_PENDING) {
+        *any = lag_any(model->nindicator + model->ncontact, changed);
+        lag_fill(model->ncontact, 0.0, changed + model->nindicator); /* these follow */
+        status = LAG_OK;
+    }
+    return status;
+}
+
 lag_status lag_run_ticks(lag_run *run)
 {
+    lag_stepper *s = &run->stepper;
     int quiet = 0;
-    if (!lag_run_due(run, run->stepper.t)) {
+    int turned = 0;
+    if (!lag_run_due(run, s->t)) {
         return LAG_OK;
     }
-    lag_status status = lag_instants_quietly(&run->instants, run->stepper.t, run->stepper.x, &quiet);
-    if (quiet || status != LAG_OK) {
+    lag_status status = lag_instants_quietly(&run->instants, s->t, s->x, &quiet);
+    if (status == LAG_OK && quiet) {
+        status = find_turned(run, &turned);
+    }
+    if (status != LAG_OK) {
         return status;
+    }
+    if (quiet && !turned) {
+        return lag_timed_seek(&run->instants.timed, s->t);
+    }
+    if (turned) {
+        lag_instants_take_back(&run->instants, s->x);
     }
     ++run->events;
     status = tell(run, LAG_BEFORE);
-    return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
+    return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, s->t, s->x)) : status;
 }
 
-/* Relations, conditions and values that `pre` reads that are other with the inputs of now. */
+/* Relations, conditions and values that `pre` reads that are other with the inputs of now; closed contacts that pull. */
 static lag_status find_changed(lag_run *run, int *any)
 {
-    const lag_model *model = run->motion.model;
-    const lag_stepper *s = &run->stepper;
-    lag_status status = model->nindicator > 0 ? lag_zero_crossing_look(&run->crossings, s->t, s->x) : LAG_OK;
-    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
-        run->crossings.changed[model->nindicator + i] = 0.0;
-    }
-    *any = status == LAG_EVENT_PENDING && lag_any(model->nindicator, run->crossings.changed);
-    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
-    return status == LAG_OK && !*any ? lag_event_iteration_conditions(&run->instants.iteration, s->t, s->x, any) : status;
+    const lag_status status = find_turned(run, any);
+    return status == LAG_OK && !*any ? lag_event_iteration_conditions(&run->instants.iteration, run->stepper.t, run->stepper.x, any) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)
