@@ -1,17 +1,23 @@
 #include "lag/events/impact.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/vector.h"
 
+/* Newton's method where T is not quadratic in the rates; a step beyond the rates that there are is halved so often. */
+enum { MOST_STEPS = 30, MOST_HALVES = 30 };
+/* It ends when the residual of the momenta is this part of their size. */
+static const double ROUNDING = 1e-12;
+
 size_t lag_impact_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t k = model->ngap;
-    return n * n + m * n + 3 * m + 3 * n + model->nz + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nnls_memory(k);
+    return n * n + m * n + 3 * m + 7 * n + model->nz + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nnls_memory(k);
 }
 
 void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
@@ -36,9 +42,22 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
     impact->compliance = lag_take(&memory, k * k);
     impact->wanted = lag_take(&memory, k);
     impact->impulse = lag_take(&memory, k);
+    impact->rates = lag_take(&memory, n);
+    impact->step = lag_take(&memory, n);
+    impact->kept = lag_take(&memory, n);
+    impact->reached = lag_take(&memory, n);
     impact->system = lag_take(&memory, lag_system_memory(n, m));
     impact->search = memory;
     memset(impact->gamma, 0, m * sizeof(double));
+}
+
+/* Momenta dL/dqd. */
+static lag_status look_at_momenta(lag_impact *impact, double t, const double *x, double *momenta)
+{
+    lag_motion *motion = impact->motion;
+    lag_fill(motion->model->nq, 0.0, momenta);
+    lag_motion_look(motion, t, x);
+    return motion->model->momenta != NULL ? motion->model->momenta(&motion->at, momenta) : LAG_OK;
 }
 
 /* M and the rows of the lasting constraints. */
@@ -101,8 +120,21 @@ static size_t cut_down(lag_impact *impact)
     return rows;
 }
 
-/* Responses (blow->count, impact->count) of rates and speeds to unit impulses. */
-static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow)
+/*
+ * The change of the rates without impulses of gaps that leaves the momenta as they were before the blow; none in the first step. It needs
+ * rates at which constraints are satisfied.
+ */
+static void go_free(lag_impact *impact, lag_system *system)
+{
+    for (size_t j = 0; j < impact->count; ++j) {
+        const size_t of = (size_t)impact->chosen[j];
+        impact->force[j] = impact->kept[of] - impact->reached[of];
+    }
+    lag_system_solve(system, impact->force, impact->gamma, impact->step, impact->lam);
+}
+
+/* Responses (blow->count, impact->count) of rates and speeds to unit impulses; speeds that are wanted, in the rates `qd` and the step so far. */
+static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow, const double *qd)
 {
     const size_t n = impact->motion->model->nq;
     for (size_t i = 0; i < blow->count; ++i) {
@@ -110,15 +142,20 @@ static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow
         lag_system_solve(system, impact->force, impact->gamma, impact->response + i * impact->count, impact->lam);
     }
     for (size_t i = 0; i < blow->count; ++i) {
-        impact->wanted[i] = (1.0 + blow->factor[i]) * blow->speed[i];
         pick(impact, blow->rows + i * n, impact->force);
+        impact->wanted[i] = (1.0 + blow->factor[i]) * blow->speed[i];
+        for (size_t j = 0; j < impact->count; ++j) {
+            const size_t of = (size_t)impact->chosen[j];
+            impact->wanted[i] += impact->force[j] * (qd[of] - impact->rates[of] + impact->step[j]);
+        }
         for (size_t j = 0; j < blow->count; ++j) {
             impact->compliance[i * blow->count + j] = lag_dot(impact->count, impact->force, impact->response + j * impact->count);
         }
     }
 }
 
-lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_blow *blow)
+/* One step, by the M and the momenta at x, into impact->step. */
+static lag_status find_step(lag_impact *impact, double t, const double *x, const lag_blow *blow)
 {
     const lag_model *model = impact->motion->model;
     lag_system system;
@@ -136,12 +173,79 @@ lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_
     if (status != LAG_OK) {
         return status;
     }
-    respond(impact, &system, blow);
+    go_free(impact, &system);
+    respond(impact, &system, blow, x + model->nq);
     lag_nnls(blow->count, impact->compliance, impact->wanted, impact->impulse, impact->search);
     for (size_t i = 0; i < blow->count; ++i) {
         for (size_t j = 0; j < impact->count; ++j) {
-            x[model->nq + (size_t)impact->chosen[j]] += impact->impulse[i] * impact->response[i * impact->count + j];
+            impact->step[j] += impact->impulse[i] * impact->response[i * impact->count + j];
         }
     }
     return LAG_OK;
+}
+
+/* Adds this part of the step to the rates. */
+static void add_step(const lag_impact *impact, double part, double *qd)
+{
+    for (size_t j = 0; j < impact->count; ++j) {
+        qd[(size_t)impact->chosen[j]] += part * impact->step[j];
+    }
+}
+
+static int are_finite(const lag_impact *impact)
+{
+    size_t i = 0;
+    while (i < impact->motion->model->nq && isfinite(impact->reached[i])) {
+        ++i;
+    }
+    return i == impact->motion->model->nq;
+}
+
+/* 1: the momenta at rates `qd` are those that the whole of the step leads to in the first order, which are in impact->force. */
+static int is_reached(const lag_impact *impact, const double *qd)
+{
+    int reached = 1;
+    for (size_t i = 0; i < impact->count; ++i) {
+        const double now = impact->reached[(size_t)impact->chosen[i]];
+        double size = fabs(now) + fabs(impact->force[i]);
+        for (size_t j = 0; j < impact->count; ++j) {
+            size += fabs(impact->mass[i * impact->count + j] * qd[(size_t)impact->chosen[j]]);
+        }
+        reached = reached && fabs(now - impact->force[i]) <= ROUNDING * size;
+    }
+    return reached;
+}
+
+/* Takes the step, or as much of it as there are momenta for; *done: these are those that it leads to. */
+static lag_status go(lag_impact *impact, double t, double *x, int *done)
+{
+    const size_t n = impact->count;
+    double *qd = x + impact->motion->model->nq;
+    double part = 1.0;
+    for (size_t i = 0; i < n; ++i) {
+        impact->force[i] = impact->reached[(size_t)impact->chosen[i]] + lag_dot(n, impact->mass + i * n, impact->step);
+    }
+    add_step(impact, part, qd);
+    lag_status status = look_at_momenta(impact, t, x, impact->reached);
+    for (int k = 0; k < MOST_HALVES && status == LAG_OK && !are_finite(impact); ++k) {
+        part *= 0.5;
+        add_step(impact, -part, qd);
+        status = look_at_momenta(impact, t, x, impact->reached);
+    }
+    *done = part == 1.0 && is_reached(impact, qd);
+    return status;
+}
+
+lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_blow *blow)
+{
+    const size_t n = impact->motion->model->nq;
+    int done = 0;
+    lag_status status = look_at_momenta(impact, t, x, impact->kept);
+    memcpy(impact->rates, x + n, n * sizeof(double));
+    memcpy(impact->reached, impact->kept, n * sizeof(double));
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK && !done; ++k) {
+        status = find_step(impact, t, x, blow);
+        status = status == LAG_OK ? go(impact, t, x, &done) : status;
+    }
+    return status == LAG_OK && !done ? LAG_EVENT_ITERATION_FAILED : status;
 }

@@ -3,7 +3,8 @@
  *
  *     M (v+ - v-) = Jc' p + J' P,   J v+ + b = 0,   0 <= p, Jc v+ + e Jc v- >= 0, one of the two zero for each gap
  *
- * Newton's law of impact as a linear complementarity problem, whose matrix is symmetric and positive semidefinite.
+ * Newton's law of impact as a linear complementarity problem, whose matrix is symmetric and positive semidefinite. Where T is not quadratic in the
+ * rates, momenta dL/dqd change instead of M v: Newton's method solves such problems with the M of the rates so far.
  *
  * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996.
  */
@@ -24,6 +25,8 @@ typedef struct lag_impact {
     double *response, *compliance;      /* (ngap, nq) (ngap, ngap) */
     double *force, *gamma, *lam;        /* (nq) (nc) (nc) */
     double *wanted, *impulse;           /* (ngap) */
+    double *rates, *step;               /* (nq) before the blow; the change in one step, */
+    double *kept, *reached;             /* (nq) momenta before the blow and now */
     double *system, *search;
 } lag_impact;
 
@@ -42,7 +45,7 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory);
 
 /*
  * The rates in x = (q, qd, z) at time t, which satisfy the lasting constraints, after the blow. Closed contacts take part as gaps, not
- * as constraints. LAG_SINGULAR: some rates are not determined; x stays.
+ * as constraints. LAG_SINGULAR: some rates are not determined; x stays. LAG_EVENT_ITERATION_FAILED: no rates have these momenta.
  */
 lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_blow *blow);
 
