@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from sympy import Expr, Symbol
 
-from lagdsl.textbook.symbols import replaced
+from lagdsl.textbook.symbols import postorder, replaced
 from lagdsl.textbook.tidy import size
 
 LONGEST = 700
@@ -111,14 +111,7 @@ class Intermediates:
 def _sizes(expression: Expr) -> dict[Expr, int]:
     """Of each part, the parts of a part before it."""
     known: dict[Expr, int] = {}
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        waiting = [argument for argument in node.args if argument not in known]
-        if waiting:
-            stack += waiting
-            continue
-        stack.pop()
+    for node in postorder(expression, known):
         known[node] = 1 + sum(known[argument] for argument in node.args)
     return known
 

@@ -11,6 +11,8 @@ from collections.abc import Mapping
 import sympy
 from sympy import Add, Expr, Integer, Mul, Symbol
 
+from lagdsl.textbook.symbols import postorder
+
 _ZERO = Integer(0)
 
 
@@ -22,17 +24,8 @@ def partial(expression: Expr, symbol: Symbol) -> Expr:
 def along(expression: Expr, rates: Mapping[Symbol, Expr]) -> Expr:
     """The chain rule: the sum of partial derivatives times `rates`; symbols without a rate are held."""
     known: dict[Expr, Expr] = dict(rates)
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        if node in known:
-            stack.pop()
-            continue
-        waiting = [argument for argument in node.args if argument not in known]
-        if waiting:
-            stack.extend(waiting)
-        else:
-            known[stack.pop()] = _rule(node, [known[argument] for argument in node.args])
+    for node in postorder(expression, known):
+        known[node] = _rule(node, [known[argument] for argument in node.args])
     return known[expression]
 
 

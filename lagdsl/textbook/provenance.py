@@ -18,7 +18,7 @@ from lagdsl.flat.quantity import Item, Spans
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import Contributions, admissible_variation, work
 from lagdsl.textbook.differentiate import partial
-from lagdsl.textbook.symbols import Symbols, occurring
+from lagdsl.textbook.symbols import Symbols, occurring, postorder
 from lagdsl.textbook.tidy import Tidy, TooLargeError, size
 
 Kind: TypeAlias = Literal["mass", "body", "gravity", "energy", "load", "constraint"]
@@ -173,14 +173,7 @@ class Parents:
 def angles_apart(expression: Expr) -> Expr:
     """Sines and cosines of short sums by the addition theorems."""
     known: dict[Expr, Expr] = {}
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        waiting = [argument for argument in node.args if argument not in known]
-        if waiting:
-            stack.extend(waiting)
-            continue
-        stack.pop()
+    for node in postorder(expression, known):
         arguments = tuple(known[argument] for argument in node.args)
         made = node if arguments == node.args else node.func(*arguments)
         if isinstance(made, sin | cos) and made.args[0].is_Add and len(made.args[0].args) <= _LONGEST_ANGLE:

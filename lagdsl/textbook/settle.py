@@ -7,6 +7,7 @@ from collections.abc import Callable
 from sympy import Expr, Integer, Rational, igcd
 
 from lagdsl.textbook import functions
+from lagdsl.textbook.symbols import postorder
 
 _RELATIONS: dict[type, Callable[[Expr, Expr], bool]] = {
     functions.Less: lambda x, y: bool(x < y),
@@ -27,15 +28,8 @@ _OF_NUMBERS: dict[type, Callable[..., Expr]] = {
 def settled(expression: Expr) -> Expr:
     """The expression with every choice between rational numbers made; derivatives keep no steps of numbers."""
     known: dict[Expr, Expr] = {}
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        waiting = [argument for argument in node.args if argument not in known]
-        if waiting:
-            stack.extend(waiting)
-            continue
+    for node in postorder(expression, known):
         known[node] = step(node if not node.args else _rebuilt(node, [known[each] for each in node.args]))
-        stack.pop()
     return known[expression]
 
 

@@ -7,7 +7,7 @@ independent in partial derivatives, and the total derivative is the chain rule o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 
 from sympy import Expr, Integer, Symbol
@@ -74,19 +74,29 @@ def occurring(expression: Expr) -> set[Symbol]:
     return found
 
 
+def postorder(expression: Expr, known: Container[Expr]) -> Iterator[Expr]:
+    """Every node after its arguments, shared ones once; nodes in `known` are left out with all below.
+
+    The caller enters each node into `known` before it asks for the next one. Expressions may nest deeper than Python
+    recurses.
+    """
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        if node in known:
+            continue
+        waiting = [argument for argument in node.args if argument not in known]
+        if waiting:
+            stack += (node, *waiting)
+        else:
+            yield node
+
+
 def replaced(expression: Expr, by: Mapping[Symbol, Expr]) -> Expr:
     """The expression with symbols replaced; shared parts are made once, which SymPy's `xreplace` does not."""
     known: dict[Expr, Expr] = dict(by)
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        waiting = [argument for argument in node.args if argument not in known]
-        if waiting:
-            stack.extend(waiting)
-            continue
-        stack.pop()
-        if node not in known:
-            inner = [known[argument] for argument in node.args]
-            same = all(one is other for one, other in zip(inner, node.args, strict=True))
-            known[node] = node if same else node.func(*inner)
+    for node in postorder(expression, known):
+        inner = [known[argument] for argument in node.args]
+        same = all(one is other for one, other in zip(inner, node.args, strict=True))
+        known[node] = node if same else node.func(*inner)
     return known[expression]

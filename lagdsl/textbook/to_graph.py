@@ -11,6 +11,7 @@ from sympy import Expr, Symbol
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.textbook import functions
+from lagdsl.textbook.symbols import postorder
 
 _UNARY: dict[type, Op] = {
     sympy.sin: Op.SIN,
@@ -56,19 +57,9 @@ class ToGraph:
         self._memo[symbol] = self.node(value)
 
     def node(self, expression: Expr) -> int:
-        """Post-order walk with a stack of its own: derivatives may nest deeper than Python likes."""
-        stack = [expression]
         memo = self._memo
-        while stack:
-            top = stack[-1]
-            if top in memo:
-                stack.pop()
-                continue
-            waiting = [argument for argument in top.args if argument not in memo]
-            if waiting:
-                stack.extend(waiting)
-            else:
-                memo[stack.pop()] = self._make(top)
+        for part in postorder(expression, memo):
+            memo[part] = self._make(part)
         return memo[expression]
 
     def _make(self, expression: Expr) -> int:
