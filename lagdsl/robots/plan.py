@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 from lagdsl.record import record
 from lagdsl.robots.actuators import effort_of
@@ -12,6 +12,7 @@ from lagdsl.robots.names import Names, model_name
 
 LimitStyle: TypeAlias = Literal["range", "contact", "none"]
 Drives: TypeAlias = Literal["file", "all", "none"]
+Role: TypeAlias = Literal["origin", "end", "gear", "friction", "lower", "upper", "within"]
 COORDINATES: dict[JointKind, str] = {"revolute": "q", "prismatic": "s"}
 """The coordinate of a joint that moves along one."""
 
@@ -40,7 +41,7 @@ class NamedServo:
 class Plan:
     """Names in the text by the original ones. `resting` are the links that no joint moves; `base` is the joint of a
     root that moves freely, `drives` the actuators with the names of their inputs, `tendons` have names of their
-    lengths."""
+    lengths. `parts` has the names of what stands beside a joint or a tendon, by its name and the role of the part."""
 
     robot: Robot
     style: Style
@@ -51,6 +52,7 @@ class Plan:
     drives: tuple[tuple[str, Actuator], ...]
     servos: tuple[NamedServo, ...]
     tendons: tuple[tuple[str, Tendon], ...]
+    parts: dict[tuple[str, Role], str]
     resting: frozenset[str]
 
 
@@ -65,16 +67,21 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
         (names.of(_input_name(actuator, kinds[actuator.joint]), "input"), actuator)
         for actuator in _actuators(robot, style)
     ]
+    base = names.of("floating_base", "joint") if style.floating else None
+    servos = tuple(_servo(servo, names) for servo in robot.servos) if style.actuators == "file" else ()
+    tendons = tuple((names.of(tendon.name, "tendon", tendon.span), tendon) for tendon in robot.tendons)
+    owners = [*joints.values(), *(name for name, _ in tendons)]
     return Plan(
         robot=robot,
         style=style,
         model=model,
         links=links,
         joints=joints,
-        base=names.of("floating_base", "joint") if style.floating else None,
+        base=base,
         drives=tuple(drives),
-        servos=tuple(_servo(servo, names) for servo in robot.servos) if style.actuators == "file" else (),
-        tendons=tuple((names.of(tendon.name, "tendon", tendon.span), tendon) for tendon in robot.tendons),
+        servos=servos,
+        tendons=tendons,
+        parts={(owner, role): names.of(f"{owner}_{role}", "part") for owner in owners for role in get_args(Role)},
         resting=frozenset() if style.floating else rigid_with_root(robot),
     )
 

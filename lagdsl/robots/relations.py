@@ -27,11 +27,11 @@ def acting(plan: Plan) -> list[str]:
         name, coordinate = plan.joints[joint.name], coordinate_of(plan, joint)
         if joint.mimic is not None:
             value = _imitated(plan, joint, of[joint.mimic.joint], joint.mimic)
-            found.append(f"constraint {name}_gear: {coordinate} = {value};")
+            found.append(f"constraint {plan.parts[name, 'gear']}: {coordinate} = {value};")
         if joint.passive.friction:
-            found += _friction(joint, name, coordinate)
+            found += _friction(joint, plan.parts[name, "friction"], coordinate)
         if plan.style.limits == "contact":
-            found += _stops(joint, name, coordinate)
+            found += _stops(plan, joint, name, coordinate)
     return found
 
 
@@ -88,20 +88,20 @@ def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
     )
     value = number(joint.passive.friction)
     return [
-        f"Lag.{library}.CoulombFriction {name}_friction({symbol} = {value});",
-        f"connect({coordinate}, {name}_friction.{port});",
+        f"Lag.{library}.CoulombFriction {name}({symbol} = {value});",
+        f"connect({coordinate}, {name}.{port});",
     ]
 
 
-def _stops(joint: Joint, name: str, coordinate: str) -> Iterator[str]:
+def _stops(plan: Plan, joint: Joint, name: str, coordinate: str) -> Iterator[str]:
     """Contacts without bounce at the limits."""
     unit = "rad" if joint.kind == "revolute" else "m"
     if joint.limits.lower is not None:
         gap = difference(coordinate, quantity(joint.limits.lower, unit)).strip("()")
-        yield f"contact {name}_lower: {gap} >= 0 with restitution = 0;"
+        yield f"contact {plan.parts[name, 'lower']}: {gap} >= 0 with restitution = 0;"
     if joint.limits.upper is not None:
         gap = sum_of([quantity(joint.limits.upper, unit), f"-{coordinate}"]) if joint.limits.upper else f"-{coordinate}"
-        yield f"contact {name}_upper: {gap} >= 0 with restitution = 0;"
+        yield f"contact {plan.parts[name, 'upper']}: {gap} >= 0 with restitution = 0;"
 
 
 def difference(left: str, right: str) -> str:

@@ -150,12 +150,12 @@ def _limits(plan: Plan, name: str, limits: Bounds, unit: str) -> Iterator[str]:
         return
     if plan.style.limits == "contact":
         gap = _bare(difference(name, quantity(limits.low, unit)))
-        yield f"contact {name}_lower: {gap} >= 0 with restitution = 0;"
+        yield f"contact {plan.parts[name, 'lower']}: {gap} >= 0 with restitution = 0;"
         gap = sum_of([quantity(limits.high, unit), f"-{name}"]) if limits.high else f"-{name}"
-        yield f"contact {name}_upper: {gap} >= 0 with restitution = 0;"
+        yield f"contact {plan.parts[name, 'upper']}: {gap} >= 0 with restitution = 0;"
     elif plan.style.limits == "range":
         ends = f"min = {number(limits.low)}, max = {number(limits.high)}"
-        yield f"output {_type(unit)} {name}_within({ends}) = {name};"
+        yield f"output {_type(unit)} {plan.parts[name, 'within']}({ends}) = {name};"
 
 
 def _motion(plan: Plan, named: NamedServo) -> tuple[str, str]:

@@ -9,7 +9,7 @@ from typing import assert_never
 from lagdsl.robots.description import ZERO, Joint, Link, Pose
 from lagdsl.robots.drawings import drawings
 from lagdsl.robots.numbers import angle, array, number, quantity, vector
-from lagdsl.robots.plan import Plan, is_body
+from lagdsl.robots.plan import Plan, Role, is_body
 from lagdsl.robots.relations import acting, energies
 from lagdsl.robots.servos import activations, servo_inputs, servos, tendons
 from lagdsl.syntax.print_expressions import quoted
@@ -81,17 +81,16 @@ def _joints(plan: Plan) -> Iterator[str]:
         if joint.kind == "fixed":
             yield _weld(plan.joints[joint.name], joint.before)
             continue
-        for name, pose in _mounts(plan, joint):
+        for role, pose in _mounts(joint):
+            name = plan.parts[plan.joints[joint.name], role]
             yield _weld(name, pose) if any(pose.rpy) else f"FixedTranslation {name}(r = {vector(pose.xyz)});"
         yield _joint(plan, joint)
 
 
-def _mounts(plan: Plan, joint: Joint) -> Iterator[tuple[str, Pose]]:
-    """The displacements before and behind a joint, with their names."""
-    name = plan.joints[joint.name]
-    for end, pose in (("origin", joint.before), ("end", joint.after)):
-        if not pose.is_identity:
-            yield f"{name}_{end}", pose
+def _mounts(joint: Joint) -> Iterator[tuple[Role, Pose]]:
+    """The displacements before and behind a joint."""
+    mounts: tuple[tuple[Role, Pose], ...] = (("origin", joint.before), ("end", joint.after))
+    return ((role, pose) for role, pose in mounts if not pose.is_identity)
 
 
 def _weld(name: str, pose: Pose) -> str:
@@ -154,7 +153,7 @@ def _attributes(plan: Plan, joint: Joint) -> list[str]:
 
 
 def _effort(joint: Joint, name: str, gear: float | None) -> str:
-    return name if gear is None else f"{quantity(gear, 'N.m' if joint.kind == 'revolute' else 'N')}*{name}"
+    return name if gear is None else f"{number(gear)} {'N.m' if joint.kind == 'revolute' else 'N'}*{name}"
 
 
 # ---- inputs and connections ------------------------------------------------------------------------------------------
@@ -190,5 +189,8 @@ def _connections(plan: Plan) -> list[str]:
 def _through(plan: Plan, joint: Joint) -> list[str]:
     """A joint with what stands before and behind it."""
     name = plan.joints[joint.name]
-    ends = [] if joint.kind == "fixed" else [mount for mount, _ in _mounts(plan, joint)]
-    return [*(end for end in ends if end == f"{name}_origin"), name, *(end for end in ends if end == f"{name}_end")]
+    if joint.kind == "fixed":
+        return [name]
+    roles = [role for role, _ in _mounts(joint)]
+    before, behind = ([plan.parts[name, role] for role in roles if role == end] for end in ("origin", "end"))
+    return [*before, name, *behind]

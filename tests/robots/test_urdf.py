@@ -24,6 +24,7 @@ COORDINATES = {
 }
 DAMPING = {"shoulder": 0.7, "slide": 12.0}
 GEAR = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, -0.8]])
+ROUND = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 OUTPUTS = """
   output Length p[3] = tool.origin;
   output Velocity v[3] = der(tool.origin);
@@ -169,3 +170,23 @@ def test_names_that_the_language_does_not_have_are_told(tmp_path: Path) -> None:
     assert "the link `a.b` is called `a_b_link` in the text" in renamed
     assert "the joint `Länge` is called `Lange_joint` in the text" in renamed
     assert not any("`mass` is called `mass_link`" in each for each in renamed)
+
+
+@pytest.mark.parametrize("limits", ["range", "contact"])
+def test_what_stands_beside_a_joint_has_a_free_name(tmp_path: Path, limits: str) -> None:
+    """Links and joints of the file may be called as the text would call its origin, gear, friction and stops."""
+    roles = ["j_origin", "j_gear", "j_friction", "j_lower", "j_upper", "tau_j"]
+    names = ["l", *roles, "end_of_chain"]
+    rest = '<origin xyz="1 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    mimic = '<mimic joint="j_gear_joint" multiplier="2"/><dynamics friction="0.5"/>'
+    parts = "".join(f'<link name="{name}"><inertial><mass value="1"/>{ROUND}</inertial></link>' for name in names)
+    for before, name in pairwise(names):
+        own, more = ("j", mimic) if name == "j_origin" else (f"{name}_joint", "")
+        ends = f'<parent link="{before}"/><child link="{name}"/>'
+        parts += f'<joint name="{own}" type="revolute">{ends}{rest}{more}</joint>'
+    path = tmp_path / "robot.urdf"
+    path.write_text(f'<robot name="r">{parts}</robot>')
+    text, told = imported(path, limits=limits)
+    assert [each.code for each in lagdsl.check(text) if each.severity != "note"] == []
+    assert not told  # all names of the file are kept
+    assert "FixedTranslation j_origin_part(r = {1, 0, 0});" in text and "constraint j_gear_part: " in text
