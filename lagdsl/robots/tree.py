@@ -11,6 +11,7 @@ from lagdsl.robots.findings import Findings
 from lagdsl.robots.xml_tree import Element
 
 MAX_LINKS = 1000
+_FREE = "let one of the joints that imitate each other move by itself"
 
 
 def root_of(robot: Element, links: Sequence[Link], joints: Sequence[Joint], findings: Findings) -> str | None:
@@ -98,7 +99,8 @@ def _is_sound(joint: Joint, mimic: Mimic, of: dict[str, Joint], findings: Findin
         seen.add(now.name)
         now = of.get(now.mimic.joint)
     if now is not None and now.name == joint.name:
-        findings.error("E1017", mimic.span, reason=f"the joint `{joint.name}` imitates itself", instead=instead)
+        reason = f"the joint `{joint.name}` imitates itself"
+        findings.error("E1017", mimic.span, reason=reason, help=_FREE, instead=instead)
         return False
     return True
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import deque
 from pathlib import Path
 
 from lagdsl.robots.actuators import effort_of
@@ -12,6 +14,7 @@ from lagdsl.robots.inertia import read_inertial
 from lagdsl.robots.tree import root_of, sound_mimics, weightless_as_rigid
 from lagdsl.robots.visuals import read_visuals
 from lagdsl.robots.xml_tree import Element
+from lagdsl.source import Span
 
 _KINDS: dict[str, JointKind] = {
     "revolute": "revolute",
@@ -22,6 +25,7 @@ _KINDS: dict[str, JointKind] = {
     "planar": "planar",
 }
 _TOP = frozenset({"link", "joint", "transmission", "material"})
+_MACRO = re.compile(r"\$[({]")
 _OF_LINKS = frozenset({"inertial", "visual"})
 _OF_JOINTS = frozenset({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"})
 
@@ -39,6 +43,10 @@ class _Reader:
         self.findings = findings
 
     def robot(self, root: Element) -> Robot | None:
+        macro = _unexpanded(root)
+        if macro is not None:
+            self.findings.error("E1025", macro)
+            return None
         self.read.leave_out_others(root, _TOP)
         links = [link for element in root.all("link") if (link := self._link(element)) is not None]
         self.read.tell_untaken()
@@ -174,3 +182,17 @@ class _Reader:
                     span = each.place("name")
                     found.setdefault(name, effort_of(moved[name], span))
         return tuple(found.values()) or None
+
+
+def _unexpanded(root: Element) -> Span | None:
+    """The first macro, or value with a macro, of xacro, in what is read: links and joints would be missing."""
+    waiting = deque([root, *(child for child in root.children if child.tag in _TOP or child.tag.startswith("xacro:"))])
+    while waiting:
+        element = waiting.popleft()
+        if element.tag.startswith("xacro:"):
+            return element.head
+        for name, value in element.attributes.items():
+            if _MACRO.search(value):
+                return element.place(name)
+        waiting.extend(element.children if element is not root else ())
+    return None

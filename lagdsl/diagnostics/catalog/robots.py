@@ -50,7 +50,7 @@ ROWS: dict[str, Row] = {
     ),
     "E1016": error("`{what}` has no place in the language", label="this element", help=_LENIENT),
     "E1017": error(
-        "the links are no tree: {reason}",
+        "the robot is no tree: {reason}",
         label="this joint or link",
         help="a robot has one link at its base, and every other link one joint to the link before it",
     ),
@@ -80,5 +80,10 @@ ROWS: dict[str, Row] = {
         "contacts between shapes are left out: MuJoCo lets {bodies} touch others",
         label="the first one",
         help="write a `contact` or a `PlaneContact` for each point that touches something",
+    ),
+    "E1025": error(
+        "the file is a template of xacro, which is not expanded",
+        label="a macro, or a value that has to be computed",
+        help="expand it first, `xacro FILE > robot.urdf`, and import the result",
     ),
 }
