@@ -11,18 +11,25 @@ from typing import Any
 
 from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_actuators import actuators_of, tendons_of
+from lagdsl.robots.mjcf_actuators import ACTUATORS, actuators_of, tendons_of
 from lagdsl.robots.mjcf_bounds import check_bounds, check_numbers
 from lagdsl.robots.mjcf_contacts import tell_contacts
 from lagdsl.robots.mjcf_features import tell_features
-from lagdsl.robots.mjcf_parts import Places, joints_of, links_of
-from lagdsl.robots.tree import MAX_LINKS, weightless_as_rigid
+from lagdsl.robots.mjcf_parts import Kind, Places, joints_of, links_of, sites_of
+from lagdsl.robots.tree import MAX_LINKS, sound_mimics, weightless_as_rigid
 from lagdsl.robots.visuals import leads_out
 from lagdsl.robots.xml_tree import Element, read_xml
-from lagdsl.source import Span
 
 _MAX_FILES = 100
-_NOT_READ = ("camera", "light", "sensor", "site", "keyframe", "contact", "numeric", "text", "tuple", "spatial")
+# Tags of parts by the section of the file that holds them, and what MuJoCo calls them.
+_KINDS: dict[str, tuple[frozenset[str], Kind]] = {
+    "worldbody": (frozenset({"body"}), "body"),
+    "equality": (frozenset({"connect", "weld", "joint", "tendon", "flex", "flexvert", "flexstrain"}), "equality"),
+    "tendon": (frozenset({"fixed", "spatial"}), "tendon"),
+    "actuator": (ACTUATORS, "actuator"),
+}
+_IN_BODIES: dict[str, Kind] = {"joint": "joint", "freejoint": "joint", "site": "site"}
+_NOT_READ = ("camera", "light", "sensor", "keyframe", "contact", "numeric", "text", "tuple", "spatial")
 _GRAVITY_OFF = "mjDSBL_GRAVITY"
 
 
@@ -41,18 +48,25 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
     model = _model(mujoco, path, root, findings)
     if model is None:
         return None
-    if model.nbody > MAX_LINKS:
-        findings.error("E1002", root.head, what="this robot", limit=MAX_LINKS, unit="bodies")
+    if model.nbody + model.nsite > MAX_LINKS:
+        findings.error("E1002", root.head, what="this robot", limit=MAX_LINKS, unit="bodies and sites")
         return None
     check_numbers(model, root, findings)
     if findings.sink.has_errors:
         return None
-    places = Places(mujoco, model, root.head, _named(elements), path.parent)
+    parts = _parts(root)
+    named = {(kind, part.attributes.get("name", "")): part for kind, own in parts.items() for part in own}
+    places = Places(mujoco, model, root.head, parts, named, path.parent)
     tell_features(mujoco, model, places, findings)
     _tell_left_out(elements, findings)
     tell_contacts(places, findings)
-    links, base = links_of(places, findings), places.body(0)
-    joints = weightless_as_rigid(base, links, joints_of(places, findings), findings)
+    links, base, sites = links_of(places, findings), places.body(0), list(sites_of(places))
+    joints = sound_mimics(joints_of(places, findings), findings)
+    if findings.sink.has_errors:  # joints that imitate each other in a circle have no leader
+        return None
+    joints = weightless_as_rigid(base, links, joints, findings)
+    links += [link for link, _ in sites]
+    joints += [joint for _, joint in sites]
     tendons = tendons_of(places, joints, findings)
     drives = actuators_of(places, joints, findings)
     if findings.sink.has_errors:
@@ -94,7 +108,8 @@ def _model(mujoco: Any, path: Path, root: Element, findings: Findings) -> Any:
 
 
 def _all_elements(path: Path, root: Element, findings: Findings) -> list[Element] | None:
-    """The elements of a file and of those that it includes; every file is checked before MuJoCo opens one.
+    """The elements of a file and of those that it includes, which become children of `<include>`; every file is checked
+    before MuJoCo opens one.
 
     E1013 for a name that leads out of the folder of the robot; None after errors of an included file.
     """
@@ -102,22 +117,19 @@ def _all_elements(path: Path, root: Element, findings: Findings) -> list[Element
     while waiting:
         element = waiting.pop()
         found.append(element)
-        waiting += reversed(element.children)
         name = element.attributes.get("file")
-        if name is None:
-            continue
-        if leads_out(name, path, _folders(found)):
+        if name is not None and leads_out(name, path, _folders(found)):
             reason = "it lies outside of the folder of the robot"
             findings.error("E1013", element.place("file"), file=name, reason=reason)
-            continue
-        if element.tag == "include":
+        elif name is not None and element.tag == "include":
             files += 1
             inner = read_xml(path.resolve().parent / name, findings.sink) if files <= _MAX_FILES else None
             if inner is None:
                 if files > _MAX_FILES:
                     findings.error("E1002", element.head, what="this robot", limit=_MAX_FILES, unit="files")
                 return None
-            waiting.append(inner)
+            element.children.append(inner)
+        waiting += reversed(element.children)
     return found
 
 
@@ -128,13 +140,20 @@ def _folders(elements: list[Element]) -> list[str]:
     return ["", *(element.attributes[name] for element in compilers for name in names if name in element.attributes)]
 
 
-def _named(elements: list[Element]) -> dict[tuple[str, str], Span]:
-    """Places of elements by tag and name."""
-    found: dict[tuple[str, str], Span] = {}
-    for element in elements:
-        if "name" in element.attributes:
-            tag = "joint" if element.tag == "freejoint" else element.tag
-            found.setdefault((tag, element.attributes["name"]), element.place("name"))
+def _parts(root: Element) -> dict[Kind, list[Element]]:
+    """The parts of each kind in the order of the file, which is that of their numbers in MuJoCo."""
+    found: dict[Kind, list[Element]] = {kind: [] for _, kind in _KINDS.values()}
+    found |= {kind: [] for kind in _IN_BODIES.values()}
+    waiting = [(child, "") for child in reversed(root.children)]
+    while waiting:
+        element, section = waiting.pop()
+        tags, kind = _KINDS.get(section, (frozenset(), "body"))
+        if element.tag in tags:
+            found[kind].append(element)
+        elif section == "worldbody" and element.tag in _IN_BODIES:
+            found[_IN_BODIES[element.tag]].append(element)
+        inside = section if section or element.tag in ("include", "mujocoinclude") else element.tag
+        waiting += [(child, inside) for child in reversed(element.children)]
     return found
 
 

@@ -14,7 +14,10 @@ from lagdsl.robots.mjcf_parts import Places
 from lagdsl.source import Span
 
 _MOTIONS = ("revolute", "prismatic")
-_TAGS = ("motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "general")
+ACTUATORS = frozenset(
+    {"motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor"}
+    | {"general", "plugin"}
+)
 _LEFT_OUT = "it is left out"
 _FILTER: Literal["filter"] = "filter"
 
@@ -31,7 +34,7 @@ def tendons_of(places: Places, joints: list[Joint], findings: Findings) -> list[
         if not (stiffness or damping or armature or is_limited or friction or is_curved):
             continue
         name = str(model.tendon(index).name) or f"tendon_{index + 1}"
-        span, way = _place(places, ("fixed", "spatial"), name), _way(places, index, joints)
+        span, way = places.place("tendon", index), _way(places, index, joints)
         if way is None or friction or is_curved:
             what = f"the tendon {name}"
             if way is not None:
@@ -64,7 +67,7 @@ def actuators_of(places: Places, joints: list[Joint], findings: Findings) -> lis
     users = Counter[str]()
     for index in range(model.nu):
         name = str(model.actuator(index).name)
-        span = _place(places, _TAGS, name)
+        span = places.place("actuator", index)
         fault = _fault(places, index)
         way = _transmission(places, index, joints) if fault is None else None
         if fault is None and way is None:
@@ -210,7 +213,3 @@ def _narrowed(control: Bounds, force: Bounds, gain: float) -> tuple[float | None
         ends = sorted((force.low / gain, force.high / gain))
         low, high = max(low, ends[0]), min(high, ends[1])
     return (low if math.isfinite(low) else None), (high if math.isfinite(high) else None)
-
-
-def _place(places: Places, tags: tuple[str, ...], name: str) -> Span:
-    return next((places.named[tag, name] for tag in tags if (tag, name) in places.named), places.head)

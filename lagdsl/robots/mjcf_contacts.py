@@ -20,7 +20,7 @@ def tell_contacts(places: Places, findings: Findings) -> None:
     """N1024 if MuJoCo lets bodies touch."""
     found = touching(places.mujoco, places.model)
     if found:
-        place = places.span("body", places.body(found[0]))
+        place = places.place("body", found[0])
         findings.note("N1024", place, bodies="one body" if len(found) == 1 else f"{len(found)} bodies")
 
 

@@ -33,14 +33,14 @@ def _of_the_whole(mujoco: Any, model: Any, places: Places) -> Iterator[tuple[Spa
             yield places.head, what
     if np.any(model.body_gravcomp):
         index = int(np.flatnonzero(model.body_gravcomp)[0])
-        yield places.span("body", places.body(index)), "compensation of gravity"
+        yield places.place("body", index), "compensation of gravity"
     for flag in ("mjDSBL_SPRING", "mjDSBL_DAMPER", "mjDSBL_PASSIVE", "mjDSBL_ACTUATION", "mjDSBL_FRICTIONLOSS"):
         if hasattr(mujoco.mjtDisableBit, flag) and model.opt.disableflags & int(getattr(mujoco.mjtDisableBit, flag)):
             yield places.head, f"the flag {flag}"
 
 
 def _of_joints(model: Any, places: Places) -> Iterator[tuple[Span, str]]:
-    """Springs and dampers that are no straight lines, and those of joints with more than one coordinate."""
+    """Springs and dampers that are no straight lines; all of joints with more than one coordinate, and their limits."""
     for index in range(model.njnt):
         first = int(model.jnt_dofadr[index])
         count = {0: 6, 1: 3}.get(int(model.jnt_type[index]), 1)
@@ -49,8 +49,10 @@ def _of_joints(model: Any, places: Places) -> Iterator[tuple[Span, str]]:
         curved = [getattr(model, "jnt_stiffnesspoly", None), getattr(model, "dof_dampingpoly", None)]
         rows = [table[at] for table, at in zip(curved, (index, dofs), strict=True) if table is not None]
         if any(np.any(row) for row in rows):
-            yield places.span("joint", name), f"a spring or damper of {name} that is no straight line"
+            yield places.place("joint", index), f"a spring or damper of {name} that is no straight line"
+        if count == 3 and model.jnt_limited[index]:
+            yield places.place("joint", index), f"the limit of {name}, a joint in space"
         if count > 1:
             values = (model.dof_damping[dofs], model.dof_frictionloss[dofs], model.dof_armature[dofs])
             if any(np.any(value) for value in values) or np.any(model.jnt_stiffness[index]):
-                yield places.span("joint", name), f"spring, damper, friction or armature of {name}, a joint in space"
+                yield places.place("joint", index), f"spring, damper, friction or armature of {name}, a joint in space"

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +30,11 @@ from lagdsl.robots.description import (
 )
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.inertia import checked, entries_of
+from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
 Floats = NDArray[np.float64]
+Kind: TypeAlias = Literal["body", "joint", "site", "equality", "tendon", "actuator"]
 _VISIBLE_GROUPS = 3  # MuJoCo's viewer shows the groups 0 to 2 at first: the others are shapes for collisions
 _SMALL = 1e-15
 _KINDS: tuple[JointKind, ...] = ("floating", "spherical", "prismatic", "revolute")  # as mjtJoint counts them
@@ -44,7 +47,8 @@ class Places:
     mujoco: Any
     model: Any
     head: Span
-    named: dict[tuple[str, str], Span]
+    parts: dict[Kind, list[Element]]
+    named: dict[tuple[Kind, str], Element]
     folder: Path
 
     def body(self, index: int) -> str:
@@ -57,9 +61,19 @@ class Places:
         number = index - int(self.model.body_jntadr[body])
         return str(self.model.joint(index).name) or f"{self.body(body)}_joint{f'_{number + 1}' if number else ''}"
 
-    def span(self, tag: str, name: str) -> Span:
-        """The place of a part; that of the file's root for a part without a name."""
-        return self.named.get((tag, name), self.head)
+    def place(self, kind: Kind, index: int) -> Span:
+        """The place of a part: found by its number where the file has as many as the model, else by its name.
+
+        A joint that has no name stands at its body, all others at the root of the file.
+        """
+        model, name = self.model, str(getattr(self.model, kind)(index).name)
+        counts = {"body": model.nbody - 1, "equality": model.neq, "tendon": model.ntendon, "actuator": model.nu}
+        number = index - 1 if kind == "body" else index
+        if number >= 0 and len(self.parts[kind]) == counts.get(kind):
+            return self.parts[kind][number].place("name")
+        if (kind, name) in self.named:
+            return self.named[kind, name].place("name")
+        return self.place("body", int(model.jnt_bodyid[index])) if kind == "joint" else self.head
 
 
 # ---- bodies ----------------------------------------------------------------------------------------------------------
@@ -70,12 +84,29 @@ def links_of(places: Places, findings: Findings) -> list[Link]:
     model, found = places.model, []
     for index in range(model.nbody):
         name = places.body(index)
-        span = places.span("body", name)
+        span = places.place("body", index)
         for number in range(1, int(model.body_jntnum[index])):
             found.append(Link(name=_between(name, number), inertial=None, visuals=(), is_between=True, span=span))
         inertial = _inertial(places, index, name, span, findings) if index else None
         found.append(Link(name=name, inertial=inertial, visuals=_visuals(places, index, span), span=span))
     return found
+
+
+def sites_of(places: Places) -> Iterator[tuple[Link, Joint]]:
+    """Sites with names: frames that stand still in their body, as the tools of arms are."""
+    model, taken = places.model, {places.body(index) for index in range(places.model.nbody)}
+    for index in range(model.nsite):
+        own = str(model.site(index).name)
+        if not own:
+            continue
+        name = own if own not in taken else f"{own}_site"
+        span = places.place("site", index)
+        seat = Pose(xyz=_vector(model.site_pos[index]), rpy=fixed_angles(_matrix(model.site_quat[index])))
+        parent = places.body(int(model.site_bodyid[index]))
+        yield (
+            Link(name=name, inertial=None, visuals=(), span=span),
+            Joint(name=f"{name}_mount", kind="fixed", parent=parent, child=name, before=seat, span=span),
+        )
 
 
 def _between(body: str, number: int) -> str:
@@ -145,7 +176,7 @@ def joints_of(places: Places, findings: Findings) -> list[Joint]:
         seat = Pose(xyz=_vector(model.body_pos[body]), rpy=fixed_angles(_matrix(model.body_quat[body])))
         first, count = int(model.body_jntadr[body]), int(model.body_jntnum[body])
         if count == 0:
-            span = places.span("body", name)
+            span = places.place("body", body)
             joint = Joint(name=f"{name}_mount", kind="fixed", parent=parent, child=name, before=seat, span=span)
             found.append(joint)
         elif model.jnt_type[first] == 0:  # a free joint counts from the world
@@ -165,7 +196,7 @@ def _free(places: Places, index: int, parent: str, child: str) -> Joint:
         child=child,
         before=Pose(),
         place=(*q,),
-        span=places.span("joint", name),
+        span=places.place("joint", index),
     )
 
 
@@ -199,7 +230,7 @@ def _row(places: Places, joints: list[int], parent: str, child: str, mimics: dic
                 limits=_limits(model, index, kind),
                 passive=_passive(model, index, kind),
                 mimic=mimics.get(index),
-                span=places.span("joint", name),
+                span=places.place("joint", index),
             )
         )
         origin, matrix = np.zeros(3), np.eye(3)
@@ -231,7 +262,7 @@ def _mimics(places: Places, findings: Findings) -> dict[int, Mimic]:
     model, found = places.model, {}
     for index in range(model.neq):
         a0, a1, *higher = map(float, model.eq_data[index][:5])
-        span = places.span("equality", str(model.equality(index).name))
+        span = places.place("equality", index)
         ties_joints = int(model.eq_type[index]) == int(places.mujoco.mjtEq.mjEQ_JOINT)
         if not model.eq_active0[index]:
             continue
@@ -239,6 +270,10 @@ def _mimics(places: Places, findings: Findings) -> dict[int, Mimic]:
             findings.error("E1016", span, what="an equality that is no gear of two joints", instead="it is left out")
             continue
         one, two = int(model.eq_obj1id[index]), int(model.eq_obj2id[index])
+        if one in found:
+            what = f"a second equality of the joint {places.joint(one)}"
+            findings.error("E1016", span, what=what, instead="it is left out")
+            continue
         starts = [float(model.qpos0[int(model.jnt_qposadr[joint])]) for joint in (one, two)]
         offset = starts[0] + a0 - a1 * starts[1]  # MuJoCo's polynomial is of the distances from the start
         found[one] = Mimic(joint=places.joint(two), multiplier=a1, offset=offset, span=span)

@@ -185,5 +185,5 @@ def _places(compared: Compared, model: lagdsl.Model, peer: Pinocchio, seen: list
         position, _, _, x, y = columns[0, index]
         compared.note("position", position, d.oMf[frame].translation, 1.0)
         compared.note("axes", np.stack([x, y], axis=1), d.oMf[frame].rotation[:, :2])
-        jacobian = pin.getFrameJacobian(m, d, frame, pin.LOCAL_WORLD_ALIGNED) @ peer.S
+        jacobian = pin.getFrameJacobian(m, d, frame, pin.LOCAL_WORLD_ALIGNED).reshape(6, -1) @ peer.S
         compared.note("Jacobian", columns[:, index, 1:3].reshape(-1, 6).T, jacobian)

@@ -90,16 +90,26 @@ def body(inside: str = "", after: str = "", joint: str = '<joint name="j" type="
     return f"<mujoco>\n<worldbody>{ball}</worldbody>\n{after}</mujoco>"
 
 
+MUSCLE = '<muscle joint="j" lengthrange="0 1"/>'
 EARLY = 'dyntype="filter" dynprm="0.1" actearly="true"'
 SHARED = '<joint name="j" type="hinge" actuatorfrcrange="-1 1"/>'
 TWO_MOTORS = '<motor name="a" joint="j"/>\n<motor name="b" joint="j"/>'
 SPATIAL = '<tendon><spatial name="t" stiffness="1"><site site="w"/><site site="s"/></spatial></tendon>'
+TIED = body(
+    inside='<body><joint name="k" axis="1 0 0"/><geom size="0.1" pos="0 1 0"/></body>'
+    '<body><joint name="l" axis="1 0 0"/><geom size="0.1" pos="0 1 0"/></body>',
+    after="<equality>\n{}</equality>",
+)
 REFUSED = [
     ("drag", body(after='<option density="1.2"/>'), "E1016", 1),
     ("muscle", body(after='<actuator>\n<muscle name="m" joint="j" lengthrange="0 1"/></actuator>'), "E1016", 4),
     ("early", body(after=f'<actuator>\n<general name="m" joint="j" {EARLY}/></actuator>'), "E1016", 4),
     ("shared", body(joint=SHARED, after=f"<actuator>{TWO_MOTORS}</actuator>"), "E1016", 4),
-    ("weld", body(after='<equality><weld body1="b"/></equality>'), "E1016", 1),
+    ("weld", body(after='<equality>\n<weld body1="b"/></equality>'), "E1016", 4),
+    ("nameless", body(after=f"<actuator>\n{MUSCLE}</actuator>"), "E1016", 4),
+    ("nameless joint", body(joint='<joint type="ball" damping="1"/>'), "E1016", 2),
+    ("limit in space", body(joint='<joint type="ball" range="0 60"/>'), "E1016", 2),
+    ("second equality", TIED.format('<joint joint1="j" joint2="k"/>\n<joint joint1="j" joint2="l"/>'), "E1016", 5),
     ("gravity", body().replace('name="b"', 'name="b" gravcomp="1"'), "E1016", 2),
     ("ball damper", body(joint='<joint name="j" type="ball" damping="1"/>'), "E1016", 2),
     (
@@ -131,6 +141,53 @@ def test_what_the_text_cannot_have_is_refused(tmp_path: Path, text: str, code: s
         model, told = imported(tmp_path / "robot.xml", lenient=True)
         assert [each.code for each in told if each.severity == "warning"] == ["E1016"]
         assert [each.code for each in lagdsl.check(model) if each.severity == "error"] == []
+
+
+def test_joints_that_imitate_each_other_are_refused(tmp_path: Path) -> None:
+    """MuJoCo takes them; at the end of this chain there is no joint that leads."""
+    ties = '<joint joint1="j" joint2="k"/>\n<joint joint1="k" joint2="j" polycoef="0 2"/>'
+    found = refusal(tmp_path / "robot.xml", TIED.format(ties))
+    assert sorted(each[:2] for each in found) == [("E1017", 4), ("E1017", 5)]
+    model, _ = imported(tmp_path / "robot.xml", lenient=True)
+    assert "constraint" not in model and not [each for each in lagdsl.check(model) if each.severity == "error"]
+
+
+def test_elements_of_included_files_have_their_places(tmp_path: Path) -> None:
+    (tmp_path / "drives.xml").write_text(f"<mujocoinclude>\n\n{MUSCLE}</mujocoinclude>")
+    path = tmp_path / "robot.xml"
+    path.write_text(body(after=f'<actuator><motor joint="j"/>\n<include file="drives.xml"/>{MUSCLE}</actuator>'))
+    sink = Sink()
+    with pytest.raises(lagdsl.CompilationFailed):
+        lagdsl.import_robot(path, sink=sink)
+    spans = [each.labels[0].span for each in sink.diagnostics if each.code == "E1016"]
+    assert [(Path(span.file.name).name, span.first.line) for span in spans] == [("drives.xml", 3), ("robot.xml", 4)]
+
+
+def test_a_motor_without_gear_has_an_input_without_effect(tmp_path: Path) -> None:
+    path = tmp_path / "robot.xml"
+    path.write_text(body(after='<actuator><motor name="m" joint="j" gear="0"/></actuator>'))
+    assert not [each for each in lagdsl.check(imported(path)[0]) if each.severity == "error"]
+
+
+def test_sites_are_frames(tmp_path: Path) -> None:
+    """Places, axes and Jacobians of the frames are those of MuJoCo's sites; one is called as its body."""
+    tool = '<site name="b" pos="0.1 0.2 0.3" euler="10 20 30"/><site name="tip" pos="0 0 0.4"/><site pos="1 0 0"/>'
+    inner = f'{tool}<body pos="0 0.5 0"><joint name="k" axis="1 0 0"/><geom size="0.1" pos="0 1 0"/></body>'
+    path = tmp_path / "robot.xml"
+    path.write_text(body(inner).replace("<worldbody>", '<worldbody><site name="goal" pos="1 2 3"/>'))
+    text, told = imported(path)
+    assert "frame tip;" in text and not told and not lagdsl.check(text)
+    arm = lagdsl.compile(text, engine="tape")
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, jacobian, q = mujoco.MjData(model), np.zeros((6, 2)), np.array([0.7, -1.2])
+    data.qpos[:] = q
+    mujoco.mj_forward(model, data)
+    for site, name in (("b", "b_site"), ("tip", "tip"), ("goal", "goal")):
+        frame, index = arm.frame(name), model.site(site).id
+        mujoco.mj_jacSite(model, data, jacobian[:3], jacobian[3:], index)
+        np.testing.assert_allclose(frame.position(0.0, q), data.site_xpos[index], atol=1e-12)
+        np.testing.assert_allclose(frame.rotation(0.0, q), data.site_xmat[index].reshape(3, 3), atol=1e-12)
+        np.testing.assert_allclose(frame.jacobian(0.0, q), jacobian, atol=1e-12)
 
 
 def test_warnings_of_mujoco_are_notes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
