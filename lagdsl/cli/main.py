@@ -25,7 +25,7 @@ _COMMANDS = {
     "linearize": "Show the matrices of the motion about a state.",
     "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",
     "trim": "Find an equilibrium.",
-    "verify": "Compare everything that can be computed in two ways.",
+    "verify": "Compare results that can be computed in two ways.",
     "derive": "Show the derivation of the equations of motion, step by step.",
     "build": "Write the equations as a module that stands alone.",
     "fmu": "Write the model as an FMU, for other tools to run.",
@@ -33,7 +33,7 @@ _COMMANDS = {
     "fmt": "Format model texts in place.",
     "explain": "Show the manual page of a diagnostic or a component.",
     "import": "Write the model of a robot from its URDF or MJCF file.",
-    "lsp": "Speak to an editor: the language server.",
+    "lsp": "Run the language server for editors.",
     "new": "Write a first model, or a copy of one that comes with lagdsl.",
 }
 # Commands of other tools, and the one that is meant.
@@ -93,7 +93,7 @@ class Commands(click.Group):
 @click.command(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="lag")
 def lag() -> None:
-    """Mechanics from a page of text to motion: the compiler of `.lag` models."""
+    """Compile and simulate mechanical models, written as `.lag` texts."""
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

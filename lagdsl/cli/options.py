@@ -36,7 +36,10 @@ takes_inputs: Decorator = click.option(
     help="Value of an input, 'f=2 N', or a CSV file: time and a column for each input.",
 )
 takes_input_hold: Decorator = click.option(
-    "--input-hold", "hold", is_flag=True, help="Keep inputs between the rows of files; numbers are linear otherwise."
+    "--input-hold",
+    "hold",
+    is_flag=True,
+    help="Hold inputs between the rows of a file; without it, real numbers are linear between rows.",
 )
 takes_columns: Decorator = click.option(
     "--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated."

@@ -43,7 +43,7 @@ def takes_pictures(command: Command) -> Command:
         click.option(
             "--at",
             metavar="T,...",
-            help="With --png: at this time [s]; of several times the last one in full, the others pale.",
+            help="Time of the picture [s]; of several times, the last is drawn in full and the others are pale.",
         ),
     )(called)
 

@@ -76,10 +76,10 @@ def takes_state(command: Command) -> Command:
             help="With --trim: add an unknown: an input, a rate der(x), a fixed coordinate.",
         ),
         click.option(
-            "--hold", multiple=True, metavar="NAME", help="With --trim: remove an unknown, it keeps its start value."
+            "--hold", multiple=True, metavar="NAME", help="With --trim: remove an unknown; it keeps its start value."
         ),
         click.option(
-            "--steady", is_flag=True, help="With --trim: keep the rates of the start: a steady motion instead of rest."
+            "--steady", is_flag=True, help="With --trim: keep the rates of the start and find a steady motion."
         ),
         takes_engine,
         click.option(

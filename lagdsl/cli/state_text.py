@@ -42,8 +42,8 @@ def _steady_text(found: Steadiness) -> str:
         many = len(names) > 1
         it = "them" if many else "it"
         axes = f"that turn with {it}" if found.turning.with_body else f"that do not spin with {it}"
-        told = f"{'turn' if many else 'turns'} steadily, and modes are told in axes {axes}"
+        told = f"{'turn' if many else 'turns'} steadily, and modes are expressed in axes {axes}"
         parts.append(f"{', '.join(f'`{name}`' for name in names)} {told}")
     if running:
-        parts.append(f"what runs has no influence: {', '.join(running)}")
+        parts.append(f"these coordinates change steadily and influence nothing: {', '.join(running)}")
     return f"This is a steady motion; {'; '.join(parts)}."

@@ -42,9 +42,13 @@ _TARGETS = ("numpy", "c", "casadi", "jax", "modelica")
 )
 @click.option("--terms", is_flag=True, help="Add the Coriolis matrix, gravity and bias forces, and the regressor.")
 @click.option(
-    "--frame", "frames", multiple=True, metavar="NAME", help="Add how this frame moves: pose, Jacobian, velocity."
+    "--frame",
+    "frames",
+    multiple=True,
+    metavar="NAME",
+    help="Add the kinematics of this frame: pose, Jacobian, velocity.",
 )
-@click.option("--point", "points", multiple=True, metavar="NAME", help="Add how this point moves.")
+@click.option("--point", "points", multiple=True, metavar="NAME", help="Add the kinematics of this point.")
 @click.option("--batch", is_flag=True, help="With C: add functions of many states and many directions at once.")
 def command(
     file: Path,

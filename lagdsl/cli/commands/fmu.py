@@ -44,8 +44,8 @@ from lagdsl.settings.settings import split
     "--output", "outputs", multiple=True, metavar="NAME", help="Variable that becomes an output: 'der(theta)'."
 )
 @click.option("--hide", multiple=True, metavar="NAME", help="Parameter or variable to leave out: 'arm.*'.")
-@click.option("--scalar", is_flag=True, help="Entries of arrays as variables of their own; FMI 2 has no others.")
-@click.option("--clocks", is_flag=True, help="Clocks of `sample` as clocks of FMI 3.")
+@click.option("--scalar", is_flag=True, help="Declare each entry of an array as a variable, as FMI 2 always does.")
+@click.option("--clocks", is_flag=True, help="Declare the clocks of `sample` as clocks of FMI 3.")
 @click.option("--author", metavar="TEXT", help="Author of the model.")
 @click.option("--license", metavar="TEXT", help="License of the model.")
 @click.option("--model-version", metavar="TEXT", help="Version of the model.")
@@ -73,7 +73,7 @@ def command(
 ) -> None:
     """Write the model in FILE as an FMU. The FMU is validated and run once before it appears.
 
-    Values of --set are the defaults of the FMU; structural parameters that shape the model become numbers of it.
+    Values of --set become the defaults of the FMU. Structural parameters that shape the model become fixed numbers.
     """
     require_ending(path, "FMUs are", ".fmu")
     if file_name := next((name for name in outputs if name.endswith(".fmu")), None):

@@ -29,10 +29,10 @@ from lagdsl.diagnostics import Sink
     type=click.Choice(["file", "all", "none"]),
     default="file",
     show_default=True,
-    help="Inputs: those of the file (of every joint where it tells none), of all joints, none.",
+    help="Inputs: those of the file (of every joint if it declares none), of all joints, none.",
 )
 @click.option("--floating", is_flag=True, help="Let the base move freely; default: it is fixed to the world.")
-@click.option("--lenient", is_flag=True, help="Leave out what the language has no place for, with warnings.")
+@click.option("--lenient", is_flag=True, help="Replace or leave out what the language cannot express, with warnings.")
 @takes_format
 def command(
     file: Path,
@@ -45,7 +45,7 @@ def command(
 ) -> None:
     """Write the model of the robot in FILE, a URDF or an MJCF file.
 
-    Nothing is written where a line of FILE has no meaning in the language; the message names the line.
+    If the language cannot express a line of FILE, a message names the line and nothing is written.
     """
     from lagdsl.robots.plan import Style
     from lagdsl.robots.read import robot_text

@@ -9,9 +9,11 @@ from lagdsl.cli.status import USAGE
 
 
 @click.command("lsp", cls=Command)
-@click.option("--stdio", is_flag=True, help="The only way it speaks; some editors say so.")
+@click.option(
+    "--stdio", is_flag=True, help="Use standard input and output, as without it; some editors pass this option."
+)
 def command(stdio: bool) -> None:
-    """Speak the language server protocol on standard input and output. Editors start this command."""
+    """Run the language server on standard input and output. Editors start this command."""
     try:
         import pygls  # noqa: F401 the extra may be absent
     except ImportError:

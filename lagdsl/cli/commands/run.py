@@ -1,4 +1,4 @@
-"""`lag run FILE`: from a page of text to motion."""
+"""`lag run FILE`: the motion of a model."""
 
 from __future__ import annotations
 

@@ -30,7 +30,9 @@ from lagdsl.source import SourceFile
 @takes_settings
 @click.option("-o", "--output", type=PATH, metavar="F.html", help="Write the page here. Default: MODEL.html.")
 @takes_pictures
-@click.option("--from", "rows", type=PATH, metavar="F.csv", help="Show the rows of this file, integrate nothing.")
+@click.option(
+    "--from", "rows", type=PATH, metavar="F.csv", help="Show the motion in this file instead of a simulation."
+)
 @click.option("--no-open", is_flag=True, help="Write the page, and do not open it.")
 def command(
     file: Path,
@@ -46,7 +48,7 @@ def command(
 ) -> None:
     """Write a page that shows the machine in FILE, and open it in a browser. The page needs no network.
 
-    With --gif or --png write these; the page, too, where -o says its name.
+    With --gif or --png, write these files instead, and the page only if -o names it.
     """
     require_page(output)
     require_pictures(pictures)

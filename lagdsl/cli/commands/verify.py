@@ -23,7 +23,7 @@ from lagdsl.diagnostics import Sink
 def command(file: Path, model: str | None, style: Format, form: str | None, output: Path | None, fmu: bool) -> None:
     """Compare both derivations, all engines, derivatives, power and the motion of the model in FILE.
 
-    Leaves with status 3 if a line fails.
+    The exit status is 3 if a comparison fails.
     """
     require_writable(output)
     source = read_or_leave(file, style)
