@@ -44,9 +44,9 @@ def elements(content: bytes) -> Element:
         return ElementTree.fromstring(content, ElementTree.XMLParser(target=_Bounded()))
     except ElementTree.ParseError as fault:
         reason = expat.ErrorString(fault.code)
-        raise MeshError(f"it is no XML: {reason} in line {fault.position[0]}") from None
+        raise MeshError(f"it is not valid XML: {reason} in line {fault.position[0]}") from None
     except (LookupError, ValueError) as fault:  # an encoding that Python does not have
-        raise MeshError(f"it is no XML: {fault}") from None
+        raise MeshError(f"it is not valid XML: {fault}") from None
 
 
 def numbers(text: str | None) -> Floats:

@@ -123,7 +123,7 @@ def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: li
     count = f"{_counted(columns, 'coordinate')} - {_counted(rows, 'independent constraint')}"
     first = f"{count} = {columns - rows} degree{'' if columns - rows == 1 else 's'} of freedom"
     excess = sum(found.redundant[row] for row in loop.rows)
-    usual = ("usual and harmless: of a loop in a plane, three equations in space hold by themselves",)
+    usual = ("this is usual and harmless: in a planar loop, three of the spatial closure equations hold identically",)
     if loop.closure.joint is not None:
         unknown = "is not determined in the directions left out and is reported in minimum norm"
         first = f"{first}; reaction({loop.closure.joint}) {unknown}"

@@ -334,7 +334,7 @@ class TestSilence:
         four_bar = MODELS / "four_bar.lag"
         checked = invoke("check", four_bar)
         assert "note[N0701]" in checked.stderr
-        assert "usual and harmless: of a loop in a plane" in checked.stderr
+        assert "this is usual and harmless: in a planar loop" in checked.stderr
         assert "Gruebler in the plane: 3*3 moving links - 2*4 joints = 1" in checked.stdout
         assert "N0701" not in invoke("run", four_bar, "--stop", "0.01").stderr
 

@@ -1,9 +1,13 @@
 """The catalog and the sink that fills its templates."""
 
+import re
 import string
+from pathlib import Path
 
 import pytest
+from click import Context
 
+from lagdsl.cli.main import lag
 from lagdsl.diagnostics import CompilationFailed, Label, Sink
 from lagdsl.diagnostics.catalog import (
     ROWS,
@@ -53,8 +57,16 @@ def test_fields_of_the_words_are_names():
     for code, row in ROWS.items():
         for text in (row.message, row.label, row.help, row.secondary):
             assert all(name.isidentifier() for name in fields(text)), code
-        assert text is None or (text == text.strip() and not text.endswith("."))
-    assert row.message[0].islower() or row.message[0] in "{`" or row.message[:2].isupper()
+            assert text is None or (text == text.strip() and not text.endswith(".")), code
+        first = row.message.split()[0]
+        assert first[0].islower() or first[0] in "{`" or first[:2].isupper() or first == "MuJoCo", code
+
+
+def test_commands_that_messages_name_exist():
+    folder = Path(syntax.__file__).parent
+    named = {word for file in folder.glob("*.py") for word in re.findall(r"`lag ([a-z]+)", file.read_text("utf-8"))}
+    assert "run" in named
+    assert named <= set(lag.list_commands(Context(lag)))
 
 
 def report(*places, **more):

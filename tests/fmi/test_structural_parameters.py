@@ -109,7 +109,7 @@ def test_numbers_are_told() -> None:
     changed = with_structural_parameters(compilation, sink)
     (note,) = sink.diagnostics
     assert note.code == "N0928"
-    assert note.message == "numbers of the FMU, not parameters: `N`, `power`, `heavy`, `half`, `least`"
+    assert note.message == "fixed numbers of the FMU, not parameters of it: `N`, `power`, `heavy`, `half`, `least`"
     assert {each.name for each in changed.flat.parameters if not each.structural} == LOOSE
 
 

@@ -79,7 +79,7 @@ _LATEX_MARKS |= {"varphi": "phi", "vartheta": "theta", "infty": "inf", "left": "
 
 
 def character_help(text: str, before: str) -> str:
-    """Help: the text to write instead of `text`, which begins with a character that is no part of the language.
+    """Help: the text to write instead of `text`, which begins with a character that is not part of the language.
 
     `before` is what stands before it on its line.
     """

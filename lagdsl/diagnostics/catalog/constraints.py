@@ -38,17 +38,17 @@ ROWS: dict[str, Row] = {
     ),
     "E0609": error(
         "the gradient of `{name}` {fault}, so no force can enforce it",
-        "restricts the motion, and determines no direction of its force",
+        "restricts the motion, but does not determine the direction of its force",
         "write the condition itself, not its square, its absolute value or a length: `x = l`, not `(x - l)^2 = 0`",
     ),
     "E0610": error(
-        "{subject} only touch: where they hold together, they do not determine their forces",
-        "the mechanism cannot move there, and its tangents say that it can",
-        "change a length or a position, so that it moves; or fix the coordinates by conditions of their own",
+        "{subject} are tangent: where they hold together, they do not determine their forces",
+        "the mechanism cannot move there, but its linearized constraints permit a motion",
+        "change a length or a position so that the mechanism can move, or fix each coordinate by its own condition",
     ),
     "N0611": note(
         "nothing can move: {independent} leave no degree of freedom",
         "the last of them",
-        "this is correct for a structure whose reactions are sought; else delete the constraints that are too many",
+        "this is correct for a structure whose reactions are sought; else delete the superfluous constraints",
     ),
 }

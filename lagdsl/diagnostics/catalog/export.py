@@ -35,7 +35,7 @@ ROWS: dict[str, Row] = {
     ),
     "N0910": note(
         "the files and constants of `{name}` are named `{stem}`: {reason}",
-        help="rename the model to have files of its name",
+        help="rename the model if the files must have its name",
     ),
     "E0915": error(
         "{what} has no statement in Modelica: it would need {reason}",
@@ -55,12 +55,12 @@ ROWS: dict[str, Row] = {
         help="declare outputs, or choose them: `--output '{first}'`",
     ),
     "N0928": note(
-        "numbers of the FMU, not parameters: {names}",
+        "fixed numbers of the FMU, not parameters of it: {names}",
         label="sizes, branches, limits or other structural parameters depend on it",
         help="`--set '{first}=...'` gives an FMU another number",
     ),
     "N0929": note(
-        "inputs that --hide leaves out: {names}; in the FMU they keep their start values",
-        help="name what shall be hidden, so that `{pattern}` does not fit inputs; or make them parameters",
+        "`--hide` leaves out inputs, which keep their start values in the FMU: {names}",
+        help="replace `{pattern}` by patterns that do not match inputs, or declare these inputs as parameters",
     ),
 }

@@ -5,8 +5,8 @@ from __future__ import annotations
 _RATE = "the rate of a quantity is `der({0})`"
 _DECLARED = "declare the quantity: `coordinate Angle q;` or `parameter Mass m = 1 kg;`"
 _ANGLE = "the unit makes an angle of the number: `{0} deg`"
-_PICTURE = "a model prints nothing: declare an `output`, and run the model with `--show`"
-_COMMAND = "a model has no commands: `lag run FILE` computes the motion, `lag plot FILE` draws it"
+_PICTURE = "a model prints nothing: declare an `output`; `lag run FILE --plot motion.png` draws it"
+_COMMAND = "a model has no commands: `lag run FILE` computes the motion, `--plot motion.png` draws it"
 _SOLVED = "nothing is solved by hand: the compiler forms and solves the equations of motion"
 
 # Functions by name; {0}, {1} are the texts of the arguments.

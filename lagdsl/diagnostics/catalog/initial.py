@@ -216,7 +216,7 @@ ROWS: dict[str, Row] = {
     "E0847": error(
         "the table of input `{name}` jumps at t = {time} s, and the model needs its time derivative",
         None,
-        "give a row between, so that the value changes over some time",
+        "add a row, so that the value changes over some time",
     ),
     "N0848": note(
         "the table of input `{name}` is read as monotone cubics; `{derivative}` jumps at its rows",
@@ -231,8 +231,7 @@ ROWS: dict[str, Row] = {
     "E0857": error(
         "output `{name}` is {found} at t = {time} s",
         None,
-        "look for a division by zero, or a root or logarithm outside its domain; an `if` or `max(x, 1e-9)` keeps away "
-        "from it",
+        "look for a division by zero, or a root or logarithm outside its domain; an `if` or `max(x, 1e-9)` avoids them",
     ),
     "E0858": error(
         "the clock `{name}` ticks {ticks} times in this simulation, which has at most {most} steps",

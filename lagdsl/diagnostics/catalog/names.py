@@ -8,7 +8,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
     "E0203": error(
-        "`{name}` is ambiguous: it is imported from {imports}", label="ambiguous name", secondary="has one, too"
+        "`{name}` is ambiguous: it is imported from {imports}", label="ambiguous name", secondary="contains one, too"
     ),
     "E0204": error(
         "`{name}` is declared twice, as {first} and as {second}",
@@ -47,7 +47,7 @@ ROWS: dict[str, Row] = {
     "W0216": warning("annotation `{name}` has no effect", label="not known"),
     "E0217": error("the file has no model `{name}`"),
     "E0218": error(
-        "the file has no complete model", label="nothing to flatten", help="write `model Name ... end Name;`"
+        "the file has no complete model", label="no model to compile", help="write `model Name ... end Name;`"
     ),
     "E0219": error("`{name}` is {what}, not a value", label="a value is expected here"),
     "E0220": error("modifier `{name}` needs a value", label="without a value", help="write `{name} = ...`"),
@@ -69,11 +69,11 @@ ROWS: dict[str, Row] = {
         help="write an array of components in the enclosing class: `Link link[n]`",
     ),
     "E0226": error(
-        "a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"
+        "a class cannot extend itself: {path}", label="closes the cycle", help="delete one of the `extends`"
     ),
     "E0227": error(
         "component `{name}` cannot be given a value",
-        label="a component is no quantity",
+        label="a component is not a quantity",
         help="modify its members: `{name}(member = ...)`",
     ),
     "E0228": error("{what} is an array of components", label="needs an index"),
@@ -154,14 +154,14 @@ ROWS: dict[str, Row] = {
         help="check the spelling; packages lie beside the file, in the folders of LAGPATH or in the library",
     ),
     "E0252": error(
-        "`{name}` is no package",
+        "`{name}` is not a package",
         label="has no names to import",
         help="import the class itself, without the rest of the name",
     ),
     "E0253": error(
         "`{file}` must hold the {what} `{name}` and nothing else",
         label="not of that name",
-        help="each class of a package that is a folder has a file of its own, named as the class",
+        help="a package that is a folder has one file for each class; the file has the name of the class",
     ),
     "E0254": error(
         "`{file}` {expected}",

@@ -6,51 +6,53 @@ _LENIENT = "correct the file, or import the rest of it with `--lenient`"
 
 ROWS: dict[str, Row] = {
     "E1000": error("cannot read `{name}`: {reason}", help="give the path of a URDF or MJCF file"),
-    "E1001": error("no XML: {reason}", label="the reader stops here", help="close every tag, quote every value"),
+    "E1001": error(
+        "this is not valid XML: {reason}", label="the reader stops here", help="close every tag, quote every value"
+    ),
     "E1002": error(
         "{what} has more than {limit} {unit}",
         label="beyond the bound",
         help="a robot needs less; import a part of the file",
     ),
     "E1003": error(
-        "the document type of the file brings declarations",
+        "the document type of the file contains declarations",
         label="here",
         help="delete it, and write what each entity stands for in its place; a robot needs no declarations",
     ),
     "E1004": error(
-        "a file that begins with `<{tag}>` describes no robot that is known here",
+        "a file that begins with `<{tag}>` is not a robot file that lagdsl reads",
         label="`<robot>` begins a URDF file, `<mujoco>` an MJCF file",
         help="translate other formats, for instance xacro, to one of these first",
     ),
     "E1005": error("`<{element}>` has no {what}", label="needs it", help=_LENIENT),
     "E1006": error("`{name}` is `{text}`, not {expected}", label="this value", help="write a value in SI units"),
     "E1007": error(
-        "there are two: {what} `{name}`",
+        "{what} `{name}` occurs twice",
         label="the second one",
         help="give each a name of its own, or delete one of them",
     ),
-    "E1008": error("no {what} of this file is called `{name}`", label="unknown", help="check the spelling of the name"),
+    "E1008": error("the file has no {what} `{name}`", label="unknown", help="check the spelling of the name"),
     "E1009": error(
         "the lower limit {lower:g} is larger than the upper one, {upper:g}", label="this limit", help=_LENIENT
     ),
-    "E1010": error("no type of joint is called `{type}`", label="unknown", help="there are {known}"),
-    "E1011": error("no body has the mass and inertia of link `{name}`: {reason}", label="given here", help=_LENIENT),
+    "E1010": error("unknown type of joint `{type}`", label="unknown", help="the types are {known}"),
+    "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_LENIENT),
     "E1012": error(
         "the joint `{name}` moves neither mass nor inertia",
         label="its acceleration is not determined",
         help="give its links a mass, or make the joint `fixed`",
     ),
-    "E1013": error("the mesh `{file}` cannot be taken: {reason}", label="named here", help=_LENIENT),
+    "E1013": error("the mesh `{file}` cannot be used: {reason}", label="named here", help=_LENIENT),
     "E1014": error(
         "MJCF files need the package `mujoco`, which is not installed",
         help="install it: `pip install mujoco`",
     ),
     "E1015": error(
-        "the package `mujoco` refuses this file: {reason}", label="its root", help="correct what MuJoCo names"
+        "MuJoCo rejects this file: {reason}", label="its root", help="correct the element that MuJoCo names"
     ),
-    "E1016": error("`{what}` has no place in the language", label="this element", help=_LENIENT),
+    "E1016": error("the language cannot express `{what}`", label="this element", help=_LENIENT),
     "E1017": error(
-        "the robot is no tree: {reason}",
+        "the links do not form a tree: {reason}",
         label="this joint or link",
         help="a robot has one link at its base, and every other link one joint to the link before it",
     ),

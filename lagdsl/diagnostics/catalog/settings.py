@@ -30,7 +30,7 @@ ROWS: dict[str, Row] = {
         "give one: --input '{first}={example}', a table of values over time, or a default in the model",
     ),
     "N0876": note(
-        "the linearization holds what changes at events only: {held}",
+        "the linearization keeps constant what changes only at events: {held}",
         "changes at instants, constant between them",
         "{advice}",
     ),

@@ -30,7 +30,7 @@ ROWS: dict[str, Row] = {
     "E0107": error(
         "comment is not closed", label="this comment runs to the end of the file", help="close it with `*/`"
     ),
-    "E0108": error("`{character}` is no part of the language", label="unexpected character"),
+    "E0108": error("`{character}` is not part of the language", label="unexpected character"),
     "E0109": error(
         "nested more than {limit} levels deep",
         label="the limit is reached here",
@@ -101,12 +101,12 @@ ROWS: dict[str, Row] = {
     "E0134": error("{name} cannot be read: {reason}", help="check the permissions of the file"),
     "E0135": error("{name} contains no model", help="a model is written `model Name ... end Name;`"),
     "E0136": error(
-        "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
+        "{name} contains the character NUL (position {position}) and is not a model text", help="give a `.lag` file"
     ),
     "E0137": error(
-        "the text contains characters that are not seen and change what is seen ({codes})",
+        "the text contains invisible characters that change how it is displayed ({codes})",
         label="here, or beside it",
-        help="remove them; marks of direction may stand in a string with letters from right to left, each closed in it",
+        help="remove them; a string with letters from right to left may contain direction marks, each closed in it",
     ),
     "E0138": error(
         "more than {limit} brackets are open",

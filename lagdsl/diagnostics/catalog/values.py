@@ -54,7 +54,9 @@ ROWS: dict[str, Row] = {
         help="use operands of the same size",
     ),
     "E0314": error(
-        "function `{name}` calls itself", label="recursion", help="functions are expanded in place and cannot recur"
+        "function `{name}` calls itself",
+        label="recursion",
+        help="functions are expanded in place and cannot be recursive",
     ),
     "E0315": error(
         "`{function}` takes {expected}, found {found}", label="wrong number of arguments", help="check the arguments"

@@ -72,7 +72,7 @@ class Folder:
     def searched(self, name: str) -> str:
         """The files searched here, in words."""
         if (self.place.folder / name).is_dir():
-            return f"the folder `{name}` in {self.place.words} is no package: it has no `{_PACKAGE_FILE}`"
+            return f"the folder `{name}` in {self.place.words} is not a package: it has no `{_PACKAGE_FILE}`"
         return f"looked for `{name}.lag` and `{name}/{_PACKAGE_FILE}` in {self.place.words}"
 
     def _read(self, name: str, is_folder: bool, span: Span | None) -> Entry:
