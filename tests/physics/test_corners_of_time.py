@@ -225,3 +225,42 @@ def at(motion: Trajectory, name: str, times: np.ndarray) -> np.ndarray:
     rows = np.searchsorted(motion.time, times - 1e-9)
     assert motion.time[rows] == pytest.approx(times, abs=1e-9)
     return np.asarray(motion[name][rows])
+
+
+# ---- forces that jump at a corner ------------------------------------------------------------------------------------
+
+FALLING = """
+model Falling
+  parameter Acceleration drop = 30 m/s2;
+  Length floor = -1/2*drop*max(0, time - 1 s)^2;
+  coordinate Length y;
+  kinetic 1/2*(2 kg)*der(y)^2;
+  force -20 N on y;
+  {held}
+  output Force N = multiplier(c);
+equation
+  when {when} then
+    n = pre(n) + 1;
+  end when;
+  annotation(experiment(StopTime = 2.5));
+end Falling;
+"""
+
+
+def test_a_contact_opens_where_its_floor_begins_to_fall_faster_than_the_mass() -> None:
+    """The force of the floor jumps from 20 N to -40 N: the mass falls freely."""
+    contact = "contact c: y >= floor with restitution = 0; discrete Integer n(start = 0);"
+    motion = run(FALLING.format(held=contact, when="not closed(c)"))
+    assert [(event.time, event.kind, event.name) for event in motion.events][:1] == [(1.0, "opened", "c")]
+    assert motion["y"] == pytest.approx(-5.0 * np.maximum(motion.time - 1.0, 0.0) ** 2, abs=1e-9)
+    assert np.min(motion["N"]) == 0.0 and last(motion, "n") == 1
+    slower = run(FALLING.format(held=contact, when="not closed(c)"), drop=8.0)
+    assert not slower.events and last(slower, "N") == pytest.approx(4.0)
+
+
+def test_a_relation_changes_where_the_force_that_it_asks_for_jumps() -> None:
+    held = "constraint c: y = floor + drop*max(0, time - 2 s)^2; discrete Integer n(start = 0);"
+    motion = run(FALLING.format(held=held, when="multiplier(c) < 0"))
+    told = [(event.time, event.kind) for event in motion.events]
+    assert told == [(1.0, "true"), (2.0, "false")]  # 20 N, -40 N, 80 N
+    assert last(motion, "n") == 1 and last(motion, "N") == pytest.approx(80.0)

@@ -177,3 +177,30 @@ def test_an_enumeration_that_nobody_gives_is_its_first_literal() -> None:
     assert model.simulate()["time_right"][-1] == 0.0
     text = MODEL.replace("way == Way.right", "way == Way.off").replace(" = Way.right", "")
     assert lagdsl.compile(text, engine="tape").simulate()["time_right"][-1] == pytest.approx(2.0)
+
+
+PRESSED = """model Pressed
+  input Force f = -10 N;
+  coordinate Length y;
+  kinetic 1/2*(1 kg)*der(y)^2;
+  force f on y;
+  contact ground: y >= 0 with restitution = 0;
+  annotation(experiment(StopTime = 2));
+end Pressed;
+"""
+
+
+@pytest.mark.parametrize("many", [False, True])
+@pytest.mark.parametrize("held", [False, True])
+def test_a_contact_opens_where_an_input_jumps_to_a_pull(held: bool, many: bool) -> None:
+    """y = 1/2 a (t - 1 s)^2 after the jump; the ground held the mass down with -10 N."""
+    times, values = (
+        ([0.0, 1.0, 2.0], [-10.0, 10.0, 10.0]) if held else ([0.0, 1.0, 1.0, 2.0], [-10.0, -10.0, 10.0, 10.0])
+    )
+    given = {"f": lagdsl.Hold(times, values) if held else (times, values)}
+    model = lagdsl.compile(PRESSED, engine="tape")
+    motion = (
+        model.simulate_many(parameters={}, start={"y": [0.0]}, inputs=given) if many else model.simulate(inputs=given)
+    )
+    y = motion["y"][0] if many else motion["y"]
+    assert y == pytest.approx(5.0 * np.maximum(motion.time - 1.0, 0.0) ** 2, abs=1e-9)

@@ -66,18 +66,19 @@ int lag_run_due(const lag_run *run, double t)
 static lag_status find_turned(lag_run *run, int *any)
 {
     const lag_model *model = run->motion.model;
-    double *changed = run->crossings.changed;
-    lag_status status = LAG_OK;
-    *any = 0;
-    if (model->nindicator + model->ncontact > 0) {
-        status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
+    const lag_stepper *s = &run->stepper;
+    lag_zero_crossing *crossings = &run->crossings;
+    double *contacts = crossings->changed + model->nindicator;
+    lag_status status = model->nindicator + model->ncontact > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
+    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x)) {
+        status = lag_zero_crossing_look(crossings, s->t, s->x);
     }
-    if (status == LAG_EVENT_PENDING) {
-        *any = lag_any(model->nindicator + model->ncontact, changed);
-        lag_fill(model->ncontact, 0.0, changed + model->nindicator); /* these follow */
-        status = LAG_OK;
+    for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
+        contacts[i] *= run->motion.w[crossings->places.contact + i];
     }
-    return status;
+    *any = status == LAG_EVENT_PENDING && lag_any(model->nindicator + model->ncontact, crossings->changed);
+    lag_fill(model->ncontact, 0.0, contacts); /* these follow */
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 lag_status lag_run_ticks(lag_run *run)
