@@ -34,8 +34,8 @@ _MOST_TOLD = 4
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Steadiness:
     """`running` are names of what changes at a constant rate; `unbalanced` names what keeps a point from being steady,
-    with its rate of change in SI units; where that is zero, the row of A changes along the motion. `turning` is given where bodies turn steadily in quaternions: then A - X is
-    constant."""
+    with its rate of change in SI units; where that is zero, the row of A changes along the motion. `turning` is given
+    where bodies turn steadily in quaternions: then A - X is constant."""
 
     kind: Literal["equilibrium", "steady motion", "neither"]
     running: tuple[str, ...]
@@ -125,7 +125,8 @@ def imbalance(found: Steadiness) -> str:
     first = found.unbalanced[:_MOST_TOLD]
     if any(value for _, value in found.unbalanced):
         return f"{', '.join(f'{name} = {value:.4g}' for name, value in first)} (SI units)"
-    return f"nothing accelerates, but the linear equations of {', '.join(name for name, _ in first)} change along the motion"
+    names = ", ".join(name for name, _ in first)
+    return f"nothing accelerates, but the linear equations of {names} change along the motion"
 
 
 def _rate_name(name: str) -> str:

@@ -48,6 +48,10 @@ class Motions:
         elements = family(name, self.columns)
         if elements:
             return np.stack([self.columns[each] for each in elements], axis=-1)
+        if not self.columns and self.failures:
+            raise KeyError(
+                f"no column `{name}`: every run failed, the first one because {self.failures[min(self.failures)]}"
+            )
         hint = did_you_mean(str(name), self.columns, f"there are {listing(str(name), self.columns)}")
         raise KeyError(f"no column `{name}`; {hint}")
 

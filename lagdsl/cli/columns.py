@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import click
 
 from lagdsl.diagnostics.suggest import did_you_mean, listing
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.settings.arrays import family
 from lagdsl.simulate.table import heads_of
 
 
-def columns_of(names: tuple[str, ...], models: Iterable[FlatModel]) -> tuple[str, ...] | None:
+def columns_of(names: tuple[str, ...], models: Sequence[FlatModel]) -> tuple[str, ...] | None:
     """The columns to keep, all of which some model has; None for all columns. An array stands for its elements."""
     known = dict.fromkeys(head[0] for flat in models for head in heads_of(flat)[1:])
     kept: dict[str, None] = {}
@@ -20,6 +20,17 @@ def columns_of(names: tuple[str, ...], models: Iterable[FlatModel]) -> tuple[str
         elements = [name] if name in known else family(name, known)
         if not elements:
             hint = did_you_mean(name, known, f"there are {listing(name, known)}")
-            raise click.UsageError(f"there is no column `{name}`; {hint}")
+            raise click.UsageError(f"there is no column `{name}`; {hint}{way_to_column(name, models)}")
         kept |= dict.fromkeys(elements)
     return tuple(kept) or None
+
+
+def way_to_column(name: str, models: Iterable[FlatModel]) -> str:
+    """How a quantity of a model becomes a column, as the end of a message; empty for other names."""
+    for flat in models:
+        if any(item.name == name for item in flat.named if isinstance(item, Definition)):
+            return f"; `{name}` is a definition: write `output` before it"
+        if any(item.name == name for item in (*flat.inputs, *flat.parameters)):
+            kind = "an input" if any(item.name == name for item in flat.inputs) else "a parameter"
+            return f"; `{name}` is {kind}: an output with its value is a column"
+    return ""

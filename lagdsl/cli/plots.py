@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from lagdsl.cli.columns import way_to_column
 from lagdsl.cli.options import PATH, Command, combined
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.flat.model import FlatModel
@@ -63,15 +64,20 @@ def require_sound(plot: Plot) -> None:
 
 def require_names(plot: Plot, models: Iterable[FlatModel]) -> None:
     """Leave with status 2, before the work is done, where no model has a column of such a name."""
-    names = [head[0] for flat in models for head in heads_of(flat)]
-    chosen(plot, dict.fromkeys([*names, ENERGY]))
+    subjects = list(models)
+    names = [head[0] for flat in subjects for head in heads_of(flat)]
+    chosen(plot, dict.fromkeys([*names, ENERGY]), subjects)
 
 
-def chosen(plot: Plot, known: Collection[str]) -> tuple[list[list[str]], list[list[tuple[str, str]]]]:
+def chosen(
+    plot: Plot, known: Collection[str], models: Iterable[FlatModel] = ()
+) -> tuple[list[list[str]], list[list[tuple[str, str]]]]:
     """Columns of the panels, and pairs of columns; leaves with status 2 for names that are not known."""
     try:
         return panels_of(plot.show, known), paths_of(plot.xy, known)
-    except (UnknownColumn, ValueError) as error:
+    except UnknownColumn as error:
+        raise click.UsageError(f"{error}{way_to_column(error.args[1], models)}") from error
+    except ValueError as error:
         raise click.UsageError(str(error)) from error
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 _MOST_NAMED = 7  # curves in a legend; more runs have a scale of colors
 _MOST_DOTS = 200
 _WIDTH, _HEIGHT, _SQUARE = 8.0, 2.6, 4.6
+_TICKS = 5  # of the short axis of a path: numbers like -0.0015 stand beside each other
 
 
 def plot_of(
@@ -184,6 +185,7 @@ def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]
     panel.set_xlabel(_axis_label(rights, between=" "))
     panel.set_ylabel(_axis_label(ups))
     panel.margins(0.06)
+    panel.locator_params(axis="x", nbins=_TICKS)
     if len(pairs) > 1 and bundle.variation is None:
         panel.legend(handles=panel.lines[: 2 * len(pairs) : 2], fontsize=8)
     units = {curve.unit for curve in (*rights, *ups)}

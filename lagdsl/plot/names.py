@@ -12,7 +12,10 @@ ENERGY = "energy"
 
 
 class UnknownColumn(KeyError):  # noqa: N818  it is the name that is wrong
-    """A name that no column has; the text tells the nearest one."""
+    """A name that no column has; the text tells the nearest one.
+
+    Built from the text and the name.
+    """
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -38,7 +41,7 @@ def columns_in(text: str, known: Collection[str]) -> list[str]:
         elements = [name] if name in known else family(name, known)
         if not elements:
             hint = did_you_mean(name, known, f"there are {listing(name, known)}")
-            raise UnknownColumn(f"there is no column `{name}`; {hint}")
+            raise UnknownColumn(f"there is no column `{name}`; {hint}", name)
         found |= dict.fromkeys(elements)
     if not found:
         raise ValueError("a plot needs the name of a column, as in `theta, der(theta)`")

@@ -24,3 +24,12 @@ def test_arrays_by_their_name() -> None:
     for columns in (motion, many):
         with pytest.raises(KeyError, match="no column `xx`"):
             columns["xx"]
+
+
+def test_where_every_run_failed_the_name_of_a_column_is_answered_with_the_reason() -> None:
+    text = "model M input Force f; coordinate Length x; kinetic (1 kg)*der(x)^2; force f on x; end M;"
+    many = lagdsl.compile(text, engine="tape").simulate_many(
+        start={"x": [0.0, 1.0]}, inputs={"f": ([0.0, 1.0], [0.0, 1.0])}, stop=2.0
+    )
+    with pytest.raises(KeyError, match="every run failed, the first one because E0817: the table of input `f` covers"):
+        many["x"]

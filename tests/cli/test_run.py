@@ -314,3 +314,22 @@ class TestFailures:
     def test_a_device_is_written_directly(self, invoke: Invoke, pendulum: Path) -> None:
         assert invoke("run", pendulum, "--stop", "0.1", "-o", "/dev/null").exit_code == 0
         assert not Path("/dev/null").is_file()
+
+
+@pytest.mark.parametrize("option", [("--column", "slip"), ("--plot", "x.png", "--show", "slip")])
+@pytest.mark.parametrize(
+    ("declared", "told"),
+    [("Velocity slip = der(x);", "`slip` is a definition: write `output` before it"),
+     ("input Force slip;", "`slip` is an input: an output with its value is a column"),
+     ("parameter Force slip = 1 N;", "`slip` is a parameter: an output with its value is a column")],
+)  # fmt: skip
+def test_what_is_no_column_is_told_how_it_becomes_one(
+    option: tuple[str, ...], declared: str, told: str, invoke: Invoke, tmp_path: Path
+) -> None:
+    force = "(1 N.s/m)*slip" if "Velocity" in declared else "slip"
+    text = f"model M coordinate Length x; {declared} kinetic 1/2*(1 kg)*der(x)^2; force {force} on x; end M;"
+    (tmp_path / "m.lag").write_text(text)
+    place = [str(tmp_path / each) if each.endswith(".png") else each for each in option]
+    result = invoke("run", tmp_path / "m.lag", *place)
+    assert result.exit_code == 2
+    assert told in " ".join(result.stderr.split())

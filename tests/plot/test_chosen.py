@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -78,3 +79,14 @@ def test_the_suffix_says_the_form(suffix: str, tmp_path: Path) -> None:
     path = tmp_path / f"figure{suffix}"
     plot_of(trajectory(ANGLE, SPIN), path, show="theta", xy=("theta", "der(theta)"))
     assert path.read_bytes()[:5].lstrip() in {b"\x89PNG\r", b"<?xml", b"%PDF-"}
+
+
+@pytest.mark.parametrize("size", [1.5e-3, 2.4e-4, 0.15, 3.3, 12500.0])
+def test_numbers_beside_each_other_do_not_overlap(size: float) -> None:
+    figure = plot_of(trajectory(column("x", size * X.values), column("y", size * Y.values)), show="x", xy=("x", "y"))
+    figure.canvas.draw()
+    for panel in figure.axes:
+        low, high = panel.get_xlim()
+        shown = [t for t in panel.xaxis.get_major_ticks() if low <= t.get_loc() <= high and t.label1.get_text()]
+        boxes = [tick.label1.get_window_extent() for tick in shown]
+        assert len(boxes) > 2 and all(a.x1 < b.x0 for a, b in pairwise(boxes))

@@ -323,7 +323,7 @@ def test_rest_at_a_singular_place_of_the_coordinates_is_told() -> None:
     source = _ROOT / "models/spherical_pendulum.lag"
     found = studied(source)
     assert not found.equilibria
-    angles = [dict((q.name, value) for q, value in place.at)["theta"] for place in found.singular]
+    angles = [{q.name: value for q, value in place.at}["theta"] for place in found.singular]
     assert angles == [0, sympy.pi]
     assert "stays nowhere at rest" not in (text := str(lagdsl.compile(source).derive()))
     assert "They hold only where the matrix of the accelerations is singular" in text

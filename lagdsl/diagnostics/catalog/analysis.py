@@ -16,8 +16,8 @@ ROWS: dict[str, Row] = {
     "E0852": error(
         "no equilibrium found: {left}",
         None,
-        "free more coordinates or inputs, give starts closer to the equilibrium you mean, or keep the rates of the start "
-        "with `--steady`: a steady motion",
+        "free more coordinates or inputs, give starts closer to the equilibrium you mean, or keep the rates of the "
+        "start with `--steady`: a steady motion",
     ),
     "E0853": error(
         "`{name}` cannot be {what}",

@@ -55,7 +55,9 @@ _REST = "At rest, with all rates and accelerations zero, the equations of motion
 _REST_CONSTRAINED = "At rest, with all rates and accelerations zero, the equations of motion and the constraints are:"
 _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` finds them."
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
-_SINGULAR = "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
+_SINGULAR = (
+    "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
+)
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
 _STEADY = " constant and all other coordinates are at rest; then the equations of motion are:"

@@ -148,9 +148,10 @@ def _as_variable(named: fm.Named) -> fm.Named:
 def _asked(flat: fm.FlatModel) -> dict[str, Item]:
     """Points whose reaction is asked for, each with the item that asks first."""
     definitions = (item for item in flat.named if isinstance(item, fm.Definition))
+    asking: tuple[fm.Output | fm.Invariant | fm.Definition, ...] = (*flat.outputs, *flat.invariants, *definitions)
     asked: dict[str, Item] = {}
     seen: set[int] = set()
-    for item in (*flat.outputs, *flat.invariants, *definitions):
+    for item in asking:
         for node in postorder(item.value, seen):
             seen.add(id(node))
             if isinstance(node, fx.ReactionAlong):

@@ -65,7 +65,8 @@ def _is_regular(balance: Balance, residuals: Sequence[Expr], place: Place) -> bo
 
 
 def _holds(balance: Balance, equations: Sequence[Expr], place: Place) -> bool:
-    """True if the equations hold at the rates of `balance`; beyond the reals, too, where a condition is not fulfilled."""
+    """True if the equations hold at the rates that `balance` has; beyond the reals, too, where a condition is not
+    fulfilled."""
     numbers = {symbol: Float(value, _DIGITS) for symbol, value in balance.numbers.items()}
     try:
         for equation in equations:

@@ -52,8 +52,8 @@ class Equilibrium:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Study:
-    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why. Places of the
-    coordinates alone, at which the mass matrix is singular, are `singular` instead.
+    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why. Places
+    of the coordinates alone, at which the mass matrix is singular, are `singular` instead.
 
     `statics` are the residuals at rest, one per coordinate, then the constraint rows, if the system is `constrained`,
     with the inputs `held` at their default."""
@@ -118,7 +118,7 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
 def _equilibria(
     balance: Balance, residuals: Sequence[Expr]
 ) -> tuple[tuple[Expr, ...], tuple[tuple[Equilibrium, bool], ...], str | None]:
-    """The equations at rest, their solutions, each with whether the mass matrix is regular there, or why there are none."""
+    """Equations at rest; their solutions, each with whether the mass matrix is regular there, or why there are none."""
     table = balance.derivation.symbols
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
     statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
