@@ -1,5 +1,6 @@
 /* Why runs end, as lag_run_explain() tells it, and inputs that jump: against closed forms. */
 #include "check.h"
+#include "lag/fixed.h"
 #include "lag/run.h"
 #include "spring.h"
 
@@ -263,7 +264,8 @@ static lag_status hear(void *context, lag_run *run, const lag_event_notice *noti
     return LAG_OK;
 }
 
-static void relations_follow_inputs_that_jump(void)
+/* A mass at rest that is pushed where its input is more than 1/2. */
+static lag_model pushed(void)
 {
     static const lag_slot slots[1] = {{"u > 0.5", "1", NULL}};
     static const lag_slot inputs[1] = {{"u", "N", NULL}};
@@ -282,6 +284,12 @@ static void relations_follow_inputs_that_jump(void)
     model.discrete_start = none_are_true;
     model.indicator = is_pushed;
     model.event = no_clauses;
+    return model;
+}
+
+static void relations_follow_inputs_that_jump(void)
+{
+    const lag_model model = pushed();
     const lag_run_options options = {.tolerance = 1e-10, .inputs = jumping, .tell = hear};
     lag_run *run = place(&model, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
@@ -301,6 +309,27 @@ static void relations_follow_inputs_that_jump(void)
     free(run);
 }
 
+/* A loop for real time sets inputs between steps: what they change happens as the next one begins. */
+static void relations_follow_inputs_between_fixed_steps(void)
+{
+    double memory[16];
+    const lag_model model = pushed();
+    const lag_run_options options = {.tell = hear};
+    lag_run *run = place(&model, &options);
+    told.count = 0;
+    CHECK(lag_fixed_memory(2) <= sizeof memory / sizeof memory[0]);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    for (int i = 0; i < 300; ++i) {
+        run->motion.u[0] = i < 100 ? 0.0 : 1.0;
+        CHECK(lag_run_fixed(run, 0.01, lag_rk4, memory) == LAG_OK);
+    }
+    CHECK(told.count == 3 && told.what[1] == LAG_TRUE);
+    CHECK_NEAR(told.t[1], 1.0, 1e-12);
+    CHECK_NEAR(run->stepper.x[0], 4.0, 1e-9); /* (t - 1)^2 */
+    CHECK_NEAR(run->stepper.x[1], 4.0, 1e-9);
+    free(run);
+}
+
 int main(void)
 {
     assertions_are_told();
@@ -309,6 +338,7 @@ int main(void)
     what_changes_too_fast_is_told();
     what_has_no_inertia_is_told();
     relations_follow_inputs_that_jump();
+    relations_follow_inputs_between_fixed_steps();
     (void)printf("faults: ok\n");
     return EXIT_SUCCESS;
 }

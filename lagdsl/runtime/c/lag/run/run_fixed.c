@@ -35,7 +35,8 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     lag_stepper *s = &run->stepper;
     const unsigned iterations = run->projection.iterations;
     int moved = 0;
-    lag_status status = lag_zero_crossing_begin(&run->crossings, s->t, s->x);
+    lag_status status = run->motion.model->nu > 0 ? lag_run_jump(run) : LAG_OK;
+    status = status == LAG_OK ? lag_zero_crossing_begin(&run->crossings, s->t, s->x) : status;
     if (status != LAG_OK) {
         return status;
     }
