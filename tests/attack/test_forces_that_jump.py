@@ -110,6 +110,17 @@ FORCES = [
         OPENS,
     ),
     Attack(
+        # the force is zero but for round-off of the time where its first piece begins
+        "pushed_by_a_pulse_from_rest_in_contact",
+        model(
+            "coordinate Real a(start = -0.5, der(start = 1.5)), b; kinetic 1/2*der(a)^2 + der(b)^2;"
+            "contact c: b - a >= 0.1 with restitution = 0; force 1e5*max(0, 1 - abs(time - 0.4942)/1e-05) on a;"
+        ),
+        1.0,
+        {"b": (0.4942 - 4 / 15) / 2 + 5 / 6 * 0.5058, "der(a)": 5 / 6, "der(b)": 5 / 6},
+        {("c", "closed"): 1, ("c", "opened"): 0, ("c", "impact"): 0},
+    ),
+    Attack(
         "clause_for_an_acceleration",
         model(
             "coordinate Real x; kinetic 1/2*der(x)^2; Real s = limit(time - 1, 0, 9); force 4*der(s) on x;"

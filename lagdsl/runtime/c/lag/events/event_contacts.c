@@ -79,6 +79,17 @@ static double push(const lag_event_iteration *iteration, size_t i)
     return force == force ? force / fmax(lag_contacts_force_noise(iteration->contacts, i), 1e-300) : -(double)INFINITY;
 }
 
+void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling)
+{
+    const size_t count = iteration->motion->model->ncontact;
+    if (lag_any(count, pulling)) {
+        look_ahead(iteration, t, x);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        pulling[i] = pulling[i] != 0.0 && push(iteration, i) < -1.0;
+    }
+}
+
 /* The contact that pulls most of those flagged in `pulling`; their number where none pulls clearly and none has to. */
 static size_t find_pulling(const lag_event_iteration *iteration, int one)
 {

@@ -67,6 +67,9 @@ lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, co
  */
 lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
 
+/* Of the closed contacts flagged in `pulling` those that still pull a moment later: a force at a corner of time is there by round-off only. */
+void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
+
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
 
