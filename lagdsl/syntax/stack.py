@@ -17,6 +17,8 @@ from lagdsl.syntax.vocabulary import vocabulary
 
 STATEMENTS = ("_item", "_element", "_section_item", "when_equation")  # where the parser may begin anew after an error
 
+_ENDS = ("SEMICOLON", "THEN", "LOOP", "EQUATION_SECTION", "VISIBILITY")  # of statements, and of what stands before some
+
 
 class Stack:
     """The stack of `parser`. A height counts its states; the start state is the first and has no value."""
@@ -63,6 +65,19 @@ class Stack:
         except UnexpectedInput:
             pass
         return position == until
+
+    def begins_anew(self, height: int, position: int) -> bool:
+        """True if the text from `position` on is a statement, or the head of a block, if the stack is cut."""
+        trial = self._trial(height)
+        trial.lexer_thread.state.line_ctr.char_pos = position
+        try:
+            for token in trial.lexer_thread.lex(trial.parser_state):
+                trial.feed_token(as_text(token))
+                if token.type in _ENDS:
+                    return True
+        except UnexpectedInput:
+            pass
+        return False
 
     def _trial(self, height: int) -> Any:
         """A copy of the parser with the stack cut at `height`, which makes no nodes."""

@@ -113,6 +113,7 @@ ROWS: dict[str, Row] = {
         label="one more than the limit",
         help="name parts of the expression",
     ),
+    "E0139": error("this statement is not complete", label="expected {expected}", help="complete it or delete it"),
     "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for the product"),
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }

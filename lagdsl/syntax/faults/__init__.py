@@ -10,7 +10,13 @@ from collections.abc import Callable
 
 from lark import Token
 
-from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, ends_outer_class, missing_class_name
+from lagdsl.syntax.faults.blocks import (
+    end_of_block,
+    end_of_text,
+    ends_outer_class,
+    missing_class_name,
+    section_in_block,
+)
 from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
 from lagdsl.syntax.faults.habits import (
     assignment,
@@ -34,6 +40,7 @@ from lagdsl.syntax.faults.statements import (
     reserved_name,
     second_relation,
 )
+from lagdsl.syntax.faults.unfinished import unfinished_statement
 from lagdsl.syntax.session import Session
 from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
 
@@ -46,9 +53,11 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     unit_after_number,
     semicolon_in_brackets,
     wrong_bracket,
+    unfinished_statement,
     unclosed_bracket,
     end_of_text,
     end_of_block,
+    section_in_block,
     keyword_as_variable,
     reserved_name,
     missing_class_name,

@@ -11,6 +11,9 @@ from lagdsl.source import Span
 from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.session import BLOCKS, LONGEST_LOOK, Session
 from lagdsl.syntax.tokens import END_OF_TEXT, end_of, plain_tokens, start_of
+from lagdsl.syntax.vocabulary import vocabulary
+
+_SECTIONS = {"EQUATION_SECTION", "VISIBILITY"}
 
 
 def missing_class_name(session: Session, token: Token) -> bool:
@@ -70,6 +73,30 @@ def end_of_block(session: Session, token: Token) -> bool:
     session.insert(block.value, ";")
     session.rewind(end)
     return True
+
+
+def section_in_block(session: Session, token: Token) -> bool:
+    """`equation` or `protected` where a loop, a branch or an event is open: that one has no end."""
+    block, height = session.open_block(), session.stack.boundary()
+    if block is None or block.type == "CLASS_KIND" or height == 0:
+        return False
+    words = [*session.look_ahead(session.statement_start(token))][:2]
+    if not words or not begins_section(session, words[0]) or start_of(token) > start_of(words[-1]):
+        return False
+    word = words[0]
+    session.stack.cut(height)
+    _report_open(session, block, word)
+    session.insert("end", block.value, ";")
+    session.rewind(start_of(word))
+    return True
+
+
+def begins_section(session: Session, token: Token) -> bool:
+    """True if a line begins with `equation`, `initial equation`, `protected` or the like."""
+    words = [*session.look_ahead(start_of(token))][:2]
+    if [word.value for word in words] == ["initial", "equation"]:
+        return session.starts_line(token)
+    return session.starts_line(token) and not _SECTIONS.isdisjoint(vocabulary().words.get(token.value, ()))
 
 
 def ends_outer_class(session: Session, token: Token) -> bool:

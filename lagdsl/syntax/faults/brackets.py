@@ -23,7 +23,7 @@ def wrong_bracket(session: Session, token: Token) -> bool:
         return False
     waiting = [CLOSING[bracket.value] for bracket in session.brackets]
     if token.value in waiting:
-        _report_unclosed(session, opened, token)
+        report_unclosed(session, opened, token)
         if session.insert(closing):
             session.rewind(start_of(token))
             return True
@@ -46,7 +46,7 @@ def unclosed_bracket(session: Session, token: Token) -> bool:
     rows = opened.value == "[" and _matrix_went_over_lines(session, opened, token)
     if not ends and not begins and not rows:
         return False
-    _report_unclosed(session, opened, token)
+    report_unclosed(session, opened, token)
     if rows:
         session.panic(token)
         return True
@@ -59,7 +59,8 @@ def unclosed_bracket(session: Session, token: Token) -> bool:
     return True
 
 
-def _report_unclosed(session: Session, opened: Token, token: Token) -> None:
+def report_unclosed(session: Session, opened: Token, token: Token) -> None:
+    """`token` stands where the bracket must be closed already."""
     closing = CLOSING[opened.value]
     label = Label(
         session.span(token) if token.value else session.after_previous(), f"`{closing}` is expected before this"

@@ -77,7 +77,7 @@ def foreign_function(session: Session, token: Token) -> bool:
     """`function y = f(x) ... end f;`: leave its body and its `end` out."""
     height = session.stack.boundary()
     unfinished = session.stack.above(height) if height else []
-    if not unfinished or unfinished[0].value != "function":
+    if not unfinished or unfinished[0].value != "function" or session.starts_line(token):
         return False
     body = _end_of_function(session, end_of(token))
     if body is None:

@@ -180,7 +180,7 @@ def missing_separator(session: Session, token: Token) -> bool:
     if not before_new:
         return False
     if session.stack.accepts("SEMICOLON"):
-        session.sink.report("E0101", session.after_previous(), what=_noun(session, token))
+        session.sink.report("E0101", session.after_previous(), what=noun(session, token))
         session.insert(";")
         session.rewind(start_of(token))
         return True
@@ -193,7 +193,7 @@ def missing_separator(session: Session, token: Token) -> bool:
     return False
 
 
-def _noun(session: Session, token: Token) -> str:
+def noun(session: Session, token: Token) -> str:
     """Kind of the unfinished statement."""
     if any(isinstance(value, Token) and value.type == "END" for value in session.stack.values[-2:]):
         return "`end`"

@@ -55,7 +55,8 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             power = name.value if _POWER.fullmatch(name.value) else ""
             short = len(target.text + power) <= _LONGEST
             way = f"digits must follow the decimal point: `{target.text}.0{power}`" if short else None
-            sink.report("E0127", token_span(name, span), help=way)
+            dot = Span(span.file, target.span.end, target.span.end + 1)
+            sink.report("E0127", dot, help=way)
         return nodes.Member(span=span, target=target, name=name.value, name_span=token_span(name, span))
 
     binary = {rule: _binary(operator) for rule, operator in _OPERATORS.items()}
