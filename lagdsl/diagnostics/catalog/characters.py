@@ -100,12 +100,12 @@ def character_help(text: str, before: str) -> str:
         return f"write `abs({match[1].strip()})` for the amount of a number, `norm(v)` for that of a vector"
     if match := _PERCENT.fullmatch(text):
         return f"write `{match[1]}`"
-    if text == "°" and (number := _NUMBER_BEFORE.search(before)):
-        return f"write the unit `deg`: `{number[1]} deg`"
+    if text[0] == "°" and text != "°C" and (number := _NUMBER_BEFORE.search(before)):
+        return f"write the unit `deg{text[1:]}`: `{number[1]} deg{text[1:]}`"
     if text == "'" and _NUMBER_BEFORE.search(before):
         return "digits are not grouped: write the number without marks"
     if text == "%" and (number := _NUMBER_BEFORE.search(before)):
-        return f"write the percentage as a number: `{float(number[1]) / 100:g}`"
+        return f"write the percentage as a number: `{float(number[1]) / 100:g}`; the remainder is `mod(a, b)`"
     return _HELP.get(text) or _HELP.get(text[0]) or _letters(text) or _OTHERWISE
 
 

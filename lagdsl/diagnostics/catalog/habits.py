@@ -7,6 +7,9 @@ _DECLARED = "declare the quantity: `coordinate Angle q;` or `parameter Mass m = 
 _ANGLE = "the unit makes an angle of the number: `{0} deg`"
 _PICTURE = "a model prints nothing: declare an `output`; `lag run FILE --plot motion.png` draws it"
 _COMMAND = "a model has no commands: `lag run FILE` computes the motion, `--plot motion.png` draws it"
+_INTEGRAL = "an integral is a state: `state Real z(start = 0);`, with `der(z) = {0};` in an `equation` section"
+_PLACED = "a position is a point, its velocity follows: `point P = world.point({{x, y}});`"
+_TURNED = "a frame turns another one: `frame A = world.rotz(theta);`"
 _SOLVED = "nothing is solved by hand: the compiler forms and solves the equations of motion"
 
 # Functions by name; {0}, {1} are the texts of the arguments.
@@ -26,9 +29,24 @@ _FUNCTIONS = {
     **dict.fromkeys(("Symbol", "symbols", "dynamicsymbols", "sym", "syms", "Function"), _DECLARED),
     **dict.fromkeys(("Eq", "equation"), "an equation is written `{0} = {1};` in an `equation` section"),
     **dict.fromkeys(("Matrix", "array", "Array", "Vector", "vector"), "components stand in braces: `{{a, b, c}}`"),
-    **dict.fromkeys(("print", "disp", "printf", "display", "plot"), _PICTURE),
+    **dict.fromkeys(("print", "disp", "printf", "fprintf", "display", "plot"), _PICTURE),
     **dict.fromkeys(("solve", "dsolve", "ode45", "odeint", "solve_ivp", "fsolve"), _SOLVED),
-    **dict.fromkeys(("simplify", "expand", "subs", "lambdify"), _SOLVED),
+    **dict.fromkeys(("simplify", "expand", "subs", "lambdify", "LagrangesMethod", "KanesMethod"), _SOLVED),
+    **dict.fromkeys(("integral", "integrate", "cumtrapz", "trapz"), _INTEGRAL),
+    **dict.fromkeys(("Point", "set_pos", "set_vel", "locatenew"), _PLACED),
+    **dict.fromkeys(("ReferenceFrame", "orientnew", "orient", "orient_axis"), _TURNED),
+    **dict.fromkeys(("rotx", "roty", "rotz"), "a frame turns another one: `world.{function}({0})`"),
+    **dict.fromkeys(("wrapToPi", "wrap_to_pi", "unwrap"), "an angle between -180 and 180 degrees is `wrap({0})`"),
+    **dict.fromkeys(("saturate", "saturation", "sat", "clamp", "clip"), "write `limit(x, low, high)`"),
+    **dict.fromkeys(("mag", "magnitude", "vecnorm"), "write `norm({0})`"),
+    **dict.fromkeys(("rem", "fmod"), "the remainder is `mod({0}, {1})`, with the sign of the divisor"),
+    **dict.fromkeys(("round", "rint", "nint"), "write `floor({0} + 0.5)`"),
+    **dict.fromkeys(("int", "integer", "Integer", "fix"), "write `floor({0})` for the whole part"),
+    "ceiling": "write `ceil({0})`",
+    "hypot": "write `norm({{{0}, {1}}})`",
+    "cot": "write `1/tan({0})`",
+    "log2": "write `log({0})/log(2)`",
+    "Rational": "write `{0}/{1}`",
     **dict.fromkeys(("range", "arange"), "a range is written `1:n`"),
     "delay": "delays are not part of the language; a `FirstOrder` of Lag.Blocks lags behind",
 }  # fmt: skip
@@ -38,6 +56,7 @@ _NAMES = {
     "t": "the time is `time`",
     "True": "write `true`",
     "False": "write `false`",
+    **dict.fromkeys(("M_PI", "PI", "Pi"), "write `pi`"),
     "None": "leave the value out",
     "e": "Euler's number is `exp(1)`; a power of it is `exp(x)`",
     "g": "standard gravity is `g_n`",
@@ -81,6 +100,14 @@ _WORDS = {
     "protect": "write `protected`",
     "while": "loops run over indices: `for i in 1:n loop ... end for;`",
     **dict.fromkeys(("def", "lambda", "fun", "func"), "a function is written `function f(Real x) -> Real = 2*x;`"),
+    "encapsulated": "delete it: a class knows what surrounds it",
+    "external": "a function is one expression of this language: `function f(Real x) -> Real = 2*x;`",
+    **dict.fromkeys(("clear", "clc", "close", "clearvars"), "delete it: a model has no commands"),
+    **dict.fromkeys(("struct", "dataclass"), "write `record Name ... end Name;`"),
+    **dict.fromkeys(("hinge", "revolute"), "a hinge is a component: `lag explain Revolute`"),
+    **dict.fromkeys(("slider", "prismatic"), "a slider is a component: `lag explain Prismatic`"),
+    "gear": "a gear is a component: `lag explain Gear`",
+    "motor": "a motor is a component: `lag explain DCMotor`",
     "class": "write `model Name ... end Name;`",
     "from": "write `import Package.*;`",
     "spring": "a spring is an energy: `potential 1/2*k*s^2;` of its extension; or a component: `lag explain Spring`",
@@ -90,9 +117,28 @@ _WORDS = {
     "load": "write `force` or `torque`: `force vector at point;`",
     "energy": "write `kinetic` or `potential`: `kinetic T = 1/2*m*v^2;`",
     "particle": "write `mass`: `mass m at {x, y};`",
-    "rigidbody": "write `body`: `body b(m = 1 kg, I = {1, 1, 1} kg.m2) on frame;`",
+    "rigidbody": "write `body`: `body b(m = 1 kg, Izz = 1 kg.m2) on frame;`",
     "vel": "a velocity is the rate of a position: `der(x)` or `vel(P)`",
 }  # fmt: skip
+
+_SPEED = "write `Velocity`, for a rotation `AngularVelocity`"
+_STIFF = "write `Stiffness`, for a rotation `RotationalStiffness`"
+_DAMPED = "write `Damping`, for a rotation `RotationalDamping`"
+
+# Words in the place of a type, for the types that need no import.
+_TYPES = {
+    **dict.fromkeys(("Float", "Double", "Number", "Scalar"), _REAL),
+    "Speed": _SPEED,
+    **dict.fromkeys(("AngularSpeed", "RotationalSpeed", "RotationSpeed"), "write `AngularVelocity`"),
+    **dict.fromkeys(("SpringConstant", "SpringStiffness", "SpringRate", "LinearStiffness"), _STIFF),
+    **dict.fromkeys(("DampingConstant", "TranslationalDamping", "LinearDamping"), _DAMPED),
+    "TranslationalStiffness": _STIFF,
+    "Gravity": "write `Acceleration`; what acts on all masses is a statement: `gravity = -g_n*world.y;`",
+    "Moment": "write `Torque`; of masses `Inertia`",
+    "Displacement": "write `Length`",
+    **dict.fromkeys(("Friction", "FrictionCoefficient"), "write `CoefficientOfFriction`"),
+    **dict.fromkeys(("TorqueConstant", "MotorConstant"), "write `ElectricalTorqueConstant`"),
+}
 
 # Forms of statements, for those that are written in another order.
 _FORMS = {
@@ -139,6 +185,8 @@ def function_help(name: str, arguments: tuple[str, ...]) -> str | None:
     found = _FUNCTIONS.get(name)
     if found == _RATE and arguments[-1:] == ("2",):
         found = _FUNCTIONS["der2"]
+    elif name == "dot" and len(arguments) == 2:
+        found = "a scalar product is written `{0}*{1}`; the rate of a quantity is `der(q)`"
     if found is None and arguments in (("t",), ("time",)):
         return (
             f"quantities depend on time by themselves: `input Torque {name};` declares one, and `{name}` is its value"
@@ -160,6 +208,10 @@ def count_help(name: str, arguments: tuple[str, ...]) -> str | None:
             return f"write `{name}({first}, {name}({', '.join(others[:2])}))`"
         case ("log", (x, base)):
             return f"write `log({x})/log({base})`"
+        case ("norm", (_, _, *_)):
+            return f"components stand in braces: `norm({{{', '.join(arguments)}}})`"
+        case ("atan2", (x,)):
+            return f"the angle of one value is `atan({x})`"
         case _:
             return None
 
@@ -175,6 +227,11 @@ def word_help(word: str, name: str = "x") -> str | None:
     """Help: the text to write for a word of another language that begins a statement and declares `name`."""
     found = _WORDS.get(word)
     return None if found is None else found.replace("{name}", name)
+
+
+def quantity_help(name: str) -> str | None:
+    """Help: the type to write for `name`, which other languages and the field call it."""
+    return _TYPES.get(name)
 
 
 def package_help(package: str) -> str | None:

@@ -141,13 +141,18 @@ _FOREIGN_UNITS = {
     "kcal": (4.184, "kJ"),
     "dyn": (1e-5, "N"),
     "gon": (0.9, "deg"),
-    **dict.fromkeys(("U/min", "1/min", "rev/min", "RPM", "upm"), (1.0, "rpm")),
+    **dict.fromkeys(("U/min", "r/min", "1/min", "rev/min", "RPM", "upm"), (1.0, "rpm")),
     **dict.fromkeys(("gr", "gram", "grams"), (1.0, "g")),
     **dict.fromkeys(("mtr", "meter", "meters", "metre", "metres"), (1.0, "m")),
-    **dict.fromkeys(("grad", "Grad"), (1.0, "deg")),
-    **dict.fromkeys(("sec", "secs", "second", "seconds"), (1.0, "s")),
+    **dict.fromkeys(("grad", "Grad", "grd"), (1.0, "deg")),
+    **dict.fromkeys(("sec", "secs", "second", "seconds", "Sek", "sek"), (1.0, "s")),
+    **dict.fromkeys(("percent", "pct"), (0.01, "")),
+    **dict.fromkeys(("turn", "turns"), (1.0, "rev")),
 }
 """Units that the language has not, with what they are."""
+
+
+_ANNOTATION = "delete it: an annotation stands by itself in its class, `annotation(experiment(StopTime = 5));`"
 
 
 def foreign_unit(number: str, word: str) -> str | None:
@@ -155,18 +160,22 @@ def foreign_unit(number: str, word: str) -> str | None:
     if word not in _FOREIGN_UNITS or len(number) > _LONGEST:
         return None
     size, unit = _FOREIGN_UNITS[word]
-    return f"{float(number) * size:.10g} {unit}"
+    return f"{float(number) * size:.10g} {unit}".strip()
 
 
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
     """Help of E0105."""
     if word == "do":
         return "write `loop` behind a range, `then` behind a condition"
+    if word == "annotation":
+        return _ANNOTATION
+    if word in ("mod", "rem"):
+        return f"the remainder is a function: `mod({number}, ...)`" if len(number) <= _LONGEST else "write `mod(a, b)`"
     if word[:1] == "_" and word[1:].replace("_", "").isdigit() and len(number + word) <= _LONGEST:
         return f"digits are not grouped: write `{number}{word.replace('_', '')}`"
     if suggestion is None and len(number + word) > _LONGEST:
         return "for a product write `*`"
-    if word == "f" and "." in number:
+    if word == "f" and not number.isdigit():
         return f"a number has no letter for its type: `{number}`"
     product = f"for a product write `{number}*{word}`"
     if suggestion is not None and len(word) == 1:
@@ -211,6 +220,8 @@ def _equals_help(before: str, found: str, after: str, expected: str) -> str | No
             return "an equation or binding has one `=`; relations are `<=`, `>=`, `==` and `<>`"
         case (("+" | "-" | "*" | "/"), "="):
             return "an equation is no assignment; in a `when` clause a counter is written `n = pre(n) + 1`"
+        case (_, ":") if "`]`" in expected:
+            return "a range stands in an index or behind `in`; an array is `{1, 2, 3}`"
         case (_, "=") if whole:
             return "an equation has one `=`: write two equations"
         case ("{", "}"):
@@ -235,9 +246,11 @@ def _missing_mark(before: str, found: str, after: str, expected: str) -> str | N
             call = "(...)" if after == "(" else ""
             return f"an operator may be missing: a product is written `{before}*{found}{call}`"
         return "an operator may be missing: a product is written with `*`"
-    if "`=`" in expected and before in _DECLARATIONS:
+    if "`=`" in expected and before in _DECLARATIONS and found[:1].isupper():
         return f"a declaration ends with `;`: write `; {before} {found}`"
-    if "`=`" in expected and operand and before.isidentifier():
+    if before in _PREFIXES and "`=`" in expected:
+        return f"`{before}` stands before the type: `{before} Length {found}`" if _short(found) else None
+    if "`=`" in expected and operand and before.isidentifier() and found not in _PLACES:
         return f"`=` may be missing: `{before} = {found}`"
     return None
 
@@ -247,13 +260,19 @@ _WORDS = {
     "elif": "write `elseif`",
     "elsif": "write `elseif`",
     "else": "an expression is written `if condition then a else b`",
+    "annotation": _ANNOTATION,
 }
+_COUNTER = "a value follows; in a `when` clause a counter is written `n = pre(n) + 1`"
 _PAIRS = {
+    ("+", ";"): _COUNTER,
+    ("-", ";"): _COUNTER,
+    ("-", ">"): "a member stands behind a dot: `a.b`",
     (")", "{"): "blocks have words: `if condition then ... end if;`, `for i in 1:n loop ... end for;`",
     (";", "<"): "this is no statement; `lag import FILE` makes a model of a URDF or MJCF file",
 }
 """Help by the token before and the one at fault."""
 _PLACES = ("at", "on", "from", "to", "with")
+_PREFIXES = ("parameter", "constant", "input", "output", "discrete")
 
 
 def _short(*words: str) -> bool:

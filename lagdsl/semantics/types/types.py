@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from lagdsl.diagnostics.catalog.habits import word_help
+from lagdsl.diagnostics.catalog.habits import quantity_help, word_help
 from lagdsl.diagnostics.catalog.modelica import class_help, import_help
 from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
 from lagdsl.semantics.scope import prelude
@@ -192,7 +192,7 @@ def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     near = proposal(text, meant) if meant else import_hint(scope, name.parts[0])
     if meant in STATEMENTS:
         near = f"did you mean the statement `{meant}`?"
-    hint = word_help(text) or class_help(text) or near
+    hint = word_help(text) or quantity_help(text) or class_help(text) or near
     ctx.sink.report("E0208", name.span, name=text, help=hint)
 
 

@@ -20,6 +20,7 @@ _NUMBERS = ("NUMBER", "QUANTITY")
 _GROUPED = re.compile(r"\d{1,3}(?:\.\d{3})+")
 _PER = re.compile(r"1[ \t]*/[ \t]*([A-Za-z]+[1-9]?)(?![A-Za-z0-9_])")
 _FACTORS = re.compile(r"[A-Za-z]+(?:\^-?[1-9]|[1-9])?(?:[ \t]+[A-Za-z]+(?:\^-?[1-9]|[1-9])?)*(?=[ \t]*[;,)}\]\n])")
+_LONGEST_UNIT = 40
 _POWERS = {("*", "*"): "**", (".", "^"): ".^"}
 
 
@@ -108,6 +109,9 @@ def foreign_word(session: Session, token: Token) -> bool:
     session.sink.report("E0102", session.span(first), word=first.value, help=help_text)
     if first.value == "while":  # its `end while` would close the class
         session.give_up()
+    elif first.value == "encapsulated":  # the class behind it is read as it stands
+        session.stack.cut(session.stack.boundary())
+        session.rewind(end_of(first))
     else:
         session.panic(token)
     return True
@@ -138,6 +142,7 @@ def unexpected(session: Session, token: Token) -> bool:
     help_text = (
         _unit_help(session, token)
         or _import(session, token)
+        or _ports(session, token)
         or unexpected_help(session.previous.value, token.value, ahead.value if ahead is not None else "", words)
         or _form(session, token)
     )
@@ -151,6 +156,11 @@ def _unit_help(session: Session, token: Token) -> str | None:
     from lagdsl.units.parse import UnknownUnit, parse_unit
 
     before, text = session.previous, session.file.text
+    behind = pattern("QUANTITY").match(f"1 {text[start_of(token) : start_of(token) + _LONGEST_UNIT]}")
+    if behind is not None and before.value == "}":
+        return f"each component has its unit: `{{1 {behind[0][2:]}, ...}}`"
+    if behind is not None and before.value in (")", "pi"):
+        return f"for a product write `*`; a unit stands behind a number: `*(1 {behind[0][2:]})`"
     if before.type == "NUMBER" and (per := _PER.match(text, start_of(token))):
         joined = f"{before.value} /{per[1]}"
     elif before.type == "QUANTITY" and (rest := _FACTORS.match(text, start_of(token))):
@@ -180,6 +190,13 @@ def _form(session: Session, token: Token) -> str | None:
         return _load(session, first, statement)
     is_known = first.value in vocabulary().words or first.value == "assert"
     return form_help(first.value) if is_known else None
+
+
+def _ports(session: Session, token: Token) -> str | None:
+    """`connect(a.frame_a b.frame_b);`."""
+    statement = statement_before(session, token)
+    connects = bool(statement) and statement[0].value == "connect" and token.type == "IDENT"
+    return "ports are separated by commas: `connect(a, b);`" if connects else None
 
 
 def _import(session: Session, token: Token) -> str | None:

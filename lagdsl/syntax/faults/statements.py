@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import pairwise
 
 from lark import Token
 
 from lagdsl.diagnostics import Edit, Label
-from lagdsl.diagnostics.catalog.habits import call_help, energy_help
+from lagdsl.diagnostics.catalog.habits import call_help, energy_help, function_help
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
 from lagdsl.syntax.session import CLOSING, Session
@@ -132,6 +133,9 @@ def bare_equation(session: Session, token: Token) -> bool:
         way = energy_help(first.value) if tokens[1].value in ("=", ":") else None
         if tokens[1].value == "(" and len(tokens) > 2:
             way = call_help(first.value, tokens[2].value)
+        called = next((t.value for t, mark in pairwise(tokens) if t.type == "IDENT" and mark.value == "("), None)
+        if way is None and called is not None:
+            way = function_help(called, ())
         session.sink.report("E0103", span, help=way, line=session.file.line_number(start))
     session.panic(token)
     return True
