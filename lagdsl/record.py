@@ -78,12 +78,13 @@ def _complete(made: Any) -> None:
         for inherited in reversed(base.__mro__[1:]):
             known |= inherited.__dict__.get("__arguments__", {})
         known |= {name: _field(plain.__dict__.get(name, MISSING), kw_only) for name in plain.__annotations__}
-        base.__arguments__ = known
-        base.__init__ = _initializer(known, hasattr(plain, "__post_init__"))
         positional = tuple(name for name, one in known.items() if one.init and not one.kw_only)
         setattr(base, "__match_args__", positional)  # noqa: B010 mypy wants a literal
         base.__compared__ = _reader(tuple(name for name, one in known.items() if one.compare))
         base.__shown__ = tuple(name for name, one in known.items() if one.repr)
+        # A record that several threads make first is completed by each: whoever finds `__init__` or the mark finds all.
+        base.__init__ = _initializer(known, hasattr(plain, "__post_init__"))
+        base.__arguments__ = known
 
 
 def _reader(names: tuple[str, ...]) -> Any:

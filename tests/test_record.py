@@ -4,10 +4,12 @@ import copy
 import pickle
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import field, fields, replace
 
 import pytest
 
+import lagdsl.record
 from lagdsl.record import mutable_record, record
 from lagdsl.source import SourceFile
 from lagdsl.units.dimension import LENGTH
@@ -131,3 +133,23 @@ def test_fields_are_known_before_the_first_object():
 
     assert [(f.name, f.default) for f in fields(Late)][1:] == [("b", 2), ("d", 0.5)]
     assert replace(Late(1), d=2.0) == Late(1, d=2.0)
+
+
+def test_threads_may_make_the_first_objects(monkeypatch):
+    """One thread completes the record while another one, which makes an object, has not finished that."""
+
+    @record()
+    class Shared:
+        a: int
+
+    initializer, others = lagdsl.record._initializer, []
+
+    def interrupted(known, has_more):
+        if not others:
+            others.append(None)
+            with ThreadPoolExecutor() as pool:
+                others[0] = pool.submit(lambda: (Shared(2), Shared(2) == Shared(3), repr(Shared(4)))).result()
+        return initializer(known, has_more)
+
+    monkeypatch.setattr("lagdsl.record._initializer", interrupted)
+    assert Shared(2) == others[0][0] and others[0][1:] == (False, "Shared(a=4)")
