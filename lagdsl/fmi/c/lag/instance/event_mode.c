@@ -22,8 +22,14 @@ static const double ROUGH = 100.0;
 static const double ROUNDINGS = 64.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
-/* An importer finds an event, which margins delay by round-off, within this part of the experiment. */
+/*
+ * An event counts as one at its zero if relations lie behind zero by less than a hundredth of their way in a moment: in the first part of the
+ * experiment, or in twice a hundred times the time since they passed zero, by their rates over the second part, and at most in the last part.
+ */
 static const double LATE = 1e-13;
+static const double AHEAD = 1e-11;
+static const double LATEST = 1e-9;
+static const double MOMENTS = 200.0;
 
 /* Relations and contacts. */
 static size_t watched(const lag_instance *instance)
@@ -206,6 +212,15 @@ static double flight(const lag_instance *instance)
     return fmin(instance->held.span, ROUGH * late);
 }
 
+/* An event may be carried out so long after its zero. */
+static double lateness(lag_instance *instance, double t)
+{
+    lag_run *run = instance->run;
+    const double length = run->instants.contacts.length;
+    const double late = lag_event_iteration_lateness(&run->instants.iteration, t, instance->x, run->crossings.changed, AHEAD * length);
+    return fmin(LATEST * length, fmax(LATE * length, MOMENTS * late));
+}
+
 /* Length of the step that led here: the run's, the importer's. */
 static double length_of_step(const lag_instance *instance, int located)
 {
@@ -269,7 +284,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     }
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = located ? 0.0 : flight(instance);
-        run->instants.late = located ? 0.0 : LATE * run->instants.contacts.length;
+        run->instants.late = located ? 0.0 : lateness(instance, t);
         status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->crossings.changed);
         run->instants.contacts.flight = run->instants.late = 0.0;
     }

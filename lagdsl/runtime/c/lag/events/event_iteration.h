@@ -84,6 +84,12 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length);
 
+/*
+ * Time since the relations flagged in `turned`, which lie behind zero, have passed it, by their rates over the time `ahead` from here; zero for those
+ * that come back, or move by no more than round-off.
+ */
+double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead);
+
 /* Tells that something happened. */
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
 

@@ -15,6 +15,8 @@ enum { SERIES = 2 };
 static const double DEEP = 16.0;
 static const double LOW = 1e4;
 static const double SHORT = 1e-3;
+/* A relation moves clearly if it does so by this many round-offs. */
+static const double CLEAR = 16.0;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
 
@@ -185,6 +187,21 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x)
 {
     return lag_event_iteration_ahead(iteration, t, x, NULL);
+}
+
+double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead)
+{
+    double late = 0.0;
+    lag_event_iteration_move_on(iteration, t, x);
+    go(iteration, x, ahead);
+    lag_status status = indicate(iteration, t + ahead, iteration->later, iteration->then);
+    status = status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
+    for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
+        const double moved = iteration->then[i] - iteration->now[i];
+        const int falls = turned[i] != 0.0 && moved * iteration->now[i] > 0.0 && fabs(moved) > CLEAR * iteration->noise->sigma[i];
+        late = falls ? fmax(late, ahead * (iteration->now[i] / moved)) : late;
+    }
+    return late;
 }
 
 /* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
