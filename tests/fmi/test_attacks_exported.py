@@ -25,7 +25,7 @@ MODULES = {
     "test_contacts_in_a_row": None,
     "test_corners": "table",
     "test_crossings_at_bounds": "crossing_at_a_tick",
-    "test_forces_that_jump": "ground_that_stops_by_limit",
+    "test_forces_that_jump": "grounds_that_stop_in_components",
     "test_impacts_beyond_newton": None,
     "test_impulses": "mass_on_a_base_by_max",
     "test_missed_events": "teeth",

@@ -249,16 +249,26 @@ static double least_error(const lag_instance *instance, size_t i)
     return fmax(way, lag_instance_round_off(instance, i));
 }
 
+/* True if `i` is a contact that the last event has closed or opened. */
+static int has_turned(const lag_instance *instance, size_t i)
+{
+    const lag_run *run = instance->run;
+    const size_t first = instance->fmu->model->nindicator;
+    const size_t place = run->crossings.places.contact + i - first;
+    return i >= first && i < first + instance->fmu->model->ncontact && run->motion.w[place] != run->instants.w_before[place];
+}
+
 /*
  * Errors of the importer have moved whatever seemed to change in an event without effect: what lies behind zero farther than before, and what
- * did so along a path that the importer's error has bent.
+ * did so along a path that the importer's error has bent. A contact that has turned, as where its ground stops, is no error.
  */
-static lag_status step_back(lag_instance *instance)
+static lag_status step_back(lag_instance *instance, int happened)
 {
     const lag_status status = look(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         const int bent = value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
-        if (bent || -value(instance, i) > instance->latched[i]) {
+        const int turned = happened && has_turned(instance, i);
+        if (!turned && (bent || -value(instance, i) > instance->latched[i])) {
             instance->errors[i] = FARTHER * fmax(instance->errors[i], least_error(instance, i));
         }
     }
@@ -273,6 +283,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const double t = located ? held->t : present(instance);
     const double h = length_of_step(instance, located);
     const size_t size = lag_instance_order(instance) * sizeof(double);
+    const size_t events = run->events;
     int any = 0;
     instance->known = 0;
     held->jumped = 1;
@@ -294,7 +305,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
-        status = is_idle(instance) ? step_back(instance) : LAG_OK;
+        status = is_idle(instance) ? step_back(instance, run->events > events) : LAG_OK;
         lag_instance_end_path(instance, any);
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;
     }
