@@ -20,7 +20,10 @@ static const double SHORTEST = 0x1p-8;
 static const double SHAPELESS = 1e3;
 /* Steps that are shorter than this part of the experiment show by themselves: bounces within them are rest. */
 static const double SHORT = 1e-6;
-/* Behind a change that was shown and was none, the path is not looked along for so many times the step that has shown it. */
+/*
+ * Behind a change of a contact that was shown and was none, the path is not looked along for so many times the step that has shown it. A relation
+ * that was shown may still lie within its round-off at the event, and change behind it.
+ */
 static const double LONGER = 4.0;
 
 typedef struct node {
@@ -279,8 +282,9 @@ lag_status lag_instance_follow_path(lag_instance *instance)
 void lag_instance_end_path(lag_instance *instance, int any)
 {
     lag_held *held = &instance->held;
+    const lag_model *model = instance->fmu->model;
     int shown = 0;
-    for (size_t i = 0; i < lag_instance_watched(instance->fmu); ++i) {
+    for (size_t i = model->nindicator; i < model->nindicator + model->ncontact; ++i) {
         shown = shown || instance->shown[i] >= held->t;
     }
     if (any || shown || held->t > held->latched_at) {
