@@ -30,22 +30,24 @@ class PointKinematics:
         return self._evaluate(t, q, None, **rest)[0][..., self._place]
 
     def velocity(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **rest: ArrayLike) -> Floats:
-        """Velocity, shape (..., 3) [m/s]."""
+        """Velocity [m/s], shape (..., 3); of a frame that of its origin, then the angular one [rad/s], (..., 6)."""
         return self._evaluate(t, q, qd, **rest)[2][..., self._twist]
 
     def jacobian(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, **rest: ArrayLike) -> Floats:
-        """J, the derivative of the velocity by qd, shape (..., 3, nq). Velocities of a moving support are no part of
-        J qd."""
+        """J, the derivative of the velocity by qd, shape (..., 3, nq), of a frame (..., 6, nq). Velocities of a moving
+        support are no part of J qd."""
         return self._evaluate(t, q, qd, **rest)[3][..., self._twist, :]
 
     def bias_acceleration(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **rest: ArrayLike) -> Floats:
-        """Acceleration at qdd = 0, shape (..., 3) [m/s2]: that of the point is J qdd and this."""
+        """Acceleration at qdd = 0, shape (..., 3), of a frame (..., 6): the whole one is J qdd and this."""
         return self._evaluate(t, q, qd, **rest)[4][..., self._twist]
 
 
 class FrameKinematics(PointKinematics):
-    """A frame: its velocity, its bias acceleration and the rows of its Jacobian are those of the origin, then the
-    angular ones, in world axes: the shapes are (..., 6) and (..., 6, nq)."""
+    """A frame as functions of t [s], q (..., nq), qd (..., nq), in world components and SI units.
+
+    Velocity, bias acceleration and rows of the Jacobian are those of the origin, then the angular ones.
+    """
 
     def __init__(self, name: str, evaluate: Kinematics, place: int, twist: slice) -> None:
         super().__init__(name, evaluate, place, twist)
