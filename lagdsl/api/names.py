@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from lagdsl.diagnostics import CompilationFailed, Sink, failed
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.settings.arrays import family
+from lagdsl.settings.arrays import spread as spread_braces
 from lagdsl.settings.target import Target, value_of
 
 # A number in SI units, a text such as `2 kg`, or an array of these where the name is that of an array.
@@ -41,7 +42,7 @@ def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> I
     keys = keys_of(what, name, targets)
     if keys == [name] or keys == [name.removesuffix(".start")]:
         return [(keys[0], value)]
-    array = np.asarray(value, dtype=object)
+    array = np.asarray(_listed(name.removesuffix(".start"), value, keys), dtype=object)
     if array.ndim == 0:
         raise _unknown(what, name, f"`{name}` is an array of {len(keys)}: give as many values, or `{keys[0]}`")
     single = array.ravel().tolist()
@@ -53,7 +54,18 @@ def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> I
 def numbers(what: str, given: Mapping[str, Any], targets: Mapping[str, Target]) -> dict[str, Any]:
     """`given` with texts as numbers in SI units, arrays of any shape. Raises UnknownName, and ValueError for a text
     without the right unit."""
-    return {name: _array_of(value, targets[keys_of(what, name, targets)[0]]) for name, value in given.items()}
+    found = {}
+    for name, value in given.items():
+        keys = keys_of(what, name, targets)
+        found[name] = _array_of(_listed(name, value, keys), targets[keys[0]])
+    return found
+
+
+def _listed(name: str, value: Any, keys: Sequence[str]) -> Any:
+    """`{30, 20} deg` as the texts of its elements; anything else as it is."""
+    if not isinstance(value, str) or "{" not in value:
+        return value
+    return list(spread_braces({name: value}, keys).values())
 
 
 def _array_of(value: Any, target: Target) -> Any:

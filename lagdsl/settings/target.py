@@ -82,10 +82,19 @@ def find(flat: FlatModel, name: str, known: Mapping[str, Target]) -> Target:
 
 
 def value_of(target: Target, text: str) -> Literal:
-    """The value in SI units. Raises SettingError where it is none of `target`."""
-    given = literal(target.name, text)
+    """The value in SI units; one of an enumeration by its name or its number. Raises SettingError where it is none of
+    `target`."""
     where = f"{target.name}={short(text)}"
     item = target.quantity
+    place = _place_in_enumeration(item, text.strip())
+    if place is not None:
+        return Literal(text, place, None)
+    try:
+        given = literal(target.name, text)
+    except SettingError:
+        if not item.literals:
+            raise
+        raise SettingError(f"{where}: `{target.name}` is one of {', '.join(item.literals)}") from None
     if isinstance(item, Parameter) and given.boolean != (item.kind == "Boolean"):
         expected = "true or false" if item.kind == "Boolean" else "a number"
         raise SettingError(f"{where}: `{target.name}` is {expected}")
@@ -98,6 +107,12 @@ def value_of(target: Target, text: str) -> Literal:
         except ValueError as error:
             raise SettingError(f"{where}: {error}") from error
     return given
+
+
+def _place_in_enumeration(item: Quantity, text: str) -> float | None:
+    """The number of `fast` or `Mode.fast`; None for what is no name of a value of the type."""
+    name = text.removeprefix(f"{item.type_name}.")
+    return item.literals.index(name) + 1.0 if name in item.literals else None
 
 
 def lacks_unit(target: Target, given: Literal) -> bool:

@@ -100,15 +100,21 @@ def report_missing(flat: FlatModel, given: Collection[str], sink: Sink) -> None:
     names = [f"`{item.name}`" for item in missing[:_MOST_NAMED]]
     more = f" and {len(missing) - len(names)} more" if len(missing) > len(names) else ""
     unit = missing[0].unit if missing[0].unit != "1" else ""
-    zero = f"it is 0 {unit}".rstrip() if len(missing) == 1 else "they are zero"
+    zero = f"it is {_assumed(missing[0])} {unit}".rstrip() if len(missing) == 1 else "they are zero"
+    if len(missing) > 1 and any(item.literals for item in missing):
+        zero += ", enumerations have their first value"
     sink.report(
         "N0875",
         missing[0].spans[0] if missing[0].spans else None,
         names=f"the input{'' if len(missing) == 1 else 's'} {', '.join(names)}{more}",
         zero=zero,
         first=missing[0].name,
-        example=f"1 {unit}".rstrip(),
+        example=missing[0].literals[-1] if missing[0].literals else f"1 {unit}".rstrip(),
     )
+
+
+def _assumed(item: Input) -> str:
+    return item.literals[0] if item.literals else "0"
 
 
 def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:

@@ -45,6 +45,47 @@ def test_texts_and_arrays(two: lagdsl.Model) -> None:
     np.testing.assert_allclose(state.q, np.radians([30, 40]), rtol=1e-15)
 
 
+def test_an_array_in_braces(two: lagdsl.Model) -> None:
+    """As on the command line, for settings and for vectors by name."""
+    listed = two.initial_state(parameters={"m": ["1 kg", "500 g"]}, start={"q": ["30 deg", "20 deg"]})
+    braced = two.initial_state(parameters={"m": "{1 kg, 500 g}"}, start={"q.start": "{30, 20} deg"})
+    np.testing.assert_array_equal(braced.q, listed.q)
+    np.testing.assert_array_equal(braced.p, listed.p)
+    found = two.mass_matrix(0.0, {"q": "{30, 20} deg"}, p={"m": "{1, 0.5} kg"})
+    np.testing.assert_array_equal(found, two.mass_matrix(0.0, listed.q, p=listed.p))
+    with pytest.raises(ValueError, match="has 2 elements"):
+        two.mass_matrix(0.0, {"q": "{30, 20, 10} deg"})
+
+
+GEARED = """model Geared
+  type Gear = enumeration(reverse, neutral, forward);
+  parameter Gear first = Gear.forward;
+  input Gear gear;
+  coordinate Length x;
+  mass 1 kg at {x, 0};
+  gravity = 0;
+  force if gear == first then 3 N else 0 on x;
+end Geared;
+"""
+
+
+def test_values_of_an_enumeration_by_name() -> None:
+    model = lagdsl.compile(GEARED, engine="tape")
+    for gear, first, acceleration in (("forward", 3, 3.0), ("Gear.reverse", "reverse", 3.0), (2, "Gear.forward", 0.0)):
+        motion = model.simulate(inputs={"gear": gear}, parameters={"first": first}, **SHORT)
+        assert motion["x"][-1] == pytest.approx(acceleration / 2 * 0.2**2, abs=1e-12)
+    assert model.forward_dynamics(0.0, [0], [0], u={"gear": "forward"}, w=[1.0]).shape == (1,)
+    with pytest.raises(ValueError, match="gear=sideways: `gear` is one of reverse, neutral, forward"):
+        model.simulate(inputs={"gear": "sideways"}, **SHORT)
+
+
+def test_the_value_of_an_enumeration_that_is_not_given_is_told() -> None:
+    sink = lagdsl.diagnostics.Sink()
+    lagdsl.compile(GEARED, engine="tape").simulate(sink=sink, **SHORT)
+    (note,) = [each for each in sink.diagnostics if each.code == "N0875"]
+    assert "it is reverse" in note.message and note.help is not None and "gear=forward" in note.help
+
+
 def test_sweeps_take_the_same(two: lagdsl.Model) -> None:
     pytest.importorskip("xarray")
     swept = two.sweep({"m": [0.5, 3.0], "q[1].start": "0:10:20 deg", "gain": [1.0, 2.0]}, inputs={"tau": 0.0}, **SHORT)

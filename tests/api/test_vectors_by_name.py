@@ -102,6 +102,16 @@ def test_values_that_do_not_fit_are_told(functions: Any, given: Any, words: str)
     assert words in str(caught.value)
 
 
+def test_vectors_without_names_are_numbers(functions: Any) -> None:
+    for ask in (
+        lambda: functions.mass_matrix("0 s", [0.1, 0.2, 0.3]),
+        lambda: functions.mass_matrix(0.0, ["1 deg", "2 deg", "1 m"]),
+        lambda: functions.mass_matrix(0.0, [1j, 0.0, 0.0]),
+    ):
+        with pytest.raises(ValueError, match=r"^[tq] must be made of real numbers in SI units: "):
+            ask()
+
+
 def test_missing_coordinates_are_told(functions: Any) -> None:
     with pytest.raises(ValueError, match=r"q: there is no value for q\[2\], s"):
         functions.mass_matrix(0.0, {"q[1]": 0.3})
