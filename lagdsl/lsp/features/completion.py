@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from lsprotocol import types as lsp
 
+from lagdsl.lsp.features.arguments import arguments_at, shapes_at
 from lagdsl.lsp.features.cursor import Cursor, cursor_at
 from lagdsl.lsp.features.hover import head_of
 from lagdsl.lsp.features.symbols import symbol_kind
@@ -16,7 +17,7 @@ from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.lsp.snippets import SNIPPETS
 from lagdsl.manual.component_page import component_page
 from lagdsl.manual.library import UnknownClass, matching
-from lagdsl.semantics.operators.geometry import FRAME_MEMBERS, METHODS
+from lagdsl.semantics.operators.geometry import AXES, FRAME_MEMBERS, METHODS
 from lagdsl.semantics.scope.imports import root_of
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
 from lagdsl.semantics.scope.scope import ClassSymbol, Entry, Scope, lookup, reachable
@@ -34,6 +35,10 @@ def completion(snapshot: Snapshot, offset: int) -> lsp.CompletionList:
 def _items(snapshot: Snapshot, offset: int, cursor: Cursor) -> Iterator[lsp.CompletionItem]:
     names = snapshot.class_at(offset)
     scope = names.scope if names is not None else snapshot.scope
+    given = arguments_at(cursor) if cursor.want in ("modifier", "expression") else ()
+    if given:
+        yield from (_attribute(name) for name in given)
+        return
     match cursor.want:
         case "nothing":
             pass
@@ -42,7 +47,7 @@ def _items(snapshot: Snapshot, offset: int, cursor: Cursor) -> Iterator[lsp.Comp
         case "package":
             yield from _of_package(_package(scope, cursor.path) if scope is not None else None, scope, cursor.path)
         case "member":
-            yield from _members(snapshot, names, scope, cursor.path)
+            yield from _of_value(cursor.called) if cursor.called else _members(snapshot, names, scope, cursor.path)
         case "modifier":
             yield from _modifiers(snapshot, names, scope, cursor)
         case "type":
@@ -51,6 +56,8 @@ def _items(snapshot: Snapshot, offset: int, cursor: Cursor) -> Iterator[lsp.Comp
             yield from _statements()
             yield from _types(scope)
             yield from _names(names, scope)
+        case "expression" if shapes := shapes_at(cursor):
+            yield from (_item(name, lsp.CompletionItemKind.EnumMember) for name in shapes)
         case "expression":
             yield from _names(names, scope)
             yield from _language()
@@ -149,10 +156,28 @@ def _members(
     if inside is not None:
         yield from (_of(each) for each in inside.members.values() if not each.protected)
     elif path == ("world",) or (found is not None and found.kind == "frame"):
-        yield from (_item(name, lsp.CompletionItemKind.Field) for name in FRAME_MEMBERS)
-        yield from (_item(name, lsp.CompletionItemKind.Method) for name in METHODS)
-    elif found is not None and found.kind == "point":
-        yield from (_item(name, lsp.CompletionItemKind.Field) for name in ("x", "y", "z"))
+        yield from _of_frame()
+    elif path[-1] in FRAME_MEMBERS or (found is not None and found.kind == "point"):
+        yield from (_item(name, lsp.CompletionItemKind.Field) for name in AXES)
+
+
+_VECTORS = ("at", "point", "vec")
+"""Methods of frames that give vectors; the others give frames."""
+
+
+def _of_value(called: str) -> Iterator[lsp.CompletionItem]:
+    """Members of the value of a function."""
+    if called == "reaction":
+        yield from (_item(name, lsp.CompletionItemKind.Field) for name in ("force", "torque"))
+    elif called in METHODS and called not in _VECTORS:
+        yield from _of_frame()
+    elif called in _VECTORS:
+        yield from (_item(name, lsp.CompletionItemKind.Field) for name in AXES)
+
+
+def _of_frame() -> Iterator[lsp.CompletionItem]:
+    yield from (_item(name, lsp.CompletionItemKind.Field) for name in FRAME_MEMBERS)
+    yield from (_item(name, lsp.CompletionItemKind.Method) for name in METHODS)
 
 
 def _modifiers(
@@ -170,10 +195,13 @@ def _modifiers(
     if inside is not None:
         yield from (_set(each) for each in _modifiable(inside.members.values()))
     else:
-        for name, text in ATTRIBUTES.items():
-            item = _item(name, lsp.CompletionItemKind.Property, text)
-            item.insert_text = name if name in ("der", "omega") else f"{name} = "
-            yield item
+        yield from (_attribute(name, text) for name, text in ATTRIBUTES.items())
+
+
+def _attribute(name: str, text: str | None = None) -> lsp.CompletionItem:
+    item = _item(name, lsp.CompletionItemKind.Property, text)
+    item.insert_text = name if name in ("der", "omega", "experiment") else f"{name} = "
+    return item
 
 
 def _type_path(statement: tuple[str, ...]) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ Want: TypeAlias = Literal["statement", "type", "member", "unit", "modifier", "ex
 
 _NUMBER = re.compile(r"(?<![\w.])[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?[ \t]+(?:[A-Za-z0-9^]+[./])*[A-Za-z]*$")
 _PATH = re.compile(r"((?:[A-Za-z_]\w*(?:\[[^\[\]\n]*\])?\s*\.\s*)+)([A-Za-z_]\w*)?$")
+_LISTED = re.compile(r"([A-Za-z_][\w.]*)\.\{[\w\s,]*$")
 _OPENING, _CLOSING = ("(", "[", "{"), (")", "]", "}")
 _PREFIXES: tuple[str, ...] = (
     "parameter",
@@ -50,6 +51,8 @@ class Cursor:
     brackets: tuple[Bracket, ...]
     statement: tuple[str, ...]
     word: str
+    called: str = ""
+    """The function whose value stands before the dot: `reaction` of `reaction(A).`."""
 
 
 def cursor_at(text: str, offset: int) -> Cursor:
@@ -68,7 +71,25 @@ def cursor_at(text: str, offset: int) -> Cursor:
     brackets = tuple(_brackets(own))
     path = _PATH.search(before)
     names = tuple(re.findall(r"([A-Za-z_]\w*)(?:\[[^\]]*\])?\s*\.", path[1])) if path is not None else ()
-    return Cursor(_want(before, texts, brackets, word, names), names, brackets, texts, word)
+    listed = _LISTED.search(before)
+    if listed is not None and texts[:1] == ("import",):
+        return Cursor("package", tuple(listed[1].split(".")), brackets, texts, word)
+    called = _called(own[:-1] if word and own and own[-1].value == word else own)
+    want: Want = "member" if called else _want(before, texts, brackets, word, names)
+    return Cursor(want, names, brackets, texts, word, called)
+
+
+def _called(tokens: list[Token]) -> str:
+    """The name before the brackets that the dot at the end stands behind."""
+    if [token.value for token in tokens[-2:]] != [")", "."]:
+        return ""
+    depth = 0
+    for k in range(len(tokens) - 2, -1, -1):
+        depth += (tokens[k].value in _CLOSING) - (tokens[k].value in _OPENING)
+        if depth == 0:
+            names = _names_before(tokens, k)
+            return names[-1] if names else ""
+    return ""
 
 
 def _closed(token: Token, before: str) -> bool:

@@ -15,8 +15,8 @@ from lagdsl.semantics.types.dimensions import require
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
-_SETTINGS = ("StartTime", "StopTime", "Tolerance", "Interval")
-_NAMES = ("experiment", "units")
+SETTINGS = ("StartTime", "StopTime", "Tolerance", "Interval")
+ANNOTATIONS = ("experiment", "units")
 _FINEST, _COARSEST = 1e-13, 0.1
 
 
@@ -45,9 +45,9 @@ def experiment(ctx: Context, annotations: Sequence[Placed]) -> Experiment:
             name = ".".join(modifier.name.parts)
             if name == "experiment":
                 given.append((modifier, placed.scope))
-            elif name not in _NAMES:
-                hint = did_you_mean(name, _NAMES)
-                if name in _SETTINGS:
+            elif name not in ANNOTATIONS:
+                hint = did_you_mean(name, ANNOTATIONS)
+                if name in SETTINGS:
                     hint = f"it belongs to the experiment: `annotation(experiment({name} = ...));`"
                 ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
     own = [
@@ -80,9 +80,9 @@ def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict
         ctx.sink.report("E0240", setting.span, what="an annotation")
         return
     name = ".".join(setting.name.parts)
-    if name not in _SETTINGS:
-        hint = did_you_mean(name, _SETTINGS)
-        listed = ", ".join(_SETTINGS)
+    if name not in SETTINGS:
+        hint = did_you_mean(name, SETTINGS)
+        listed = ", ".join(SETTINGS)
         span = setting.name.span
         ctx.sink.report("E0202", span, name=name, type="experiment", attributes=listed, help=hint)
         return

@@ -31,6 +31,7 @@ from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, TIME
 
 _RIGID = ("restitution", "v_stick", "t_eps")
 _COMPLIANT = ("compliance", "damping", "exponent")
+OPTIONS = (*_RIGID, *_COMPLIANT)
 
 
 def make(ctx: Context, scope: Scope, node: nodes.Contact, name: str) -> ContactValue | None:
@@ -76,7 +77,7 @@ def _gap(ctx: Context, scope: Scope, node: nodes.Contact) -> Scalar | None:
 def _options(ctx: Context, node: nodes.Contact) -> dict[str, nodes.Named] | None:
     """The options by name, of one of the two laws."""
     found: dict[str, nodes.Named] = {}
-    known = (*_RIGID, *_COMPLIANT)
+    known = OPTIONS
     for option in node.options:
         if option.name not in known:
             hint = did_you_mean(option.name, known)
