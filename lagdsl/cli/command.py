@@ -8,6 +8,20 @@ import click
 
 from lagdsl.settings.failure import SettingError
 
+# Options of other tools, with those that mean the same here; a command may have one of several.
+_MEANT = {
+    **dict.fromkeys(("t", "tstop", "tend", "t-end", "end", "duration", "time", "stop-time"), ("--stop",)),
+    **dict.fromkeys(("dt", "step-size", "h"), ("--step", "--interval")),
+    **dict.fromkeys(("tol", "rtol", "reltol", "abstol", "atol"), ("--tolerance",)),
+    **dict.fromkeys(("method", "integrator"), ("--solver",)),
+    **dict.fromkeys(("p", "param", "params", "parameter", "override"), ("--set",)),
+    **dict.fromkeys(("out", "csv", "save"), ("--output",)),
+}
+
+
+def _meant(option: str) -> tuple[str, ...]:
+    return _MEANT.get(option.lstrip("-").lower().replace("_", "-"), ())
+
 
 class Command(click.Command):
     """A click command that leaves with status 2 where a text is no value of what it is assigned to, and that knows the
@@ -23,6 +37,9 @@ class Command(click.Command):
             long = [name for param in self.params for name in param.opts if f"-{name.lstrip('-')}" in given]
             if len(long) == 1 and long[0].startswith("--"):
                 raise click.UsageError(f"options have two dashes: write `{long[0]}`", ctx) from error
+            meant = [name for name in _meant(error.option_name) if any(name in param.opts for param in self.params)]
+            if meant:
+                raise click.UsageError(f"no option `{error.option_name}`; write `{meant[0]}`", ctx) from error
             raise
         except click.UsageError as error:
             if error.message.startswith("Got unexpected extra argument"):

@@ -13,6 +13,8 @@ from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
 from lagdsl.units.naming import describe
 from lagdsl.units.parse import parse_unit
 
+_OF_NUMBERS = ("E0105", "E0108", "E0116")
+"""No unit, a character such as a degree sign, no number of double precision."""
 _CYCLES = ("Hz", "kHz", "MHz")
 
 
@@ -48,7 +50,7 @@ def literal(name: str, text: str, example: str = "2 kg") -> Literal:
     if isinstance(expression, nodes.Boolean):
         return Literal(text, float(expression.value), DIMENSIONLESS, boolean=True)
     for fault in sink.diagnostics:
-        if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
+        if fault.code in _OF_NUMBERS or (fault.code == "E0100" and fault.edit is not None):  # or a decimal comma
             raise SettingError(f"{where}: {fault.message}; {fault.help}")
     raise SettingError(f"{where}: expected a number with or without a unit, as in {example}")
 

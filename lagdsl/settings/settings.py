@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 
@@ -12,6 +13,8 @@ from lagdsl.record import record
 from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, value_of
+
+_DECIMAL_COMMA = re.compile(r"[^,:]*[0-9],[0-9][^,:]*")
 
 
 @record()
@@ -78,6 +81,8 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
 
 
 def _require_one(name: str, text: str) -> None:
+    if _DECIMAL_COMMA.fullmatch(text):
+        return  # a fault of the number, which its reader tells
     if ":" in text or "," in text:
         hint = "`lag sweep --set` takes ranges and lists"
         raise SettingError(f"{name}={short(text)}: one value stands here, as in 2 kg; {hint}")
