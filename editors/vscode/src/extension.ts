@@ -50,7 +50,7 @@ async function start(): Promise<void> {
   } catch {
     const open = "Open the setting";
     const chosen = await vscode.window.showErrorMessage(
-      `\`${compiler()} lsp\` does not start. Install it with pip install 'lagdsl[lsp]', or set lagdsl.command.`,
+      `\`${compiler()} lsp\` does not start. Run pip install '.[lsp]' in the folder of the sources of lagdsl, or set lagdsl.command.`,
       open,
     );
     if (chosen === open) {
