@@ -25,11 +25,13 @@ _NICENESS = 5  # the process gives way to what answers a key
 
 @record(kw_only=True)
 class Request:
-    """A text to look at; with `page` the living page of its model is written there."""
+    """A text to look at; with `page` the living page of its model is written there. `held` are the texts of other files
+    that the editor holds, by their paths."""
 
     name: str
     text: str
     page: str | None = None
+    held: dict[str, str] = field(default_factory=dict)
 
 
 @record(kw_only=True)
@@ -49,7 +51,9 @@ class Depth:
 def examine(request: Request) -> Depth:
     """All of `lag check`, and what hovers and hints show of its products."""
     from lagdsl.pipeline import check
+    from lagdsl.semantics.classes.library import hold
 
+    hold(request.held)
     file = SourceFile(request.name, request.text)
     diagnostics, compilation = check(file)
     found = [_told(each, file) for each in diagnostics]

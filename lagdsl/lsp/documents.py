@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,6 +26,7 @@ class Document:
         self.snapshot = Snapshot(name_of_uri(uri), text, version)
         self.checked: Snapshot | None = None  # the last one whose findings are told
         self.found: tuple[Diagnostic, ...] = ()
+        self.whole: str | None = None  # the last text that was understood
         self.memory = Memory()
         self.depth: Depth | None = None
         self.depth_of: Snapshot | None = None
@@ -51,6 +53,19 @@ class Documents:
         self.open: dict[str, Document] = {}
         self.folders: list[Path] = []
         self._read: dict[Path, tuple[tuple[int, int], Snapshot]] = {}
+
+    def held(self) -> dict[str, str]:
+        """The last texts that were understood, by the paths of their files: what a key breaks is told there alone."""
+        documents = list(self.open.values())
+        return {each.snapshot.file.name: each.whole for each in documents if each.whole is not None}
+
+    def naming(self, document: Document) -> list[Document]:
+        """Other open texts with the name of this file, or of a folder around it: those that may import it."""
+        path = Path(document.snapshot.file.name)
+        names = (path.stem, *(folder.name for folder in path.parents if (folder / "package.lag").is_file()))
+        word = re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b")
+        others = [each for each in list(self.open.values()) if each is not document]
+        return [each for each in others if word.search(each.snapshot.text)]
 
     def of(self, identifier: lsp.TextDocumentIdentifier) -> Document | None:
         return self.open.get(identifier.uri)

@@ -23,6 +23,7 @@ from lagdsl.lsp.pages import Pages
 from lagdsl.lsp.protocol import LagProtocol
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.lsp.worker import Worker
+from lagdsl.semantics.classes.library import hold
 from lagdsl.version import __version__
 
 REST = 0.15
@@ -69,6 +70,13 @@ class LagServer(LanguageServer):
         self.depths.cancel()
         self.quick.ask(uri)
 
+    def _hold(self, document: Document) -> None:
+        """Other texts that import this one see it as the editor holds it."""
+        hold(self.documents.held())
+        for other in self.documents.naming(document):
+            other.refresh()
+            self.quick.ask(other.uri)
+
     def saved(self) -> None:
         """A file has changed on disk: texts that import it may say something else."""
         for document in self.documents.open.values():
@@ -76,9 +84,11 @@ class LagServer(LanguageServer):
             self.quick.ask(document.uri)
 
     def closed(self, uri: str) -> None:
-        self.documents.open.pop(uri, None)
+        document = self.documents.open.pop(uri, None)
         self.quick.forget(uri)
         self.deep.forget(uri)
+        if document is not None:
+            self._hold(document)
         self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
 
     def end(self) -> None:
@@ -98,6 +108,9 @@ class LagServer(LanguageServer):
         if document.snapshot is not snapshot:
             return
         document.checked, document.found = snapshot, found
+        if snapshot.is_whole and document.whole != snapshot.text:
+            document.whole = snapshot.text
+            self._hold(document)
         self._publish(document, snapshot, shown(found, snapshot.file))
         if snapshot.is_whole:
             self.deep.ask(uri)
@@ -113,7 +126,9 @@ class LagServer(LanguageServer):
         snapshot = document.snapshot
         page = self.pages.of(uri)
         path = None if page is None else str(page.path)
-        depth = self.depths.ask(Request(name=snapshot.file.name, text=snapshot.text, page=path))
+        held = self.documents.held()
+        request = Request(name=snapshot.file.name, text=snapshot.text, page=path, held=held)
+        depth = self.depths.ask(request)
         if depth is None or document.snapshot is not snapshot or document.checked is not snapshot:
             return
         document.depth, document.depth_of = depth, snapshot

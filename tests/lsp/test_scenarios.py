@@ -251,6 +251,31 @@ def test_references_and_rename_go_across_files(editor: Editor, folder: Path) -> 
         editor.about("rename", arm, part, "2*si|ze", new_name="twice")
 
 
+def test_what_is_imported_is_read_as_the_editor_holds_it(editor: Editor, folder: Path) -> None:
+    """A rename changes two open texts: neither is wrong before both are saved; a broken text is one's own affair."""
+    part = "model Leg\n  parameter Length size = 1 m;\n  Length twice = 2*size;\nend Leg;\n"
+    user = "model Walker\n  import Leg;\n  Leg leg(size = 2 m);\n  output Length s = leg.twice;\nend Walker;\n"
+    (folder / "Leg.lag").write_text(part)
+    leg, used = (folder / "Leg.lag").as_uri(), (folder / "Walker.lag").as_uri()
+    editor.open(leg, part)
+    editor.open(used, user)
+
+    def errors() -> list[str]:
+        found = editor.diagnostics_of(used)
+        return [str(each.code) for each in found if each.severity == lsp.DiagnosticSeverity.Error]
+
+    before = errors()
+    editor.change(leg, part.replace("size", "length"))
+    editor.ask_until(lambda: "E0223" in errors())
+    editor.change(used, user.replace("size", "length"))
+    editor.ask_until(lambda: errors() == before)
+    editor.change(leg, part.replace("size", "length").replace("2*", "2**"))
+    assert [each.code for each in editor.diagnostics_of(leg)] == ["E0100"]
+    assert errors() == before
+    editor.tell("textDocument/didClose", lsp.DidCloseTextDocumentParams(lsp.TextDocumentIdentifier(leg)))
+    editor.ask_until(lambda: "E0223" in errors())
+
+
 def test_what_the_library_declares_keeps_its_name(editor: Editor, four_bar: str) -> None:
     with pytest.raises(JsonRpcException, match="in the library"):
         editor.about("prepareRename", four_bar, FOUR_BAR, "Rev|olute A")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -72,6 +73,16 @@ def _nearest_file(path: Path) -> str | None:
 _TREES: dict[tuple[str, str], tuple[tuple[int, int], nodes.Unit | None, tuple[Diagnostic, ...]]] = {}
 
 
+_HELD: dict[str, str] = {}
+
+
+def hold(texts: Mapping[str, str]) -> None:
+    """Read the files at these paths as an editor holds them, all others as they were saved."""
+    for path in _HELD.keys() - texts.keys():
+        _HELD.pop(path, None)
+    _HELD.update(texts)
+
+
 def item_of(
     sink: Sink, path: Path, shown: str, name: tuple[str, ...], is_folder: bool, span: Span | None
 ) -> tuple[nodes.Unit, nodes.Item] | None:
@@ -102,15 +113,16 @@ def item_of(
 
 def _tree(path: Path, shown: str) -> tuple[nodes.Unit | None, tuple[Diagnostic, ...]]:
     """The tree of a library file, parsed again only when the file has changed, and what was found in it."""
+    held = _HELD.get(str(path))
     try:
         status = path.stat()
-        state = (status.st_mtime_ns, status.st_size)
+        state = (status.st_mtime_ns, status.st_size) if held is None else (hash(held), -1)
     except OSError:
         state = (0, 0)
     known = _TREES.get((str(path), shown))
     if known is None or known[0] != state:
         sink = Sink()
-        file = _read(path, shown, sink)
+        file = _read(path, shown, sink) if held is None else SourceFile(shown, held)
         unit = parse(file, sink) if file is not None else None
         known = _TREES[str(path), shown] = (state, unit, sink.diagnostics)
     return known[1], known[2]
