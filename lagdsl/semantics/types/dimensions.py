@@ -23,6 +23,7 @@ from lagdsl.units.naming import base_text, describe, unit_text
 from lagdsl.units.parse import parse_unit
 from lagdsl.units.written import literal_of
 
+_MOST_TYPES = 3
 _LONGEST = 40  # characters of a literal before an exponent
 _POWER = re.compile(r"(?<![A-Za-z0-9_.])([0-9]+(?:\.[0-9]+)?)d([-+])$")
 _EXPONENT = re.compile(r"(?<![A-Za-z0-9_.])[0-9]+(?:\.[0-9]+)?[ \t]*[A-Za-z][A-Za-z./0-9^]*-$")
@@ -146,6 +147,16 @@ def hidden_variables(scope: Scope, *roots: nodes.Node) -> tuple[str, ...]:
     return tuple(dict.fromkeys(notes))
 
 
+def _declared_help(found: AnyDimension) -> str | None:
+    """Help of E0407: the types of the value, one for each unit that they have."""
+    units: dict[str, str] = {}
+    for name, each in prelude.TYPES.items():
+        if each.base == "Real" and not each.shape and each.dimension == found:
+            units.setdefault(each.unit, f"`{name}`")
+    names = " or ".join(list(units.values())[:_MOST_TYPES])
+    return f"declare it as {names}, or check the formula of the value" if names else None
+
+
 def require(
     ctx: Context,
     scope: Scope,
@@ -176,6 +187,8 @@ def require(
             help = f"a unit stands behind its number: `{literal}`"
         if wanted == dimension_of(K=1) and isinstance(node, nodes.Quantity) and node.unit == "C":
             help = f"`C` is the coulomb: did you mean `{node.number} degC`?"
+        if help is None and code == "E0407":
+            help = _declared_help(found)
         texts = {"expected": quantity(wanted), "found": quantity(found), **words}
         ctx.sink.report(code, node.span, notes=notes, help=help, edit=None, **texts)
     return False
