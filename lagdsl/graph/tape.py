@@ -32,9 +32,11 @@ class Tape:
 
     def __init__(self, graph: Graph, roots: Sequence[int]) -> None:
         self._graph = graph
-        self._varied = np.array([i for i, node in enumerate(roots) if not graph.is_constant(node)], dtype=np.intp)
-        self._template = np.array([graph.value[node] if graph.is_constant(node) else 0.0 for node in roots])
-        self._roots = [node for node in roots if not graph.is_constant(node)]
+        constants = graph.value  # most entries of a large matrix are zero
+        varied = [i for i, node in enumerate(roots) if node not in constants]
+        self._varied = np.array(varied, dtype=np.intp)
+        self._template = np.array([constants.get(node, 0.0) for node in roots])
+        self._roots = [roots[i] for i in varied]
         slots: dict[int, int] = {}
         self._initial: list[float] = []
         self._symbols: list[tuple[int, Group, int]] = []

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
-from lagdsl.graph.differentiate import adjoints, jacobian
+from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
 from lagdsl.mechanics.lowering.lowering import Lowering
@@ -42,7 +42,9 @@ def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> lis
     matrix = []
     for residual, position_level in zip(rows.residuals, rows.position_level, strict=True):
         symbols = directions.positions if position_level else directions.rates
-        matrix += jacobian(graph, [residual], symbols)
+        group = directions.position_group if position_level else directions.rate_group
+        row = adjoints(graph, {residual: graph.one}, (group,))
+        matrix.append([row.get(symbol, graph.zero) for symbol in symbols])
     return matrix
 
 

@@ -183,18 +183,21 @@ def _report_touching(flat: FlatModel, space: Geometry, points: list[Probe], sink
     if not points:
         return False
     split = space.parts(rows)
-    position = [item for item in located(flat) if item.constraint.level == "position"]
-    index_of = {row: index for index, row in enumerate(rows)}
+    label_of = dict(zip(rows, split.row_labels.tolist(), strict=True))
+    items_of: dict[int, list[Located]] = {}
+    for item in located(flat):
+        if item.constraint.level == "position":
+            for label in {label_of[row] for row in item.rows}:
+                items_of.setdefault(label, []).append(item)
     found = False
     for parts in split.parts:
+        blocks = [entries(point.rows[rows], parts) for point in points]
         for index, label in enumerate(parts.labels.tolist()):
-            columns = parts.columns[index]
-            if not all(
-                _touches(space, point, rows, columns, entries(point.rows[rows], parts)[index]) for point in points
-            ):
-                continue
-            items = [item for item in position if any(split.row_labels[index_of[row]] == label for row in item.rows)]
+            columns, items = parts.columns[index], items_of.get(label, [])
             if any(comes_and_goes(item.constraint) for item in items):
+                continue
+            tried = zip(points, blocks, strict=True)
+            if not all(_touches(space, point, rows, columns, block[index]) for point, block in tried):
                 continue
             _report_touch(flat, items, configuration(flat, points[0].q, columns.tolist()), sink)
             found = True

@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 
 from lagdsl.diagnostics import Diagnostic, Severity
+from lagdsl.numerics.levenberg_marquardt import Minimizer
+from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import check
 from lagdsl.source import SourceFile
+from lagdsl.structure.points import Geometry
 
 _MODEL = """
 model M
@@ -207,3 +210,27 @@ def test_rows_that_are_met_without_end_only(row: str) -> None:
     (found,) = (each for each in check(SourceFile("M.lag", text))[0] if each.severity is Severity.ERROR)
     assert found.code == "E0602" and "without end" in found.notes[0]
     assert not [each for each in check(SourceFile("M.lag", text.replace(row, "x = 1e7*l")))[0] if each.code[0] == "E"]
+
+
+def test_a_contact_is_not_tried_by_projections(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A projection costs as much as the model is large: one for each contact makes a check quadratic."""
+    project = Geometry.project
+    calls: list[int] = []
+
+    def counted(self: Geometry, q: Floats, rows: list[int]) -> Minimizer:
+        calls[-1] += 1
+        return project(self, q, rows)
+
+    monkeypatch.setattr(Geometry, "project", counted)
+    for n in (2, 20):
+        calls.append(0)
+        text = f"""model Balls
+          coordinate Length h[{n}](each start = 1 m);
+          gravity = -g_n*world.y;
+          for i in 1:{n} loop
+            mass 1 kg at {{i*(1 m), h[i]}};
+            contact c: h[i] >= 0 with restitution = 0.5;
+          end for;
+        end Balls;"""
+        assert not any(each.severity is Severity.ERROR for each in check(SourceFile("Balls.lag", text))[0])
+    assert calls[0] == calls[1] > 0
