@@ -45,5 +45,5 @@ def _steady_text(found: Steadiness) -> str:
         told = f"{'turn' if many else 'turns'} steadily, and modes are expressed in axes {axes}"
         parts.append(f"{', '.join(f'`{name}`' for name in names)} {told}")
     if running:
-        parts.append(f"these coordinates change steadily and influence nothing: {', '.join(running)}")
+        parts.append(f"these quantities change steadily and influence nothing else: {', '.join(running)}")
     return f"This is a steady motion; {'; '.join(parts)}."

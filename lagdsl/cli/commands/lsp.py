@@ -10,7 +10,7 @@ from lagdsl.cli.status import USAGE
 
 @click.command("lsp", cls=Command)
 @click.option(
-    "--stdio", is_flag=True, help="Use standard input and output, as without it; some editors pass this option."
+    "--stdio", is_flag=True, help="Use standard input and output, the only mode; some editors pass this option."
 )
 def command(stdio: bool) -> None:
     """Run the language server on standard input and output. Editors start this command."""
