@@ -48,6 +48,10 @@ class Quantity(Item):
     protected: bool = False
 
 
+def is_angle(item: Quantity) -> bool:
+    return item.type_name == "Angle" or item.unit == "rad"
+
+
 class QuantityFields(TypedDict):
     """The fields of a Quantity, as arguments of one."""
 

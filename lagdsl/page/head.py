@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from lagdsl.flat.display import Display, display
 from lagdsl.flat.model import FlatModel, Input, Parameter
-from lagdsl.flat.quantity import Quantity, Spans
+from lagdsl.flat.quantity import Spans, is_angle
 from lagdsl.page.meshes import PackedMesh, packed_meshes
 from lagdsl.page.words import WORDS
 from lagdsl.plot.picture.recording import up_of
@@ -92,12 +92,8 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
         "maximum": None if declared is None else _finite(declared.maximum),
         "kind": item.base,
         "group": group,
-        "angle": _is_angle(item),
+        "angle": is_angle(item),
     }
-
-
-def _is_angle(item: Quantity) -> bool:
-    return item.type_name == "Angle" or item.unit == "rad"
 
 
 def _finite(value: float | None) -> float | None:

@@ -17,12 +17,11 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.flat.quantity import Spans
+from lagdsl.flat.quantity import Spans, is_angle
 from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
 from lagdsl.scene.drawings import on_frame
 from lagdsl.scene.shapes import Columns, Shape, ShapeKind
-from lagdsl.units.dimension import LENGTH
 
 _NONE: Mapping[str, float] = {}
 _WORLD = fx.FrameOrigin("world")
@@ -153,8 +152,8 @@ def rods(machine: Machine) -> Iterator[Shape]:
 
 
 def arms(machine: Machine) -> Iterator[Shape]:
-    """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world only where the
-    distance is held."""
+    """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world, and to a
+    frame with a position of its own, only where the distance is held."""
     at = machine.positions
     known = {
         _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
@@ -162,13 +161,14 @@ def arms(machine: Machine) -> Iterator[Shape]:
         if drawing.place == "between"
     }
     for item in machine.flat.named:
-        if not isinstance(item, fm.Frame) or item.image is not None or _is_placed(item):
+        if not isinstance(item, fm.Frame) or item.image is not None:
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
         ends = [each.vector(end) for each in at for end in (parent, own)]
         lengths = np.linalg.norm(np.array(ends[1::2]) - np.array(ends[::2]), axis=1)
         held = np.ptp(lengths) <= _HELD * lengths.max()
-        if lengths.min() > _HELD and (held or item.parent != "world") and _ends(ends) not in known:
+        builds = item.parent != "world" and not _is_placed(item)
+        if lengths.min() > _HELD and (held or builds) and _ends(ends) not in known:
             known.add(_ends(ends))
             yield _between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
 
@@ -271,7 +271,7 @@ def frames(machine: Machine) -> Iterator[Shape]:
 
 
 def gauges(machine: Machine) -> Iterator[Shape]:
-    """A slider for each length and a dial for each other coordinate that moves nothing of what is drawn."""
+    """A dial for each angle and a slider for each other coordinate that moves nothing of what is drawn."""
     drawn = tuple(machine.columns.expressions)
     for coordinate in machine.flat.coordinates:
         moved = _evaluator(machine.flat, 0, moved={coordinate.name: 0.1})
@@ -279,7 +279,7 @@ def gauges(machine: Machine) -> Iterator[Shape]:
         likely = (each for each in drawn if coordinate.name in machine.dependence.of(each))
         if any(_is_changed(_number(machine.positions[0], each), _number(moved, each)) for each in likely):
             continue
-        kind: ShapeKind = "slider" if coordinate.dimension == LENGTH else "dial"
+        kind: ShapeKind = "dial" if is_angle(coordinate) else "slider"
         numbers = (("value", machine.columns.scalar(fx.Variable(coordinate.name))),)
         yield Shape(kind=kind, name=coordinate.name, numbers=numbers, spans=coordinate.spans)
 

@@ -89,10 +89,12 @@ def test_loads_stand_at_their_points() -> None:
 
 
 def test_coordinates_without_a_place_have_gauges() -> None:
+    """Only angles have a dial: as an angle, a charge of a millicoulomb moved no hand."""
     found = scene(
-        "coordinate Angle a; coordinate Length s; kinetic (1 kg.m2)/2*der(a)^2 + (1 kg)/2*der(s)^2; gravity = 0;"
+        "coordinate Angle a; coordinate Length s; coordinate Charge q; gravity = 0;"
+        "kinetic (1 kg.m2)/2*der(a)^2 + (1 kg)/2*der(s)^2 + (1 H)/2*der(q)^2;"
     )
-    assert kinds(found) == {"dial": 1, "slider": 1}
+    assert kinds(found) == {"dial": 1, "slider": 2}
 
 
 def test_bodies_are_shown_by_their_inertia() -> None:
@@ -144,6 +146,8 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
     arm += "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; body d(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
     assert kinds(scene(arm)) == {"body": 2, "rope": 1}
     assert kinds(scene(arm + "draw rod from f.origin to g.origin;")) == {"body": 2, "rod": 1}
+    placed = arm.replace("f.move({1 m, 0, 0})", "f.at((1 m)*f.x)")
+    assert kinds(scene(placed)) == {"body": 2, "rope": 1}
     rolls = "coordinate Length x(start = 1 m); coordinate Angle a; frame f = world.rotz(a); gravity = 0;"
     rolls += "frame g = f.at({x, 1 m, 0}).rotx(a); body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
     assert kinds(scene(rolls)) == {"body": 1}

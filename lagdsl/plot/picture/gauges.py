@@ -1,4 +1,4 @@
-"""Coordinates that move nothing in the picture: a slide for a length, a dial for any other, in a row below it."""
+"""Coordinates that move nothing in the picture: a dial for an angle, a slide for any other, in a row below it."""
 
 from __future__ import annotations
 
