@@ -42,8 +42,10 @@ def browser() -> Iterator[Any]:
 class Opened:
     """A page that is ready, with what it said to the console and asked for."""
 
-    def __init__(self, browser: Any, path: Path, width: int = 1280, height: int = 800) -> None:
+    def __init__(self, browser: Any, path: Path, width: int = 1280, height: int = 800, before: str = "") -> None:
+        """`before` is a script that runs first."""
         self.page = browser.new_page(viewport={"width": width, "height": height})
+        self.page.add_init_script(before)
         self.faults: list[str] = []
         self.page.on("console", lambda said: self.faults.append(said.text) if said.type == "error" else None)
         self.page.on("pageerror", lambda error: self.faults.append(str(error)))
@@ -137,6 +139,119 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     page.get_by_role("button", name="Reset all").click()
     assert opened.faults == []
     page.close()
+
+
+@pytest.mark.parametrize(
+    ("name", "speed", "slower"), [("library/rlc_circuit", "0.002", "0.001"), ("kepler_orbit", "5000", "2500")]
+)
+def test_motions_of_any_length_take_seconds_to_watch(
+    name: str, speed: str, slower: str, browser: Any, tmp_path: Path
+) -> None:
+    """Ten milliseconds flew by, and a day took a day."""
+    path = tmp_path / "page.html"
+    path.write_text(page_of(name), encoding="utf-8")
+    page = Opened(browser, path).page
+    chooser = page.get_by_label("Speed")
+    assert chooser.input_value() == speed
+    page.keyboard.press("-")
+    assert chooser.input_value() == slower
+    assert chooser.locator("option", has_text="×").all_inner_texts().count("1×") == 1
+    page.close()
+
+
+def test_a_motion_that_leaves_the_picture_is_taken_into_it(browser: Any, tmp_path: Path) -> None:
+    """Unless somebody chose a view; `fit` shows the motion that there is, not the recorded one."""
+    path = tmp_path / "page.html"
+    path.write_text(page_of("rolling_coin"), encoding="utf-8")
+    page = Opened(browser, path).page
+    page.keyboard.press("Space")
+    blue = """() => {
+        const from = document.querySelector('#stage canvas');
+        const pen = Object.assign(document.createElement('canvas'), { width: 320, height: 240 }).getContext('2d');
+        pen.drawImage(from, 0, 0, 320, 240);
+        const { data } = pen.getImageData(0, 0, 320, 240);
+        return data.filter((_, i) => i % 4 === 0 && data[i + 2] > 2 * data[i] + 40).length;
+    }"""
+    recorded = page.evaluate(blue)
+
+    def put(x: str) -> None:
+        page.get_by_label("x.start in m").fill(x)
+        page.get_by_label("x.start in m").press("Enter")
+        playwright.expect(page.locator("#said")).to_contain_text("Integrated anew", timeout=MOST_MILLISECONDS)
+        page.wait_for_timeout(500)
+
+    put("0.6")
+    grown = page.evaluate(blue)
+    assert 0 < grown < recorded
+    page.get_by_role("button", name="fit", exact=True).click()
+    assert page.evaluate(blue) > 2 * grown
+    page.locator("#stage canvas").click(position={"x": 40, "y": 40})  # from here on the view is somebody's own
+    put("5")
+    assert page.evaluate(blue) == 0
+    page.close()
+
+
+def test_one_sees_a_ball_turn(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    body = "body b(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; gravity = 0;"
+    start = "coordinate Angle q(der(start = 1 rad/s)); frame f = world.rotz(q);"
+    path.write_text(page_of(f"model Ball\n{start} {body}\nend Ball;\n", 1.0), encoding="utf-8")
+    page = Opened(browser, path).page
+    page.keyboard.press("Space")
+    pixels = """() => {
+        const from = document.querySelector('#stage canvas');
+        const pen = Object.assign(document.createElement('canvas'), { width: 80, height: 60 }).getContext('2d');
+        pen.drawImage(from, 0, 0, 80, 60);
+        return Array.from(pen.getImageData(0, 0, 80, 60).data);
+    }"""
+    pictures = []
+    for key in ("Home", "End"):
+        page.keyboard.press(key)
+        page.wait_for_timeout(500)
+        pictures.append(page.evaluate(pixels))
+    assert sum(abs(a - b) > 8 for a, b in zip(*pictures, strict=True)) > 100
+    page.close()
+
+
+def test_ticks_of_many_events_reach_to_the_end(browser: Any, tmp_path: Path) -> None:
+    """Of two thousand samples only the first four hundred were marked: the control seemed to end after two seconds."""
+    path = tmp_path / "page.html"
+    path.write_text(page_of("furuta_swing_up"), encoding="utf-8")
+    page = Opened(browser, path).page
+    places = page.evaluate("[...document.querySelectorAll('.ticks i')].map((tick) => parseFloat(tick.style.left))")
+    assert len(places) <= 401 and max(places) > 99.0
+    page.close()
+
+
+def test_start_values_have_sliders_as_large_as_the_motion(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(page_of("library/rlc_circuit"), encoding="utf-8")
+    page = Opened(browser, path).page
+    for name, most in (("C1.q", 0.002), ("L1.q", 0.002), ("ground.q", 0.002)):  # at most 1.8 mC flow, none to ground
+        page.get_by_label(f"{name}.start", exact=True).evaluate("bar => { bar.value = 1000; bar.oninput(); }")
+        assert float(page.get_by_label(f"{name}.start in C").input_value()) == most
+    page.close()
+
+
+def test_numbers_of_axes_are_short_and_differ(browser: Any, tmp_path: Path) -> None:
+    """0.025, 0.025, 0.025 stood at an energy that keeps its value, and nine digits did not fit beside an axis."""
+    record = """
+        window.told = new Set();
+        const write = CanvasRenderingContext2D.prototype.fillText;
+        CanvasRenderingContext2D.prototype.fillText = function (text, ...at) {
+            window.told.add(text);
+            write.call(this, text, ...at);
+        };"""
+    for name, value in (("free_rigid_body", 0.025005), ("kepler_orbit", -1.0409e10)):
+        path = tmp_path / f"{name}.html"
+        path.write_text(page_of(name), encoding="utf-8")
+        page = Opened(browser, path, before=record).page
+        page.locator("#curves-tab").click()
+        page.wait_for_timeout(500)
+        told = [text for text in page.evaluate("[...window.told]") if text[-1:].isdigit()]
+        near = {float(text) for text in told if "," not in text and abs(float(text) - value) < 2e-3 * abs(value)}
+        assert len(near) >= 2 and max(len(text) for text in told) <= 10
+        page.close()
 
 
 def test_meshes_are_seen_and_those_without_a_file_told(browser: Any, tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 // Axes and inks of all charts.
 import type uPlot from "uplot";
+import { ticks } from "./numbers.ts";
 
 export const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
 
@@ -10,5 +11,20 @@ export function axis(label: string): uPlot.Axis {
   const style = getComputedStyle(document.documentElement);
   const ink = style.getPropertyValue("--ink-soft").trim();
   const grid = { stroke: style.getPropertyValue("--line").trim(), width: 1 };
-  return { label, stroke: ink, grid, ticks: grid, labelSize: 18, font: "11px system-ui", labelFont: "11px system-ui" };
+  return {
+    label,
+    stroke: ink,
+    grid,
+    ticks: grid,
+    labelSize: 18,
+    font: "11px system-ui",
+    labelFont: "11px system-ui",
+    values: (_, splits, __, ___, step) => ticks(splits, step),
+  };
+}
+
+/** An axis upward, as wide as its numbers. */
+export function upright(label: string): uPlot.Axis {
+  const size: uPlot.Axis.Size = (_, values) => Math.max(64, 36 + 6.5 * Math.max(0, ...(values ?? []).map((text) => text.length)));
+  return { ...axis(label), size };
 }

@@ -1,12 +1,12 @@
 // Curves over time and the energy, with a common cursor.
 import uPlot from "uplot";
-import { axis, INKS, WIDE } from "./axis.ts";
+import { axis, INKS, upright, WIDE } from "./axis.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
+import { apart, written } from "./numbers.ts";
 import { Portrait } from "./portrait.ts";
 
 const AT_FIRST = 4;
-const TICKS = 400;
 
 interface Chart {
   plot: uPlot;
@@ -119,7 +119,7 @@ export class Curves {
       }
     }
     ctx.strokeStyle = "#dc2626";
-    for (const { time } of this.events.slice(0, TICKS)) {
+    for (const { time } of apart(this.events, plot.scales.x.min ?? 0, plot.scales.x.max ?? 1)) {
       const x = plot.valToPos(time, "x", true);
       ctx.beginPath();
       ctx.moveTo(x, bbox.top + bbox.height);
@@ -148,7 +148,7 @@ export class Curves {
       {
         ...this.size(),
         scales: { x: { time: false }, y: { range: (_, low, high) => this.range(data, low, high) } },
-        axes: [{ ...axis("t [s]"), size: 40 }, { ...axis(unit === "" ? "" : `[${unit}]`), size: 64 }],
+        axes: [{ ...axis("t [s]"), size: 40 }, upright(unit === "" ? "" : `[${unit}]`)],
         cursor: { sync: { key: "time" }, drag: { x: false, y: false } },
         series: [
           { label: "t", value: (_, t) => told(t, "s") },
@@ -204,5 +204,5 @@ export class Curves {
 
 /** A value with its unit, as the cursor reads it. */
 function told(value: number | null, unit: string): string {
-  return value === null || !Number.isFinite(value) ? "–" : `${Number(value.toPrecision(5))} ${unit}`;
+  return value === null || !Number.isFinite(value) ? "–" : `${written(value, 5)} ${unit}`;
 }

@@ -1,6 +1,7 @@
-// Coordinates that move nothing in the picture: a slide for a length, a dial for any other.
+// Coordinates that move nothing in the picture: a dial for an angle, a slide for any other.
 import { BoxGeometry, type Box3, Group, type Matrix4, Mesh, MeshLambertMaterial, TorusGeometry, Vector3 } from "three";
 import type { Shape } from "./head.ts";
+import type { Motion } from "./motion.ts";
 import { label, type Drawn, type Frame, type Sizes } from "./shapes.ts";
 
 function part(color: number, geometry: BoxGeometry | TorusGeometry): Mesh {
@@ -30,13 +31,16 @@ export function gauge(shape: Shape, sizes: Sizes, box: Box3, facing: Matrix4, in
   }
   const carriage = part(0x2563eb, new BoxGeometry(0.5 * size, 0.5 * size, 0.5 * size));
   object.add(part(0x94a3b8, new BoxGeometry(2.2 * size, 0.06 * size, 0.06 * size)), carriage);
-  let largest = 1e-12; // the slide is as long as the largest value that was seen
+  let known: Motion | null = null;
+  let largest = 1; // of the motion: so long is the slide
   return {
     object,
     shape,
-    update(frame) {
-      largest = Math.max(largest, Math.abs(value(frame)));
-      carriage.position.x = (0.85 * size * value(frame)) / largest;
+    update: (frame) => void (carriage.position.x = (0.85 * size * value(frame)) / largest),
+    follow(motion) {
+      if (motion === known) return;
+      known = motion;
+      largest = Math.max(motion.largest(sizes.first + shape.numbers.value), 1e-12);
     },
   };
 }

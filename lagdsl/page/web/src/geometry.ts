@@ -1,5 +1,6 @@
 // Unit geometries along z, and small linear algebra on rows of numbers.
 import {
+  Float32BufferAttribute,
   BufferGeometry,
   CatmullRomCurve3,
   CylinderGeometry,
@@ -27,6 +28,22 @@ export function unitCylinder(segments: number, top = 1): BufferGeometry {
 
 export function unitBall(segments: number): BufferGeometry {
   return once(`ball ${segments}`, () => new SphereGeometry(1, segments, Math.round(0.625 * segments)));
+}
+
+/** A ball whose octants are light and dark in turn, as one marks a mass center: one sees it turn. */
+export function unitQuarters(segments: number): BufferGeometry {
+  return once(`quarters ${segments}`, () => {
+    const ball = unitBall(segments).toNonIndexed();
+    const places = ball.getAttribute("position");
+    const shades: number[] = [];
+    for (let face = 0; face < places.count; face += 3) {
+      let sign = 1;
+      for (const k of [0, 1, 2]) sign *= Math.sign([0, 1, 2].reduce((sum, i) => sum + places.getComponent(face + i, k), 0));
+      for (let k = 0; k < 9; ++k) shades.push(sign < 0 ? 1 : 0.72);
+    }
+    ball.setAttribute("color", new Float32BufferAttribute(shades, 3));
+    return ball;
+  });
 }
 
 /** A ring of radius 1 about z. */

@@ -55,7 +55,7 @@ class Page {
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
     this.player = new Player(head, place("player"), (time) => this.pose(time));
-    this.sliders = new Sliders(head, place("sliders"), () => this.again());
+    this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
     this.source = new Source(head, place("source"), (line) => this.follow(line), (line) => this.toTerms(line));
     this.terms = new Terms(head, place("derivation"), (spans) => this.mark(spans), (spans) => this.toSource(spans));
@@ -101,6 +101,7 @@ class Page {
     this.curves.show(this.motion, run.events);
     if (run.parameters !== null) this.sliders.take(run.parameters);
     this.say(run.said === "" ? run.label : `${run.label}: ${run.said}`);
+    this.stage.follow(this.motion);
     this.haunt();
     this.pose(this.player.time);
     if (run.parameters !== null && run.said === "") this.again();
@@ -181,6 +182,11 @@ class Page {
     term.scrollIntoView({ block: "center" });
   }
 
+  private fit(): void {
+    this.stage.lookAt();
+    this.pose(this.player.time);
+  }
+
   private legend(): void {
     place("legend").textContent = (this.stage.overlay?.legend() ?? []).join("\n");
   }
@@ -190,6 +196,7 @@ class Page {
       this.motion = motion;
       this.curves.show(motion);
       this.player.mark([]);
+      this.stage.follow(motion);
       this.haunt();
       this.pose(this.player.time);
     }
@@ -236,7 +243,7 @@ class Page {
     if (this.head.scene.shapes.some(({ kind }) => kind === "frame")) layer("frames", "Axes of frames");
     this.ghostly = button("ghosts", "Pale postures of several instants (key g)", () => this.toggleGhosts());
     this.ghostly.ariaPressed = "false";
-    button("fit", "The whole machine (key f)", () => this.stage.lookAt());
+    button("fit", "The whole machine (key f)", () => this.fit());
     button("keys", KEYS, () => this.say(KEYS));
     this.saving();
   }
@@ -335,7 +342,7 @@ class Page {
         "-": () => this.player.faster(-1),
         g: () => this.toggleGhosts(),
         v: () => this.speedy?.click(),
-        f: () => this.stage.lookAt(),
+        f: () => this.fit(),
         Home: () => this.player.go(-Infinity),
         End: () => this.player.go(Infinity),
       };

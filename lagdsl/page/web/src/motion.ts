@@ -43,6 +43,16 @@ export class Motion {
     return into;
   }
 
+  /** The largest size in a column. */
+  largest(index: number): number {
+    let most = 0;
+    for (let row = 0; row < this.count; ++row) {
+      const size = Math.abs(this.at(row, index));
+      if (Number.isFinite(size)) most = Math.max(most, size);
+    }
+    return most;
+  }
+
   column(index: number): Float64Array {
     return Float64Array.from({ length: this.count }, (_, row) => this.at(row, index));
   }

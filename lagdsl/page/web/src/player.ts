@@ -1,12 +1,21 @@
 // The clock of the page: play, pause, scrub, speed; the ticks of events.
 import type { Head } from "./head.ts";
+import { above, apart } from "./numbers.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
-const TICKS = 400;
+const SECONDS = [1, 60]; // motions of these lengths begin in real time, all others take a few seconds to watch
+const WATCHED = 5; // [s]
+
+/** 1 is real time. */
+function usual(length: number): number {
+  const [least, most] = SECONDS;
+  return length >= least && length <= most ? 1 : Number(above(length / WATCHED).toPrecision(1));
+}
 
 export class Player {
   time: number;
-  private speed = 1;
+  private speed: number;
+  private readonly choices: number[];
   private pace = 1; // seconds of the motion in a second at speed 1
   private span: [number, number];
   private readonly again: boolean; // modes begin anew where they end
@@ -26,6 +35,9 @@ export class Player {
     this.time = head.start;
     this.span = [head.start, head.stop];
     this.again = head.modes !== undefined;
+    this.speed = this.again ? 1 : usual(head.stop - head.start);
+    const parts = this.speed === 1 ? SPEEDS : [...[0.1, 0.2, 0.5, 1, 2, 5].map((part) => part * this.speed), 1];
+    this.choices = [...new Set(parts.map((speed) => Number(speed.toPrecision(3))))].sort((a, b) => a - b);
     this.button = document.createElement("button");
     this.button.className = "play";
     this.button.onclick = () => this.toggle();
@@ -60,15 +72,15 @@ export class Player {
   }
 
   faster(steps: number): void {
-    const place = Math.min(Math.max(SPEEDS.indexOf(this.speed) + steps, 0), SPEEDS.length - 1);
-    this.speed = SPEEDS[place];
+    const place = Math.min(Math.max(this.choices.indexOf(this.speed) + steps, 0), this.choices.length - 1);
+    this.speed = this.choices[place];
     this.chooser.value = `${this.speed}`;
   }
 
   private speeds(): HTMLSelectElement {
     const select = document.createElement("select");
     select.setAttribute("aria-label", "Speed");
-    for (const speed of SPEEDS) select.append(new Option(`${speed}×`, `${speed}`, speed === 1, speed === 1));
+    for (const speed of this.choices) select.append(new Option(`${speed}×`, `${speed}`, speed === this.speed, speed === this.speed));
     select.onchange = () => (this.speed = Number(select.value));
     return select;
   }
@@ -76,7 +88,7 @@ export class Player {
   mark(events: { time: number; name: string; kind: string }[]): void {
     const [start, stop] = this.span;
     this.ticks.replaceChildren(
-      ...events.slice(0, TICKS).map(({ time, name, kind }) => {
+      ...apart(events, start, stop).map(({ time, name, kind }) => {
         const tick = document.createElement("i");
         tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
         tick.title = `${name} ${kind}`;

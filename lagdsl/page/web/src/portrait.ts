@@ -1,8 +1,10 @@
 // One column against another: a phase portrait, or a path.
 import uPlot from "uplot";
-import { axis, INKS, WIDE } from "./axis.ts";
+import { axis, INKS, upright, WIDE } from "./axis.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
+
+const LONGEST_NAME = 20;
 
 export class Portrait {
   private plot: uPlot | null = null;
@@ -51,7 +53,8 @@ export class Portrait {
     this.plot?.destroy();
     const [right, up] = this.choices.map((choice) => {
       const { name, display } = this.head.columns[Number(choice.value)];
-      return `${name} [${display.unit || "1"}]`;
+      const unit = `[${display.unit || "1"}]`;
+      return name.length <= LONGEST_NAME ? `${name} ${unit}` : unit; // the choices tell the name, too
     });
     const limits = (k: 0 | 1) => (): [number, number] => {
       let [low, high] = [Infinity, -Infinity];
@@ -66,7 +69,7 @@ export class Portrait {
         ...this.size(),
         mode: 2,
         scales: { x: { time: false, range: limits(0) }, y: { range: limits(1) } },
-        axes: [{ ...axis(right), size: 40 }, { ...axis(up), size: 64 }],
+        axes: [{ ...axis(right), size: 40 }, upright(up)],
         cursor: { show: false },
         legend: { show: false },
         series: [{}, { facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: path } as uPlot.Series],

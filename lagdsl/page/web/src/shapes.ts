@@ -17,7 +17,7 @@ import {
   SpriteMaterial,
   Vector3,
 } from "three";
-import { barAlong, between, principal, unitBall, unitCoil, unitCylinder, unitRing } from "./geometry.ts";
+import { barAlong, between, principal, unitBall, unitCoil, unitCylinder, unitQuarters, unitRing } from "./geometry.ts";
 import type { Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -41,7 +41,7 @@ export interface Drawn {
   object: Object3D;
   shape: Shape;
   update(frame: Frame): void;
-  trace?(motion: Motion, row: number): void;
+  follow?(motion: Motion, row: number): void; // before update
 }
 /** Faces around a round shape, of which `many` are wanted. */
 function around(sizes: Sizes, many: number): number {
@@ -147,9 +147,9 @@ function ball(shape: Shape, sizes: Sizes): Drawn {
 
 /** The homogeneous ellipsoid of the mass and inertia: a^2 = 5 (I_yy + I_zz - I_xx) / (2 m), or a bar. */
 function ellipsoid(shape: Shape, sizes: Sizes): Drawn {
-  const object = solid(shape, unitBall(around(sizes, 32)));
+  const object = solid(shape, unitQuarters(around(sizes, 32)));
   // Bodies may stand in each other: gimbals and their rotor.
-  Object.assign(object.material, { transparent: true, opacity: CLEAR, depthWrite: false });
+  Object.assign(object.material, { transparent: true, opacity: CLEAR, depthWrite: false, vertexColors: true });
   return {
     object,
     shape,
@@ -325,7 +325,7 @@ function trace(shape: Shape, sizes: Sizes): Drawn {
     object,
     shape,
     update() {},
-    trace(motion, row) {
+    follow(motion, row) {
       if (motion !== known) {
         known = motion;
         const places = new Float32Array(3 * motion.count);
@@ -398,7 +398,7 @@ function ground(shape: Shape, sizes: Sizes): Drawn {
     object,
     shape,
     update() {},
-    trace(motion) {
+    follow(motion) {
       if (motion === known) return;
       known = motion;
       const frame = { numbers: Float64Array.from({ length: motion.width }, (_, i) => motion.at(0, i)), first: sizes.first };

@@ -1,5 +1,7 @@
 // Sliders for parameters, start values and inputs.
 import type { Head, Quantity } from "./head.ts";
+import type { Motion } from "./motion.ts";
+import { above, written } from "./numbers.ts";
 
 const GROUPS: [Quantity["group"], string][] = [
   ["start", "Start values"],
@@ -8,14 +10,15 @@ const GROUPS: [Quantity["group"], string][] = [
 ];
 const STEPS = 1000;
 
-/** The range of a slider in SI units: declared, or a decade around the value; an angle goes all around. */
-function range(quantity: Quantity): [number, number] {
-  const { value, minimum, maximum } = quantity;
+/** The range of a slider in SI units: declared, or a decade around the value; that of a start value holds the motion, too,
+ * which reaches so far as `most`; an angle goes all around. */
+function range(quantity: Quantity, most: number): [number, number] {
+  const { value, minimum, maximum, display } = quantity;
   let [low, high] = value === 0 ? [-1, 1] : [value / Math.sqrt(10), value * Math.sqrt(10)];
   if (quantity.angle) [low, high] = [Math.min(-Math.PI, value), Math.max(Math.PI, value)];
   else if (quantity.group !== "parameter") {
-    const most = Math.max(2 * Math.abs(value), 1);
-    [low, high] = [-most, most];
+    const size = above((Math.max(2 * Math.abs(value), most) || 1) * display.scale) / display.scale;
+    [low, high] = [-size, size];
   }
   if (low > high) [low, high] = [high, low];
   return [minimum ?? low, maximum ?? high];
@@ -23,8 +26,7 @@ function range(quantity: Quantity): [number, number] {
 
 /** Four digits are what people read. */
 export function shown(quantity: { display: { scale: number; shift: number } }, si: number): string {
-  if (!Number.isFinite(si)) return "–";
-  return Number((si * quantity.display.scale + quantity.display.shift).toPrecision(4)).toString();
+  return written(si * quantity.display.scale + quantity.display.shift, 4);
 }
 
 /** A name that may go on in another line behind its dots and lines, and before its indices. */
@@ -37,6 +39,7 @@ export class Sliders {
 
   constructor(
     private readonly head: Head,
+    private readonly motion: Motion,
     private readonly place: HTMLElement,
     private readonly changed: () => void,
   ) {
@@ -75,12 +78,22 @@ export class Sliders {
     this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
   }
 
+  /** The largest size of a quantity along the recorded motion; of one that rests, that of all of its kind and unit. */
+  private largest(name: string): number {
+    const own = this.head.columns.find((column) => column.name === name);
+    const sizes = this.head.columns.map((column, index) =>
+      own !== undefined && column.kind === own.kind && column.unit === own.unit ? this.motion.largest(index) : 0);
+    const [most, all] = [own === undefined ? 0 : sizes[this.head.columns.indexOf(own)], Math.max(...sizes)];
+    return most > 1e-9 * all ? most : all;
+  }
+
   private row(quantity: Quantity): HTMLElement {
-    const [low, high] = range(quantity);
+    const title = quantity.group === "start" ? quantity.name.replace(/\.start$/, "") : quantity.name;
+    const [low, high] = range(quantity, quantity.group === "start" ? this.largest(title) : 0);
     const label = document.createElement("label");
     label.title = quantity.doc ?? "";
     const name = document.createElement("span");
-    name.append(...breakable(quantity.group === "start" ? quantity.name.replace(/\.start$/, "") : quantity.name));
+    name.append(...breakable(title));
     const bar = document.createElement("input");
     const whole = quantity.kind !== "Real";
     Object.assign(bar, { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1" });

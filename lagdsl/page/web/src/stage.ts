@@ -23,6 +23,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { gauge } from "./gauges.ts";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
+import { above } from "./numbers.ts";
 import { Overlay, sizeText, unitOf } from "./overlay.ts";
 import { drawing } from "./sketch.ts";
 import { Screen } from "./screen.ts";
@@ -33,6 +34,8 @@ const ROWS_LOOKED_AT = 200;
 const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
 const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
 const POSTURES = 13;
+const MARGIN = 0.05; // of the machine: so far a motion may leave the box
+const FARTHEST = 20;
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -49,13 +52,16 @@ export class Stage {
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
   private posed = false; // there is something to draw
+  private onlyGauges = false;
+  private motion: Motion; // that the picture shows
 
   constructor(
     private readonly head: Head,
-    private readonly whole: Motion,
+    whole: Motion,
     meshes: readonly BufferGeometry[],
     private readonly place: HTMLElement,
   ) {
+    this.motion = whole;
     this.screen = new Screen(() => this.render());
     this.canvas = this.screen.canvas;
     this.canvas.setAttribute("role", "img");
@@ -76,7 +82,7 @@ export class Stage {
     this.camera.add(sun);
     this.scene.add(this.camera, this.ghosts);
     this.furnish();
-    this.enclose();
+    this.surround();
     this.grid = this.ground(length);
     this.scene.add(this.grid);
     const arrows = new Group();
@@ -84,7 +90,7 @@ export class Stage {
     this.scene.add(arrows);
     this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
     this.theme();
-    this.lookAt();
+    this.aim();
     new ResizeObserver(() => {
       if (place.clientWidth !== this.canvas.clientWidth || place.clientHeight !== this.canvas.clientHeight) this.resize();
     }).observe(place);
@@ -102,24 +108,36 @@ export class Stage {
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
     }
-    if (gauges.length > 0 && this.head.scene.shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind))) this.box.makeEmpty();
-    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
+    this.onlyGauges = gauges.length > 0 && this.head.scene.shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind));
     this.show();
   }
 
-  /** The box has room for things of a size of their own, wherever they are. */
-  private enclose(): void {
+  /** The box has room for things of a size of their own, wherever they are along a motion. */
+  private enclose(motion: Motion): void {
     const solid = this.drawn.filter(({ shape }) => SOLID.has(shape.kind));
-    const numbers = new Float64Array(this.whole.width);
-    for (let k = 0; k < POSTURES && this.whole.count > 0; ++k) {
-      const row = Math.round(((this.whole.count - 1) * k) / (POSTURES - 1));
-      this.whole.state(this.whole.at(row, 0), numbers);
+    const numbers = new Float64Array(motion.width);
+    for (let k = 0; k < POSTURES && motion.count > 0; ++k) {
+      const row = Math.round(((motion.count - 1) * k) / (POSTURES - 1));
+      motion.state(motion.at(row, 0), numbers);
       for (const drawn of solid) {
         drawn.update({ numbers, first: this.head.scene.first });
         drawn.object.updateMatrixWorld(true);
         if (drawn.object.visible) this.box.expandByObject(drawn.object);
       }
     }
+  }
+
+  /** Another motion. Where it leaves the picture the picture grows, unless somebody chose a view; a machine that flies
+   * away stays as large as it is. The caller poses the machine anew. */
+  follow(motion: Motion): void {
+    this.motion = motion;
+    if (this.moved || this.onlyGauges) return;
+    const room = this.box.clone().expandByScalar(MARGIN * this.sizes.length);
+    const found = extent(this.head, motion);
+    if (room.containsBox(found) || found.union(this.box).getSize(new Vector3()).length() > FARTHEST * this.sizes.length) return;
+    this.box.union(found);
+    this.enclose(motion);
+    this.aim();
   }
 
   /** The directions right, up and towards the viewer, as one first sees the machine. */
@@ -155,9 +173,25 @@ export class Stage {
     return grid;
   }
 
-  /** The whole machine, as one first sees it. */
+  /** The whole machine along its motion, as one first sees it. The caller poses the machine anew. */
   lookAt(): void {
     this.moved = false;
+    this.surround();
+    this.aim();
+  }
+
+  private surround(): void {
+    if (this.onlyGauges) this.box.makeEmpty();
+    else {
+      this.box.copy(extent(this.head, this.motion));
+      this.enclose(this.motion);
+    }
+    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
+  }
+
+  private aim(): void {
+    const size = this.box.getSize(new Vector3()).length() / Math.SQRT2;
+    this.grid.scale.setScalar(Math.max(above((0.8 * size) / this.sizes.length), 1));
     this.controls.target.copy(this.box.getCenter(new Vector3()));
     this.resize();
     this.controls.update();
@@ -222,8 +256,8 @@ export class Stage {
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
+      drawn.follow?.(motion, row);
       drawn.update(frame);
-      drawn.trace?.(motion, row);
       if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
