@@ -26,7 +26,7 @@ def columns_of(names: tuple[str, ...], models: Sequence[FlatModel]) -> tuple[str
 
 
 def way_to_column(name: str, models: Iterable[FlatModel]) -> str:
-    """How a quantity of a model becomes a column, as the end of a message; empty for other names."""
+    """The end of a message: the way of a quantity of a model to a column; empty for other names."""
     for flat in models:
         if any(item.name == name for item in flat.named if isinstance(item, Definition)):
             return f"; `{name}` is a definition: write `output` before it"
