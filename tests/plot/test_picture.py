@@ -27,6 +27,7 @@ MODELS = Path(__file__).parents[2] / "models"
 EVERY = sorted(path.relative_to(MODELS).with_suffix("").as_posix() for path in MODELS.rglob("*.lag"))
 # A pendulum, a contact, a loop, rolling in space, springs and dampers, gauges, drawings of the model.
 SOME = ("bouncing_ball", "rolling_coin", "library/forces_spring_damper")
+GRID = 3  # colors of a picture in which nothing stands
 
 
 @cache
@@ -53,7 +54,8 @@ def test_every_machine_has_a_picture_that_holds_all_of_it(name: str) -> None:
         draw(picture, row)
         picture.figure.canvas.draw()
         pixels = np.asarray(picture.figure.canvas.buffer_rgba())[..., :3].reshape(-1, 3)  # type: ignore[attr-defined]
-        assert len(np.unique(pixels, axis=0)) > 8
+        drawn = any(shape.kind != "frame" for shape in own.scene.shapes)
+        assert (len(np.unique(pixels, axis=0)) > GRID) == drawn
         for part in parts_of(own, row, without=("ground",)):
             if isinstance(part, Faces):
                 places = picture.view.seen(part.corners)[0]
@@ -161,3 +163,16 @@ def test_a_picture_of_several_moments_is_another_one(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="the motion is from 0 s to 1 s: there is no picture at 2 s"):
         write_picture(flat, Wishes(stop=1.0), tmp_path / "late.png", (2.0,))
     assert not (tmp_path / "late.png").exists()
+
+
+def test_a_model_without_places_has_no_picture(tmp_path: Path) -> None:
+    """An empty grid told nobody that there is nothing to see."""
+    sink = Sink()
+    file = read(MODELS / "van_der_pol.lag", sink)
+    assert file is not None
+    flat = flatten_file(file, sink)
+    assert flat is not None
+    for write, name in ((write_picture, "still.png"), (write_film, "film.gif")):
+        with pytest.raises(ValueError, match="nothing in VanDerPol has a place"):
+            write(flat, Wishes(), tmp_path / name)  # type: ignore[operator]
+        assert not (tmp_path / name).exists()

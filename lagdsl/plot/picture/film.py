@@ -42,8 +42,8 @@ def write_picture(
     """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide.
 
     With one time at that time [s], else at the start; with several the last one in full and the others pale. Raises
-    CompilationFailed where there is no motion, ValueError for a time that is not part of it, ModuleNotFoundError
-    without Matplotlib.
+    CompilationFailed where there is no motion, ValueError for a time that is not part of it or a model without a place
+    to draw, ModuleNotFoundError without Matplotlib.
     """
     made = record_motion(flat, wishes, _ROWS, sink)
     rows = _rows_at(made, times or [made.span[0]])
@@ -92,7 +92,9 @@ def _digits(time: float, length: float) -> str:
 
 
 def _prepared(flat: FlatModel, made: Recording) -> tuple[Drawn, Floats]:
-    """An empty picture, and the times of its rows."""
+    """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
+    if all(shape.kind == "frame" for shape in made.scene.shapes):
+        raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
     columns = made.motion.columns[len(made.motion.columns) - len(made.scene.columns) :]
     table = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
     stage = stage_of(made.scene, table, up_of(flat, made.scene))
