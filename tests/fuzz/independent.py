@@ -69,10 +69,13 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
 
 
 def _accumulate(instants: Sequence[float], end: float) -> bool:
-    """True if the last six times before the end become denser, so that what is left of them does not go beyond it."""
+    """True if the last six times before the end become denser, and the end lies before the sum of their series."""
     times = np.array([t for t in instants if t <= end])[-6:]
     gaps = np.diff(times)
-    return len(gaps) == 5 and bool(np.all(np.diff(gaps) < 0)) and bool(end - times[-1] < gaps[-1])
+    if len(gaps) < 5 or not np.all(np.diff(gaps) < 0):
+        return False
+    ratio = gaps[-1] / gaps[-2]
+    return bool(end - times[-1] < gaps[-1] * ratio / (1 - ratio))
 
 
 def _until(oracle: Motion, end: float) -> Motion:
