@@ -329,6 +329,15 @@ def test_rest_at_a_singular_place_of_the_coordinates_is_told() -> None:
     assert "They hold only where the matrix of the accelerations is singular" in text
 
 
+def test_a_coordinate_without_mass_may_be_held() -> None:
+    """Accelerations are determined though the mass matrix is singular: the block rests where its spring is at ease."""
+    springs = "potential (1 N/m)*(x - y)^2; constraint held: y = 1 m;"
+    found = studied(f"model X coordinate Length x, y; kinetic (1 kg)*der(x)^2; {springs} end X;")
+    [place] = found.equilibria
+    assert {q.name: float(value) for q, value in place.at if q.name in "xy"} == {"x": 1.0, "y": 1.0}
+    assert not found.singular
+
+
 def test_nowhere_at_rest() -> None:
     found = studied("model X coordinate Length y; mass 1 kg at {0, y}; gravity = -g_n*world.y; end X;")
     assert found.reason is None

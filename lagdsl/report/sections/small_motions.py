@@ -58,6 +58,7 @@ _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _SINGULAR = (
     "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
 )
+_LONGEST_IN_LINE = 80  # letters of a value; longer ones stand in a line of their own
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
 _STEADY = " constant and all other coordinates are at rest; then the equations of motion are:"
@@ -169,6 +170,10 @@ def _alike(equilibria: Sequence[Equilibrium]) -> list[list[Equilibrium]]:
 
 def _equilibrium(page: Page, group: Sequence[Equilibrium], *, constrained: bool) -> list[Block]:
     first = group[0]
+    if constrained and len(group) == 1 and _is_long(page, first):
+        places = tuple(Equation(page.notation.of(q), page.typeset(value)) for q, value in first.at)
+        after = Paragraph(with_code(_OF_CONSTRAINED.removeprefix(". ")))
+        return [Paragraph((Strong("Equilibrium"), Text(" at"))), Equations(places), after]
     opening: list[Strong | Text | Math] = [Strong("Equilibrium"), Text(" ")]
     for number, place in enumerate(_places(page, group)):
         opening += [Text(" and "), *place] if number else place
@@ -183,6 +188,13 @@ def _equilibrium(page: Page, group: Sequence[Equilibrium], *, constrained: bool)
     blocks: list[Block] = [Paragraph((*opening, Text(". For small deviations δ:")))]
     blocks.append(Equations(_linear_lines(page, first.linear)))
     return [*blocks, *_frequencies(page, first)]
+
+
+def _is_long(page: Page, equilibrium: Equilibrium) -> bool:
+    """True for a place that is determined by itself and takes more than a line."""
+    boxes = [page.typeset(value) for _, value in equilibrium.at]
+    alone = not equilibrium.arbitrary and not equilibrium.conditions
+    return alone and any(len(line(box)) > _LONGEST_IN_LINE for box in boxes)
 
 
 def _places(page: Page, group: Sequence[Equilibrium]) -> list[list[Text | Math]]:

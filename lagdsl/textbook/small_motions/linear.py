@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import TypeAlias
 
+import numpy as np
 import sympy
 from sympy import Expr, Integer, Symbol
 
+from lagdsl.numerics.rank import null_space, rank
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.rational import divided, in_lowest_terms, lowest
 from lagdsl.textbook.small_motions.balance import Balance
@@ -91,7 +93,7 @@ def linear(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr], 
 
 
 def regular(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr]) -> Square:
-    """The mass matrix at a place; raises SingularError where it has no inverse. Constraint rows have no part in it."""
+    """The mass matrix at a place of a system without constraints; raises SingularError where it has no inverse."""
     table = balance.derivation.symbols
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
     rows = ((partial(each, x).xreplace(rest).xreplace(at) for x in table.qdd) for each in residuals[: len(table.q)])
@@ -99,6 +101,23 @@ def regular(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr])
     if balance.tidy.is_zero(determinant(mass)):
         raise SingularError
     return mass
+
+
+def is_determined(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr]) -> bool:
+    """False where masses and constraints leave accelerations open: M has no inverse on the null space of J, by the
+    values of the parameters."""
+    table = balance.derivation.symbols
+    rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
+    unknowns = (*table.qdd, *(row.multiplier for row in balance.rows))
+    rows = [[partial(each, x).xreplace(rest).xreplace(at) for x in unknowns] for each in residuals[: len(table.q)]]
+    values = np.array([[balance.number(value) for value in row] for row in rows])
+    if not np.isfinite(values).all():  # a place with something arbitrary
+        return True
+    mass, jacobian = values[:, : len(table.qdd)], values[:, len(table.qdd) :].T
+    diagonal = np.abs(np.diag(mass))
+    unit = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
+    free = null_space(jacobian * unit)
+    return bool(rank(free.T @ (mass * unit[:, None] * unit) @ free) == free.shape[1])
 
 
 def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness: Square) -> Linear:

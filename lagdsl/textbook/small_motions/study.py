@@ -17,7 +17,7 @@ from lagdsl.textbook import functions
 from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.accelerations import Accelerations, accelerations
 from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, defaults, written_out
-from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, linear, regular
+from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, is_determined, linear
 from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
 from lagdsl.textbook.small_motions.statics import Place, places
 from lagdsl.textbook.small_motions.steady import Steady, steady
@@ -118,7 +118,7 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
 def _equilibria(
     balance: Balance, residuals: Sequence[Expr]
 ) -> tuple[tuple[Expr, ...], tuple[tuple[Equilibrium, bool], ...], str | None]:
-    """Equations at rest; their solutions, each with whether the mass matrix is regular there, or why there are none."""
+    """Equations at rest; their solutions, each with whether it determines accelerations, or why there are none."""
     table = balance.derivation.symbols
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
     statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
@@ -162,15 +162,12 @@ def _fulfilled(balance: Balance, condition: Condition) -> bool:
 
 
 def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> tuple[Equilibrium, bool]:
-    """With False where the mass matrix is singular: a place of the coordinates alone, as the origin of polar ones."""
+    """With False where accelerations stay open: a place of the coordinates alone, as the origin of polar ones."""
     arbitrary = tuple(x for x in _unknowns(balance) if x not in place.at)
     exists = _real(balance, place)
-    is_regular, about = True, None
+    is_regular, about = not balance.rows or is_determined(balance, residuals, place.at), None
     try:
-        if balance.rows:
-            regular(balance, residuals, place.at)
-            raise NotLinearError
-        about = linear(balance, residuals, place.at, real=exists)
+        about = None if balance.rows else linear(balance, residuals, place.at, real=exists)
     except SingularError:
         is_regular = False
     except (NotLinearError, TooLargeError):
