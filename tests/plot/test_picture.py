@@ -14,6 +14,7 @@ from choice import chosen
 from PIL import Image
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import flatten_file, read
 from lagdsl.plot.picture.draw import draw, prepared
 from lagdsl.plot.picture.faces import Faces, cube, cylinder, sphere, torus
@@ -30,13 +31,18 @@ SOME = ("bouncing_ball", "rolling_coin", "library/forces_spring_damper")
 GRID = 3  # colors of a picture in which nothing stands
 
 
-@cache
-def stage(name: str) -> Stage:
+def flat_of(name: str) -> FlatModel:
     sink = Sink()
     file = read(MODELS / f"{name}.lag", sink)
     assert file is not None
     flat = flatten_file(file, sink)
     assert flat is not None
+    return flat
+
+
+@cache
+def stage(name: str) -> Stage:
+    flat = flat_of(name)
     made = record_motion(flat, Wishes(), 41)
     columns = made.motion.columns[len(made.motion.columns) - len(made.scene.columns) :]
     rows = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
@@ -152,11 +158,7 @@ def test_a_film_shows_the_machine_where_it_is(tmp_path: Path) -> None:
 
 
 def test_a_picture_of_several_moments_is_another_one(tmp_path: Path) -> None:
-    sink = Sink()
-    file = read(MODELS / "pendulum.lag", sink)
-    assert file is not None
-    flat = flatten_file(file, sink)
-    assert flat is not None
+    flat = flat_of("pendulum")
     for name, times in (("one", (0.4,)), ("both", (0.1, 0.4))):
         write_picture(flat, Wishes(stop=1.0), tmp_path / f"{name}.png", times)
     assert (tmp_path / "one.png").read_bytes() != (tmp_path / "both.png").read_bytes()
@@ -167,11 +169,7 @@ def test_a_picture_of_several_moments_is_another_one(tmp_path: Path) -> None:
 
 def test_a_model_without_places_has_no_picture(tmp_path: Path) -> None:
     """An empty grid told nobody that there is nothing to see."""
-    sink = Sink()
-    file = read(MODELS / "van_der_pol.lag", sink)
-    assert file is not None
-    flat = flatten_file(file, sink)
-    assert flat is not None
+    flat = flat_of("van_der_pol")
     for write, name in ((write_picture, "still.png"), (write_film, "film.gif")):
         with pytest.raises(ValueError, match="nothing in VanDerPol has a place"):
             write(flat, Wishes(), tmp_path / name)  # type: ignore[operator]
