@@ -19,7 +19,7 @@ export class Curves {
   private readonly board: HTMLElement;
   private readonly portrait: Portrait;
   private motion: Motion;
-  private events: { time: number }[];
+  private events: { time: number; kind: string }[];
   private family: Motion[] = [];
   private time = 0;
   private seen = false;
@@ -119,14 +119,15 @@ export class Curves {
       }
     }
     ctx.strokeStyle = "#dc2626";
-    for (const { time } of apart(this.events, plot.scales.x.min ?? 0, plot.scales.x.max ?? 1)) {
+    for (const { time, kind } of apart(this.events, plot.scales.x.min ?? 0, plot.scales.x.max ?? 1)) {
       const x = plot.valToPos(time, "x", true);
+      ctx.globalAlpha = kind === "tick" ? 0.25 : 1; // clocks tick often
       ctx.beginPath();
       ctx.moveTo(x, bbox.top + bbox.height);
       ctx.lineTo(x, bbox.top + bbox.height - 7 * window.devicePixelRatio);
       ctx.stroke();
     }
-    ctx.restore();
+    ctx.restore(); // the alpha, too
   }
 
   /** The range of all runs. */
@@ -170,7 +171,7 @@ export class Curves {
   }
 
   /** Another motion; live ones tell no events. */
-  show(motion: Motion, events: { time: number }[] = []): void {
+  show(motion: Motion, events: { time: number; kind: string }[] = []): void {
     this.motion = motion;
     this.events = events;
     for (const { plot, data } of this.charts) plot.setData(data(motion));

@@ -31,13 +31,13 @@ export function above(value: number): number {
   return ([1, 2, 5].find((part) => part * ten >= value * (1 - 1e-9)) ?? 10) * ten;
 }
 
-/** One event for each part of a bar: more marks than that are a line of color. */
-export function apart<Event extends { time: number }>(events: readonly Event[], start: number, stop: number): Event[] {
+/** One event for each part of a bar, no tick of a clock if there is another: more marks than that are a line of color. */
+export function apart<Event extends { time: number; kind: string }>(events: readonly Event[], start: number, stop: number): Event[] {
   const parts = 400;
   const found = new Map<number, Event>();
   for (const event of events) {
     const part = Math.floor((parts * (event.time - start)) / (stop - start || 1));
-    if (!found.has(part)) found.set(part, event);
+    if ((found.get(part)?.kind ?? "tick") === "tick") found.set(part, event);
   }
   return [...found.values()];
 }

@@ -92,6 +92,7 @@ export class Player {
         const tick = document.createElement("i");
         tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
         tick.title = `${name} ${kind}`;
+        tick.className = kind;
         return tick;
       }),
     );
