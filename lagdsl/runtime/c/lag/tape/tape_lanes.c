@@ -165,20 +165,28 @@ INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memor
 
 /* Wider registers where the processor has them, which is asked when it runs: the library is one for all of them. */
 #if defined(__x86_64__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__ && !defined(__AVX2__)
-__attribute__((target("avx2"))) static void run_wide(
-    const lag_tape_code *code, const lag_arguments *at, block_memory *row, double *const *results)
-{
-    run(code, at, row, results);
-}
+#define RUN_IN(name, registers)                                                                                        \
+    __attribute__((target(registers))) static void name(                                                               \
+        const lag_tape_code *code, const lag_arguments *at, block_memory *row, double *const *results)                 \
+    {                                                                                                                  \
+        run(code, at, row, results);                                                                                   \
+    }
+RUN_IN(run_wide, "avx2")
+RUN_IN(run_widest, "avx512f,avx512dq")
 #define WIDE __builtin_cpu_supports("avx2")
+#define WIDEST (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
 #else
 #define run_wide run
+#define run_widest run
 #define WIDE 0
+#define WIDEST 0
 #endif
 
 void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)
 {
-    if (WIDE) {
+    if (WIDEST) {
+        run_widest(code, at, (block_memory *)row, results);
+    } else if (WIDE) {
         run_wide(code, at, (block_memory *)row, results);
     } else {
         run(code, at, (block_memory *)row, results);
