@@ -53,6 +53,7 @@ class Status(IntEnum):
     BAD_STATE_DATA = 18
     BAD_CLOCK = 19
     WAY_JUMP = 20
+    MOMENTUM_UNREACHABLE = 21
 
 
 class InitialFault(IntEnum):

@@ -54,6 +54,9 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
         case Status.SINGULAR:
             coordinate = flat.coordinates[fault.which]
             return _told(course, "E0806", fault, coordinate, sink, name=coordinate.name)
+        case Status.MOMENTUM_UNREACHABLE:
+            coordinate = flat.coordinates[fault.which]
+            return _told(course, "E0840", fault, coordinate, sink, name=coordinate.name)
         case Status.NOT_FINITE:
             return _report_not_finite(course, fault, u, sink)
         case Status.STEP_TOO_SMALL:

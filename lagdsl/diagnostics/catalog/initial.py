@@ -203,6 +203,12 @@ ROWS: dict[str, Row] = {
         "no state was found that satisfies them together",
         "delete one of them; without `fixed = true` a start is a guess",
     ),
+    "E0840": error(
+        "the simulation cannot continue at t = {time} s: no rate of `{name}` has the momentum or "
+        "the energy that the event leaves",
+        "its momentum does not grow with its rate without a limit",
+        "write a Lagrangian whose derivative by `der({name})` grows without a limit, or change start values",
+    ),
     "E0845": error(
         "input `{name}` takes {what}, not {value}",
         "{what} only",

@@ -178,6 +178,8 @@ static const char *reason(lag_status status)
         return "a contact is pierced at the start";
     case LAG_POSITION_JUMP:
         return "a constraint that an event switches on does not hold at the positions there";
+    case LAG_MOMENTUM_UNREACHABLE:
+        return "no rates have the momentum or the energy that an event leaves";
     case LAG_WAY_JUMP:
         return "the position of a mass would jump";
     case LAG_BAD_CLOCK:

@@ -257,8 +257,8 @@ typedef struct lag_fault {
     double t;         /* where it happened */
     const double *x;  /* (2 nq + nz) the state there */
     /*
-     * LAG_SINGULAR: a coordinate whose acceleration is not determined. LAG_NOT_FINITE: the first number of x' that is none. LAG_STEP_TOO_SMALL: the
-     * number of x that changes fastest. LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the row of the constraints that is farthest off. LAG_BRANCH_POINT: the one that has
+     * LAG_SINGULAR: a coordinate whose acceleration is not determined. LAG_MOMENTUM_UNREACHABLE: one of which no rate has the momentum.
+     * LAG_NOT_FINITE: the first number of x' that is none. LAG_STEP_TOO_SMALL: the number of x that changes fastest. LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the row of the constraints that is farthest off. LAG_BRANCH_POINT: the one that has
      * the largest share in the combination that vanishes. LAG_VIOLATED: an assertion, or behind all of them an invariant. LAG_CONFLICT:
      * a reset. LAG_ASSERTION_FAILED: an assertion of a clause.
      */

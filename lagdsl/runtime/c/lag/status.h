@@ -25,7 +25,8 @@ typedef enum lag_status {
     LAG_BRANCH_POINT = 17,     /* branches of the motion meet here, and which one it takes cannot be told */
     LAG_BAD_STATE_DATA = 18,    /* bytes that were not saved by this, or were changed since */
     LAG_BAD_CLOCK = 19,    /* a clock has no positive period, or no first instant */
-    LAG_WAY_JUMP = 20    /* the position of a mass would jump with what changes */
+    LAG_WAY_JUMP = 20,   /* the position of a mass would jump with what changes */
+    LAG_MOMENTUM_UNREACHABLE = 21    /* no rates have the momenta or the energy that an impulse leaves */
 } lag_status;
 
 #endif

@@ -94,6 +94,9 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     case LAG_SINGULAR:
         return lag_instance_fail(instance, status, "t = %.10g s: the acceleration of %s is not determined", t,
             name_of(model->nq, model->coordinates, run->motion.coordinate));
+    case LAG_MOMENTUM_UNREACHABLE:
+        return lag_instance_fail(instance, status, "t = %.10g s: no rate of %s has the momentum or the energy that the event leaves", t,
+            name_of(model->nq, model->coordinates, run->motion.coordinate));
     case LAG_VIOLATED:
         return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
     case LAG_CHATTER:

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/events/momentum.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/vector.h"
 
-/* Newton's method where T is not quadratic in the rates; a step beyond the rates that there are is halved so often. */
-enum { MOST_STEPS = 30, MOST_HALVES = 30 };
+/* Newton's method where T is not quadratic in the rates; a step that overshoots is halved so often. */
+enum { MOST_STEPS = 60, MOST_HALVES = 300 };
 /* It ends when the residual of the momenta is this part of their size. */
 static const double ROUNDING = 1e-12;
 
@@ -17,7 +18,7 @@ size_t lag_impact_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t k = model->ngap;
-    return n * n + m * n + 3 * m + 7 * n + model->nz + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nnls_memory(k);
+    return n * n + m * n + 3 * m + 9 * n + model->nz + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nnls_memory(k);
 }
 
 void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
@@ -44,6 +45,8 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
     impact->impulse = lag_take(&memory, k);
     impact->rates = lag_take(&memory, n);
     impact->step = lag_take(&memory, n);
+    impact->from = lag_take(&memory, n);
+    impact->now = lag_take(&memory, n);
     impact->kept = lag_take(&memory, n);
     impact->reached = lag_take(&memory, n);
     impact->system = lag_take(&memory, lag_system_memory(n, m));
@@ -192,15 +195,6 @@ static void add_step(const lag_impact *impact, double part, double *qd)
     }
 }
 
-static int are_finite(const lag_impact *impact)
-{
-    size_t i = 0;
-    while (i < impact->motion->model->nq && isfinite(impact->reached[i])) {
-        ++i;
-    }
-    return i == impact->motion->model->nq;
-}
-
 /* 1: the momenta at rates `qd` are those that the whole of the step leads to in the first order, which are in impact->force. */
 static int is_reached(const lag_impact *impact, const double *qd)
 {
@@ -216,23 +210,31 @@ static int is_reached(const lag_impact *impact, const double *qd)
     return reached;
 }
 
-/* Takes the step, or as much of it as there are momenta for; *done: these are those that it leads to. */
+/* 1: the step so far overshoots the momenta in impact->force, as seen from those in impact->from. */
+static int overshoots(const lag_impact *impact)
+{
+    pick(impact, impact->reached, impact->now);
+    return lag_momentum_overshoots(impact->count, impact->step, impact->from, impact->now, impact->force);
+}
+
+/* Takes the step, or as much of it as does not overshoot; *done: momenta are those that the whole of it leads to in the first order. */
 static lag_status go(lag_impact *impact, double t, double *x, int *done)
 {
     const size_t n = impact->count;
     double *qd = x + impact->motion->model->nq;
     double part = 1.0;
+    pick(impact, impact->reached, impact->from);
     for (size_t i = 0; i < n; ++i) {
-        impact->force[i] = impact->reached[(size_t)impact->chosen[i]] + lag_dot(n, impact->mass + i * n, impact->step);
+        impact->force[i] = impact->from[i] + lag_dot(n, impact->mass + i * n, impact->step);
     }
     add_step(impact, part, qd);
     lag_status status = look_at_momenta(impact, t, x, impact->reached);
-    for (int k = 0; k < MOST_HALVES && status == LAG_OK && !are_finite(impact); ++k) {
+    *done = is_reached(impact, qd);
+    for (int k = 0; k < MOST_HALVES && status == LAG_OK && !*done && overshoots(impact); ++k) {
         part *= 0.5;
         add_step(impact, -part, qd);
         status = look_at_momenta(impact, t, x, impact->reached);
     }
-    *done = part == 1.0 && is_reached(impact, qd);
     return status;
 }
 
@@ -247,5 +249,5 @@ lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_
         status = find_step(impact, t, x, blow);
         status = status == LAG_OK ? go(impact, t, x, &done) : status;
     }
-    return status == LAG_OK && !done ? LAG_EVENT_ITERATION_FAILED : status;
+    return status == LAG_OK && !done ? LAG_MOMENTUM_UNREACHABLE : status;
 }

@@ -27,6 +27,7 @@ typedef struct lag_impact {
     double *wanted, *impulse;           /* (ngap) */
     double *rates, *step;               /* (nq) before the blow; the change in one step, */
     double *kept, *reached;             /* (nq) momenta before the blow and now */
+    double *from, *now;                 /* (nq) those of the chosen coordinates before a step and behind it */
     double *system, *search;
 } lag_impact;
 
@@ -45,7 +46,8 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory);
 
 /*
  * The rates in x = (q, qd, z) at time t, which satisfy the lasting constraints, after the blow. Closed contacts take part as gaps, not
- * as constraints. LAG_SINGULAR: some rates are not determined; x stays. LAG_EVENT_ITERATION_FAILED: no rates have these momenta.
+ * as constraints. LAG_SINGULAR: some rates are not determined; x stays. LAG_MOMENTUM_UNREACHABLE: no rates have these momenta,
+ * motion->coordinate is one that takes part.
  */
 lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_blow *blow);
 

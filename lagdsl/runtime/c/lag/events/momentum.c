@@ -5,13 +5,16 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
-/* Newton's method for rates: one step where T is quadratic in them, and one more that finds nothing left. */
-enum { MOST_STEPS = 20 };
+/* Newton's method for rates: one step where T is quadratic in them. A step that overshoots is halved so often. */
+enum { MOST_STEPS = 60, MOST_HALVES = 300 };
 /* The iteration ends when the residual of the momenta is this part of their size. */
 static const double ROUNDING = 1e-13;
-/* A residual of a row below this part of its terms is no jump: projection leaves more. */
+/* A residual of a row below this part of its terms is no jump: projection leaves more. Momenta that are off by more are not reached. */
 static const double LEFT = 1e-9;
+/* A step overshoots where the momenta behind it are beyond their aim by this part of what they were short of it. */
+static const double BEYOND = 0.5;
 /* A way changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
 static const double CONTINUOUS = 1e-9;
 static const double FEW = 16.0;
@@ -25,7 +28,7 @@ size_t lag_momentum_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t rows = model->nc + most_held(model);
-    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 4 * model->nway + lag_motion_size(model) +
+    return 6 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 4 * model->nway + lag_motion_size(model) +
            lag_system_memory(n, rows);
 }
 
@@ -39,6 +42,7 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
     momentum->places = lag_places_of(model);
     momentum->before = lag_take(&memory, n);
     momentum->now = lag_take(&memory, n);
+    momentum->from = lag_take(&memory, n);
     momentum->mass = lag_take(&memory, n * n);
     momentum->jacobian = lag_take(&memory, model->nc * n);
     momentum->rows = lag_take(&memory, model->nc);
@@ -170,6 +174,17 @@ static lag_status solve(lag_momentum *momentum, const double *held, int *reached
     return LAG_OK;
 }
 
+int lag_momentum_overshoots(size_t count, const double *step, const double *from, const double *now, const double *aim)
+{
+    double start = 0.0;
+    double rest = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        start += step[i] * (aim[i] - from[i]);
+        rest += step[i] * (aim[i] - now[i]);
+    }
+    return !isfinite(rest) || (start > 0.0 && rest < -BEYOND * start);
+}
+
 /* Momenta that impulses along the constraints gave are no residuals of the next step. */
 static void settle(lag_momentum *momentum)
 {
@@ -184,11 +199,88 @@ static void settle(lag_momentum *momentum)
     }
 }
 
-lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped)
+/* Adds the change to the rates, or as much of it as does not overshoot, and looks at what is there. */
+static lag_status step(lag_momentum *momentum, double t, double *x)
+{
+    const size_t n = momentum->motion->model->nq;
+    double *part = &momentum->part;
+    *part = 1.0;
+    memcpy(momentum->from, momentum->now, n * sizeof(double));
+    settle(momentum);
+    lag_axpy(n, *part, momentum->change, x + n);
+    lag_status status = lag_momentum_look(momentum, t, x);
+    for (int k = 0; k < MOST_HALVES && status == LAG_OK &&
+         lag_momentum_overshoots(n, momentum->change, momentum->from, momentum->now, momentum->before); ++k) {
+        *part *= 0.5;
+        lag_axpy(n, -*part, momentum->change, x + n);
+        status = lag_momentum_look(momentum, t, x);
+        if (status == LAG_OK && k + 1 == MOST_HALVES) {
+            status = LAG_MOMENTUM_UNREACHABLE;
+        }
+    }
+    return status;
+}
+
+/* From rates at which momenta do not grow with the rates, a quarter of the last step back. */
+static lag_status retreat(lag_momentum *momentum, double t, double *x)
+{
+    const size_t n = momentum->motion->model->nq;
+    lag_axpy(n, -0.25 * momentum->part, momentum->change, x + n);
+    momentum->part *= 0.75;
+    return lag_momentum_look(momentum, t, x);
+}
+
+/* After the last step: whether the momenta are those that the balance asks for; if not, the coordinate that is farthest from its own. */
+static lag_status judge(const lag_momentum *momentum)
+{
+    double most = LEFT;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < momentum->motion->model->nq; ++i) {
+        const double off = fabs(momentum->before[i] - momentum->now[i]) / fmax(momentum->size[i], DBL_MIN);
+        if (!(off <= most)) {
+            most = isfinite(off) ? off : (double)INFINITY;
+            momentum->motion->coordinate = i;
+            status = LAG_MOMENTUM_UNREACHABLE;
+        }
+    }
+    return status;
+}
+
+static int are_finite(const lag_momentum *momentum)
+{
+    size_t i = 0;
+    while (i < momentum->motion->model->nq && isfinite(momentum->now[i])) {
+        ++i;
+    }
+    return i == momentum->motion->model->nq;
+}
+
+/* Looks at x. If there are no momenta at the rates there, as beyond the speed of light on a carriage that starts, at smaller ones. */
+static lag_status begin(lag_momentum *momentum, double t, double *x)
 {
     const size_t n = momentum->motion->model->nq;
     double *qd = x + n;
     lag_status status = lag_momentum_look(momentum, t, x);
+    if (status != LAG_OK || are_finite(momentum)) {
+        return status;
+    }
+    memcpy(momentum->point, qd, n * sizeof(double));
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK && !are_finite(momentum); ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            qd[i] *= 0.5;
+        }
+        status = lag_momentum_look(momentum, t, x);
+    }
+    if (status == LAG_OK && !are_finite(momentum)) { /* the rates are not to blame */
+        memcpy(qd, momentum->point, n * sizeof(double));
+    }
+    return status;
+}
+
+lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped)
+{
+    const double *qd = x + momentum->motion->model->nq;
+    lag_status status = begin(momentum, t, x);
     *jumped = 0;
     if (status != LAG_OK) {
         return status;
@@ -203,24 +295,17 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
         if (!reached) {
             status = solve(momentum, NULL, &reached);
         }
+        status = status == LAG_SINGULAR && k > 0 ? retreat(momentum, t, x) : status == LAG_OK ? step(momentum, t, x) : status;
         if (status != LAG_OK) {
             return status;
         }
         *jumped = 1;
-        for (size_t j = 0; j < n; ++j) {
-            qd[j] += momentum->change[j];
-        }
-        settle(momentum);
-        status = lag_momentum_look(momentum, t, x);
-        if (status != LAG_OK) {
-            return status;
-        }
         find_sizes(momentum, qd);
         if (!is_off(momentum, qd, 1e2 * ROUNDING, 1e-12)) {
             return LAG_OK;
         }
     }
-    return LAG_OK;
+    return judge(momentum);
 }
 
 /* Ways of masses at x with discretes w. */

@@ -21,11 +21,13 @@ typedef struct lag_momentum {
     lag_places places;
     double *before;            /* (nq) momenta that were kept */
     double *now, *mass;        /* (nq) (nq, nq) */
+    double *from;              /* (nq) momenta before a step of Newton's method */
     double *jacobian, *rows;   /* (nc, nq) (nc) */
     double *open;              /* (nw) discretes with all contacts open */
     double *size;              /* (nq) of the momenta */
     double *chosen, *right;    /* (nc + most held, nq) (nc + most held) */
     double *force, *change;    /* (nq) */
+    double part;               /* of the change that the last step took */
     double *lam;               /* (nc + most held) */
     double *way, *point;       /* (4 nway) (2 nq + nz) */
     double *system;
@@ -45,9 +47,16 @@ lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
 /*
  * With the discretes that hold now: rates at which the momenta are those that were kept, but for impulses of the constraints. Closed
  * contacts only push, and do not take part. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if
- * the others can do it. *jumped: rates changed by more than round-off.
+ * the others can do it. *jumped: rates changed by more than round-off. LAG_MOMENTUM_UNREACHABLE: no rates have these momenta, and
+ * motion->coordinate has the one that is farthest from its own; x is changed.
  */
 lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped);
+
+/*
+ * 1: a step of the rates, or a part of it, overshoots: momenta `now` behind it are no numbers, or far beyond the `aim` as seen from where the
+ * step began; all (count). A convex T has no rates that a whole step of Newton's method must miss twice as far, so half of it is nearer.
+ */
+int lag_momentum_overshoots(size_t count, const double *step, const double *from, const double *now, const double *aim);
 
 /*
  * Ways of masses are continuous: LAG_WAY_JUMP if one is elsewhere at x with the discretes of now than with `before` (nw). Round-off is what the

@@ -1,6 +1,5 @@
 #include "lag/events/refraction.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,9 +17,22 @@ static const double LEFT = 1e-9;
 /* Differences of rows are along the gradient, or the gradient along the rows, but for this part of their sizes. */
 static const double ALONG = 1e-6;
 
+/* The balance of energy is solved where the impulse that is left changes the rate of g by this part. */
+static const double NEAR = 1e-9;
+/* It has its least value where half of the square of the rate of g is this part of what the energy lacks. */
+static const double FLAT = 1e-6;
+enum { MOST_STEPS = 100, MOST_HALVES = 60 };
+
+/* The side from which the motion comes. */
+typedef struct lag_side {
+    double energy; /* h there */
+    double drift;  /* rate of g with time and states, the positions held */
+    double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
+} lag_side;
+
 size_t lag_refraction_memory(const lag_model *model)
 {
-    return 3 * model->nq + 2 * lag_motion_size(model) + 3 * model->nindicator + model->nc * (model->nq + 1);
+    return 4 * model->nq + 2 * lag_motion_size(model) + 3 * model->nindicator + model->nc * (model->nq + 1);
 }
 
 void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory)
@@ -30,6 +42,7 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_mo
     refraction->gradient = lag_take(&memory, model->nq);
     refraction->along = lag_take(&memory, model->nq);
     refraction->before = lag_take(&memory, model->nq);
+    refraction->aim = lag_take(&memory, model->nq);
     refraction->rows = lag_take(&memory, model->nc * model->nq);
     refraction->speeds = lag_take(&memory, model->nc);
     refraction->point = lag_take(&memory, lag_motion_size(model));
@@ -88,7 +101,7 @@ static int differentiate(lag_refraction *r, double t, const double *x, size_t wh
     return isfinite(*g) && isfinite(*drift) && most > 0.0 && by_rates <= STILL * most;
 }
 
-/* The energy h, and its size. */
+/* The energy h at x, and the size of what it is made of. */
 static lag_status energy(const lag_refraction *r, double t, const double *x, double *h, double *size)
 {
     lag_motion *motion = r->motion;
@@ -101,25 +114,19 @@ static lag_status energy(const lag_refraction *r, double t, const double *x, dou
     return status;
 }
 
-/* The change of rates for an impulse along the gradient; the factors are those of the momentum's system. */
-static lag_status respond(lag_refraction *r, lag_system *system)
+/* r->along: the change of rates for an impulse along the gradient, with the M and the rows that the momentum has looked at. */
+static lag_status respond(lag_refraction *r)
 {
     const lag_model *model = r->motion->model;
     lag_momentum *momentum = r->momentum;
-    lag_system_place(system, model->nq, model->nc, model->components, momentum->system);
-    const lag_status status = lag_system_factor(system, momentum->mass, momentum->jacobian, model->rank, &r->motion->coordinate);
+    lag_system system;
+    lag_system_place(&system, model->nq, model->nc, model->components, momentum->system);
+    const lag_status status = lag_system_factor(&system, momentum->mass, momentum->jacobian, model->rank, &r->motion->coordinate);
     lag_fill(model->nc, 0.0, momentum->right);
     if (status == LAG_OK) {
-        lag_system_solve(system, r->gradient, momentum->right, r->along, momentum->lam);
+        lag_system_solve(&system, r->gradient, momentum->right, r->along, momentum->lam);
     }
     return status;
-}
-
-static void move(lag_refraction *r, double *rates, double mu)
-{
-    for (size_t i = 0; i < r->motion->model->nq; ++i) {
-        rates[i] += mu * r->along[i];
-    }
 }
 
 /* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
@@ -136,52 +143,107 @@ static int is_determined(const lag_refraction *r, const double *x)
     return moved <= ALONG * most;
 }
 
+/* The balance of energy for an impulse along the gradient. */
+typedef struct lag_energy_balance {
+    double rest;  /* h behind the place, less h before it and what the place and the constraints that move add to it, */
+    double speed; /* its slope: the rate of g, counted in the sense of the motion behind the place */
+    double slope; /* of the speed */
+} lag_energy_balance;
+
 /*
- * h behind the place for the impulse mu along the gradient, less h before it and what the place and the constraints that move add to it:
- * -mu dg/dt - b' P with b' P = -v+ J' P, as J v+ + b = 0.
+ * The balance at rates that the momentum has balanced, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add,
+ * with b' P = -v+ J' P, as J v+ + b = 0.
  */
-static int balance(lag_refraction *r, double t, double before, double drift, double mu, double *rest)
+static lag_status look(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
 {
     const size_t n = r->motion->model->nq;
-    const double *qd = r->point + n;
+    const double *qd = x + n;
     double h = 0.0;
     double size = 0.0;
-    if (energy(r, t, r->point, &h, &size) != LAG_OK || lag_momentum_keep(r->momentum, t, r->point, r->motion->w) != LAG_OK) {
-        return 0;
+    lag_status status = energy(r, t, x, &h, &size);
+    status = status == LAG_OK ? respond(r) : status;
+    const double change = lag_dot(n, qd, r->momentum->now) - lag_dot(n, qd, r->before);
+    const double along = lag_dot(n, r->gradient, qd) + side->drift;
+    *balance = (lag_energy_balance){
+        .rest = h - side->energy + mu * along - change,
+        .speed = side->sense * along,
+        .slope = lag_dot(n, r->gradient, r->along),
+    };
+    return status == LAG_SINGULAR || (status == LAG_OK && !(balance->slope > 0.0)) ? LAG_MOMENTUM_UNREACHABLE : status;
+}
+
+/* The impulse to the place where a parabola through the balance ends: its root on the side to which g moves, or its least value. */
+static double aim(const lag_energy_balance *b)
+{
+    const double under = b->speed * b->speed - 2.0 * b->rest * b->slope;
+    if (under <= 0.0) {
+        return -b->speed / b->slope;
     }
-    const double change = lag_dot(n, qd, r->momentum->before) - lag_dot(n, qd, r->before);
-    *rest = h - before + mu * (drift + lag_dot(n, r->gradient, qd)) - change;
-    return 1;
+    return b->speed > 0.0 ? -2.0 * b->rest / (b->speed + sqrt(under)) : (sqrt(under) - b->speed) / b->slope;
+}
+
+/* Rates with an impulse `by` more along the gradient, or a part of it where there are no rates for all of it; *by: as much as that. */
+static lag_status push(lag_refraction *r, double t, double *x, double sense, double *by)
+{
+    const size_t n = r->motion->model->nq;
+    const size_t size = lag_motion_size(r->motion->model);
+    lag_status status = LAG_MOMENTUM_UNREACHABLE;
+    int jumped = 0;
+    memcpy(r->point, x, size * sizeof(double));
+    memcpy(r->aim, r->momentum->before, n * sizeof(double));
+    for (int k = 0; k < MOST_HALVES && status == LAG_MOMENTUM_UNREACHABLE; ++k) {
+        *by *= k > 0 ? 0.5 : 1.0;
+        memcpy(x, r->point, size * sizeof(double));
+        memcpy(r->momentum->before, r->aim, n * sizeof(double));
+        lag_axpy(n, sense * *by, r->gradient, r->momentum->before);
+        status = lag_momentum_balance(r->momentum, t, x, NULL, &jumped);
+    }
+    return status;
 }
 
 /*
- * With w of the other side and mu along the gradient the balance of energy is a parabola: its coefficients, from three places one of which is
- * that at which the rate of g vanishes. The root on the side to which g moves; 0: there is none.
+ * Rates that the balance of energy asks for, from those that the momentum has balanced; *found: 0, there are none on the side to which g moves.
+ * The balance is convex in the impulse, as its slope is the rate of g and M is positive definite: Newton's method, with the curvature, between
+ * impulses that are known to be too small and too large. Where T is quadratic the first step is the last one.
  */
-static int root(lag_refraction *r, double t, double *x, double before, double speed, double drift, double *mu)
+static lag_status find(lag_refraction *r, double t, double *x, const lag_side *side, int *found)
 {
-    const size_t n = r->motion->model->nq;
-    const double slope = lag_dot(n, r->gradient, r->along);
-    const double middle = -(lag_dot(n, r->gradient, x + n) + drift) / slope;
-    const double width = fmax(fabs(speed) / slope, DBL_MIN);
-    double h[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < 3; ++k) {
-        const double at = middle + (k - 1) * width;
-        memcpy(r->point, x, lag_motion_size(r->motion->model) * sizeof(double));
-        move(r, r->point + n, at);
-        if (!balance(r, t, before, drift, at, &h[k])) {
-            return 0;
+    double low = -(double)INFINITY;
+    double high = (double)INFINITY;
+    double u = 0.0; /* the impulse, counted in the sense of the motion */
+    lag_energy_balance b;
+    *found = 0;
+    for (int k = 0; k < MOST_STEPS; ++k) {
+        lag_status status = look(r, t, x, side, side->sense * u, &b);
+        if (status != LAG_OK || (b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
+            return status;
         }
+        const int beyond = b.speed > 0.0 && b.rest >= 0.0;
+        low = beyond ? low : u;
+        high = beyond ? u : high;
+        double by = aim(&b);
+        const int last = by == 0.0 || (b.speed > 0.0 && fabs(by) * b.slope <= NEAR * b.speed);
+        if (!last && !(u + by > low && u + by < high)) {
+            by = 0.5 * (low + high) - u;
+        }
+        status = push(r, t, x, side->sense, &by);
+        if (status != LAG_OK || last) {
+            *found = status == LAG_OK;
+            return status;
+        }
+        u += by;
     }
-    const double a = 0.5 * (h[0] + h[2]) - h[1];
-    const double b = 0.5 * (h[2] - h[0]);
-    const double under = b * b - 4.0 * a * h[1];
-    if (!(a > 0.0) || !(under >= 0.0)) {
-        return 0;
+    return LAG_MOMENTUM_UNREACHABLE;
+}
+
+/* The coordinate on which g depends most. */
+static size_t steepest(const lag_refraction *r, const double *x)
+{
+    size_t most = 0;
+    for (size_t j = 1; j < r->motion->model->nq; ++j) {
+        most = fabs(r->gradient[j]) * extent(r, x, j) > fabs(r->gradient[most]) * extent(r, x, most) ? j : most;
     }
-    const double s = (-b + (speed > 0.0 ? 1.0 : -1.0) * sqrt(under)) / (2.0 * a);
-    *mu = middle + s * width;
-    return s * speed > 0.0;
+    return most;
 }
 
 /*
@@ -193,14 +255,11 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
     const size_t n = r->motion->model->nq;
     const lag_momentum *momentum = r->momentum;
     int off = 0;
-    size_t steepest = 0;
-    for (size_t j = 1; j < n; ++j) {
-        steepest = fabs(r->gradient[j]) * extent(r, x, j) > fabs(r->gradient[steepest]) * extent(r, x, steepest) ? j : steepest;
-    }
+    const size_t most_of_g = steepest(r, x);
     for (size_t i = 0; i < r->motion->model->nc; ++i) {
         const double *row = momentum->jacobian + i * n;
         const double *was = r->rows + i * n;
-        const double part = (row[steepest] - was[steepest]) / r->gradient[steepest];
+        const double part = (row[most_of_g] - was[most_of_g]) / r->gradient[most_of_g];
         const double speed = momentum->rows[i] - lag_dot(n, row, x + n);
         const double own = r->speeds[i] - lag_dot(n, was, x + n);
         double size = fabs(speed) + fabs(own) + fabs(part * drift);
@@ -247,22 +306,28 @@ static lag_status keep(lag_refraction *r, double t, const double *x, double *h, 
 }
 
 /* Rates behind the place in r->rate; *refracted stays 0 where they are not there. */
-static lag_status cross(lag_refraction *r, double t, const double *x, double before, double speed, double drift, int *refracted)
+static lag_status cross(lag_refraction *r, double t, const double *x, const lag_side *side, int *refracted)
 {
-    const size_t n = r->motion->model->nq;
-    lag_system system;
-    double mu = 0.0;
     int jumped = 0;
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
+    memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
     lag_status status = lag_momentum_balance(r->momentum, t, r->rate, NULL, &jumped);
-    status = status == LAG_OK ? respond(r, &system) : status;
+    status = status == LAG_OK ? respond(r) : status;
     if (status == LAG_OK && is_determined(r, x)) {
         *refracted = 1; /* the balance of momenta says it all */
-    } else if (status == LAG_OK && root(r, t, r->rate, before, speed, drift, &mu)) {
-        move(r, r->rate + n, mu);
-        *refracted = 1;
+        return LAG_OK;
     }
-    return status;
+    return status == LAG_OK ? find(r, t, r->rate, side, refracted) : status;
+}
+
+/* Rates with which the motion turns back on this side, in r->rate. */
+static lag_status turn_back(lag_refraction *r, double t, const double *x, const lag_side *side, int *back)
+{
+    const lag_side own = {.energy = side->energy, .drift = side->drift, .sense = -side->sense};
+    memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
+    memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
+    const lag_status status = lag_momentum_look(r->momentum, t, r->rate);
+    return status == LAG_OK ? find(r, t, r->rate, &own, back) : status;
 }
 
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
@@ -297,41 +362,37 @@ lag_status lag_refraction_cross(
     const size_t n = motion->model->nq;
     double *truth = motion->w + r->places.relation;
     double g = 0.0;
-    double drift = 0.0;
-    double before = 0.0;
+    lag_side side = {0};
     double after = 0.0;
     double size = 0.0;
     double other = 0.0;
-    lag_system system;
     *refracted = *back = 0;
     if (motion->model->energies == NULL) { /* nothing is known of an energy that jumps */
         return LAG_OK;
     }
     lag_status status = motion->ode.rates(motion, t, x, r->rate);
-    if (status != LAG_OK || !differentiate(r, t, x, which, &g, &drift)) {
+    if (status != LAG_OK || !differentiate(r, t, x, which, &g, &side.drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
-    const double speed = lag_dot(n, r->gradient, x + n) + drift;
-    status = keep(r, t, x, &before, &size);
+    const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
+    side.sense = speed > 0.0 ? 1.0 : -1.0;
+    status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
     status = status == LAG_OK ? energy(r, t, x, &after, &other) : status;
     status = status == LAG_OK ? lag_momentum_look(r->momentum, t, x) : status;
-    const int jumps = fabs(after - before) > JUMP * fmax(size, other) || momenta_jump(r->momentum, x + n) || rows_bend(r, x, drift);
+    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || momenta_jump(r->momentum, x + n) || rows_bend(r, x, side.drift);
     if (status != LAG_OK || !jumps || !(fabs(g) <= fabs(speed) * lookahead)) {
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
         return status;
     }
-    status = cross(r, t, x, before, speed, drift, refracted);
+    status = cross(r, t, x, &side, refracted);
     truth[which] = r->truth[which];
     if (status == LAG_OK && !*refracted) {
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
-        memcpy(r->rate, x, lag_motion_size(motion->model) * sizeof(double));
-        status = lag_momentum_look(r->momentum, t, x);
-        status = status == LAG_OK ? respond(r, &system) : status;
-        move(r, r->rate + n, status == LAG_OK ? -2.0 * speed / lag_dot(n, r->gradient, r->along) : 0.0);
-        *refracted = *back = status == LAG_OK;
+        status = turn_back(r, t, x, &side, back);
+        *refracted = *back;
     }
-    if (status == LAG_OK) {
+    if (status == LAG_OK && *refracted) {
         memcpy(x + n, r->rate + n, n * sizeof(double));
     }
     return status;

@@ -5,8 +5,8 @@
  * The step is the limit of a steep smooth one that depends on the position by the indicator g(q, t) of the relation alone.
  * Across it Lagrange's equations leave p+ - p- = grad g mu + J' P with p = dL/dqd: momenta change along the gradient of g
  * only, and by impulses of the constraints; and the energy h = qd p - L changes by -mu dg/dt - b' P, so not at all where place and
- * constraints rest. That is refraction. If h does not suffice for the other side, the motion turns back: the rate of g is reflected
- * elastically.
+ * constraints rest. That is refraction. If h does not suffice for the other side, the motion turns back elastically. The excess of h is convex in
+ * mu, with the slope dh/dmu + dg/dt + b' dP/dmu = dg/dt along the motion, as dh = v dp; a parabola where T is quadratic.
  *
  * The rows of a constraint that is continuous differ by a multiple of grad g on both sides, so J' P may be that of either side. Where grad g
  * is a combination of the rows, as where a rope becomes taut, impulses of the constraints determine the rates, and the blow is plastic.
@@ -29,6 +29,7 @@ typedef struct lag_refraction {
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */
+    double *aim;            /* (nq) momenta for the impulse so far */
     double *rows, *speeds;  /* (nc, nq) (nc) of the constraints on this side: J, J qd + b */
     double *point, *rate;   /* (2 nq + nz) */
     double *g, *own;        /* (nindicator) (nindicator) */

@@ -152,6 +152,9 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         fault->which = run->motion.coordinate;
         go_to_trouble(run, fault);
         break;
+    case LAG_MOMENTUM_UNREACHABLE:
+        fault->which = run->motion.coordinate;
+        break;
     case LAG_NOT_FINITE:
         go_to_trouble(run, fault);
         explain_not_finite(run, fault);
