@@ -91,6 +91,116 @@ STEPS = [
     ),
 ]
 
+FROM = "coordinate Real x(start = {}, der(start = {})); kinetic 1/2*der(x)^2; "
+ON_BORDERS = [
+    # at the start the text says on which side of the step it is
+    Attack(
+        "start_on_a_border", model(FROM.format(1, 2) + "potential if x <= 1 then 0 else 1.5;"), 1.0, {"der(x)": 1.0}
+    ),
+    Attack("start_behind_it", model(FROM.format(1, 2) + "potential if x < 1 then 0 else 1.5;"), 1.0, {"der(x)": 2.0}),
+    Attack(
+        "start_down_a_step",
+        model(FROM.format(1, -2) + "potential if x < 1 then 0 else 1.5;"),
+        1.0,
+        {"der(x)": -sqrt(7), "x": 1 - sqrt(7)},
+    ),
+    Attack(
+        "start_of_inertia_on_a_border",
+        model("coordinate Real a(der(start = 3)); kinetic 1/2*(if a <= 0 then 1 else 9)*der(a)^2;"),
+        1.0,
+        {"der(a)": 1.0},
+    ),
+    Attack(
+        "falls_from_rest",
+        model(FROM.format(1, 0) + "force -2 on x; potential if x < 1 then 0 else 1.5;"),
+        1.0,
+        {"der(x)": -2 - sqrt(3), "x": -sqrt(3)},
+    ),
+    Attack(
+        "pressed_against_a_step",
+        model(FROM.format(1, 0) + "force 2 on x; potential if x <= 1 then 0 else 1.5;"),
+        1.0,
+        {"x": 1.0},
+        refused=("E0833",),
+    ),
+    Attack(
+        # 2 is 1 on the step, half of it comes back, and down it goes
+        "contact_on_a_step",
+        model(FROM.format(0, 2) + "potential if x < 1 then 0 else 1.5; contact w: x <= 1 with restitution = 0.5;"),
+        1.5,
+        {"der(x)": -sqrt(3.25), "x": 1 - sqrt(3.25)},
+    ),
+    Attack(
+        "clause_on_a_step",
+        model(
+            FROM.format(0, 2) + "potential if x < 1 then 0 else 1.5;",
+            "when x >= 1 then impact(1 - x, 0.5); end when;",
+        ),
+        1.5,
+        {"der(x)": -sqrt(3.25)},
+    ),
+    Attack(
+        # 1/2 v^2 = 3.5 is enough for three stairs
+        "many_stairs",
+        model(FROM.format(0, sqrt(7)) + "potential floor(x);"),
+        2 * (1 / sqrt(7) + 1 / sqrt(5) + 1 / sqrt(3) + 1) - 1 / sqrt(7),
+        {"x": 1.0, "der(x)": -sqrt(7)},
+    ),
+    Attack(
+        "height_that_another_coordinate_gives",
+        # across at y = 1.5: 2^2 - 2*1.5 = 1; then the force -1 along y
+        model(
+            "coordinate Real x(der(start = 2)), y(start = 0.5, der(start = 1)); kinetic 1/2*(der(x)^2 + der(y)^2);"
+            "potential if x < 2 then 0 else y;"
+        ),
+        2.0,
+        {"der(x)": 1.0, "der(y)": 0.0, "y": 2.0},
+    ),
+    Attack(
+        # 2 t is at 1 at 0.5 s; in the frame of the wall 2^2 - 2*1
+        "swept_by_a_step",
+        model(FROM.format(1, 0) + "potential if x < 2*time then 1 else 0;"),
+        2.0,
+        {"der(x)": 2 - sqrt(2), "x": 1 + 1.5 * (2 - sqrt(2))},
+    ),
+    Attack(
+        # the wall t^2 throws it at 1, 3 and 5 s: 4, 8 and 12
+        "thrown_by_a_wall_that_gains_speed",
+        model(FROM.format(1, 0) + "potential if x < time^2 then 1e6 else 0;"),
+        6.0,
+        {"der(x)": 12.0, "x": 37.0},
+    ),
+]
+
+# Rest on the border of a relation: accelerations tell the side, at once.
+FROM_REST = [
+    Attack("rest_on_a_border", model(FROM.format(1, 0) + "force if x < 1 then -1 else -3 on x;"), 1.0, {"x": 0.5}),
+    Attack(
+        "rest_on_a_border_but_for_rounding",
+        model(FROM.format(0.1 + 0.2, 0) + "force if x < 0.3 then -1 else -3 on x;"),
+        1.0,
+        {"der(x)": -1.0},
+    ),
+    Attack(
+        "rest_on_a_border_beside_an_odometer",
+        model(
+            FROM.format(1, 0) + "force if x > 1 then 1 else 3 on x;"
+            "coordinate Real y(start = 1e9, der(start = 1e8)); kinetic 1/2*der(y)^2;"
+        ),
+        1.0,
+        {"der(x)": 1.0},
+    ),
+    Attack(
+        "rest_side_by_side",
+        model(
+            "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2);"
+            "force 1 on x; force if x > y then 0.7 else 0.5 on y;"
+        ),
+        1.0,
+        {"der(y)": 0.7},
+    ),
+]
+
 CORNERS = [
     Attack(
         # 1/2 v^2 is the integral of sqrt(x) from 0 to 1
@@ -161,7 +271,7 @@ TIME_AND_PLACE = model(
 AFTER = sqrt(1 - 2 * 0.1) + 1e-3
 
 
-@rows([*STEPS, *CORNERS])
+@rows([*STEPS, *ON_BORDERS, *FROM_REST, *CORNERS])
 def test_steps_in_place(row: Attack, engine: str) -> None:
     check(row, engine)
 

@@ -5,6 +5,8 @@
 #ifndef LAG_CLOCK_H
 #define LAG_CLOCK_H
 
+#include <stddef.h>
+
 typedef struct lag_clock {
     double first, period;          /* [s]; period > 0 */
     unsigned long long next;       /* k of the next instant */
@@ -23,6 +25,21 @@ double lag_clock_nearest(const lag_clock *clock, double t);
 
 /* Lets the next instant be the first that is not before t. */
 void lag_clock_seek(lag_clock *clock, double t);
+
+/* The same but for round-off: an instant just before t is due at t. */
+void lag_clock_enter(lag_clock *clock, double t);
+
+/* True if the next instant is at t or before, but for round-off. */
+int lag_clock_is_due(const lag_clock *clock, double t);
+
+/* The earliest of the next instants of `count` clocks; infinite if there is none. */
+double lag_clocks_next(size_t count, const lag_clock *clocks);
+
+/* The first of `count` clocks that is due at t; `count` if there is none. */
+size_t lag_clocks_due(size_t count, const lag_clock *clocks, double t);
+
+/* The earliest instant of `count` clocks that is t but for round-off; t if there is none before. */
+double lag_clocks_same(size_t count, const lag_clock *clocks, double t);
 
 /* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
 typedef struct lag_crowd {

@@ -12,7 +12,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 3 * model->nindicator + 3 * model->ncontact;
+           3 * lag_motion_size(model) + 4 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -47,6 +47,7 @@ void lag_event_iteration_place(
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);
     iteration->soon = lag_take(&memory, model->nindicator);
+    iteration->truth = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->meeting = lag_take(&memory, model->ncontact);
     iteration->pulling = memory;
@@ -235,6 +236,28 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
     return status == LAG_OK ? lag_momentum_balance(iteration->momentum, t, x, NULL, &jumped) : status;
 }
 
+/*
+ * Relations as they stand, or as they are a moment later: those that turn now, as at the start on a border or behind a blow, turn as at any event,
+ * with what an energy that jumps there does.
+ */
+static lag_status turn(lag_event_iteration *iteration, double t, double *x, const double *turned, int *acted)
+{
+    const size_t count = iteration->motion->model->nindicator;
+    double *truth = iteration->motion->w + iteration->places.relation;
+    memcpy(iteration->truth, truth, count * sizeof(double));
+    lag_status status = lag_event_iteration_ahead(iteration, t, x, turned);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        int refracted = 0;
+        int back = 0;
+        if (truth[i] != iteration->truth[i]) {
+            truth[i] = iteration->truth[i];
+            status = lag_event_iteration_cross(iteration, t, x, i, &refracted, &back);
+            *acted = *acted || refracted;
+        }
+    }
+    return status;
+}
+
 /* One pass; `acted`: it did more than to change w. */
 static lag_status pass(lag_event_iteration *iteration, double t, double *x, const double *turned, int *acted)
 {
@@ -255,7 +278,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     if (status == LAG_OK) {
         status = strike(iteration, t, x, acted);
     }
-    return status == LAG_OK ? lag_event_iteration_ahead(iteration, t, x, turned) : status;
+    return status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
 }
 
 /* 1: a constraint that discretes switch asks for other positions. */

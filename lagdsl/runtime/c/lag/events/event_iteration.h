@@ -7,6 +7,7 @@
 #include "lag/event_notice.h"
 #include "lag/events/noise.h"
 #include "lag/events/momentum.h"
+#include "lag/events/refraction.h"
 #include "lag/equations/projection.h"
 #include "lag/events/timed.h"
 
@@ -17,6 +18,7 @@ typedef struct lag_event_iteration {
     lag_timed *timed;
     lag_projection *projection;
     lag_noise *noise;
+    lag_refraction *refraction;
     lag_places places;
     double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
     double moment;            /* the shortest such time; one that turns back within the longer one is looked at after this [s] */
@@ -30,6 +32,7 @@ typedef struct lag_event_iteration {
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
     double *now, *then, *soon; /* (nindicator) */
+    double *truth;         /* (nindicator) relations before a pass turns them */
     double *closed, *meeting, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
     int stopped;           /* a `terminate` acted */
@@ -72,6 +75,15 @@ void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t,
 
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
+
+/*
+ * Relation `which` turns, with what an energy that jumps there does: 1 in *refracted, rates have changed; 1 in *back, the motion turns back, and the
+ * relation stays.
+ */
+lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back);
+
+/* Relations that are zero at the start, but for round-off, turn if rates or accelerations lead them to the other side: flags in `turned`. */
+lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, double *x, double *turned);
 
 /* Relations that pass zero here become what they are a moment later. */
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);

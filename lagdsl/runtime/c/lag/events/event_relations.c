@@ -17,6 +17,8 @@ static const double LOW = 1e4;
 static const double SHORT = 1e-3;
 /* A relation moves clearly if it does so by this many round-offs. */
 static const double CLEAR = 16.0;
+/* A relation that starts at zero shows within this part of the experiment where it goes. */
+static const double SOON = 1e-4;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
 
@@ -84,7 +86,8 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
 /* True if relation i passes zero here, by its values now and after `lookahead`. */
 static int passing(const lag_event_iteration *iteration, size_t i)
 {
-    return fabs(iteration->now[i]) <= PASSING * fabs(iteration->then[i] - iteration->now[i]);
+    const double moved = fabs(iteration->then[i] - iteration->now[i]);
+    return moved > 0.0 && fabs(iteration->now[i]) <= PASSING * moved;
 }
 
 /* True if relation i passes zero here, back to what it is not. */
@@ -179,6 +182,63 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         const int stays = turned != NULL && turned[i] != 0.0 && !passes_zero && fabs(iteration->now[i]) <= iteration->noise->sigma[i];
         if (!stays) {
             motion->w[iteration->places.relation + i] = holds(model, i, passes_zero ? iteration->then[i] : iteration->now[i]);
+        }
+    }
+    return status;
+}
+
+lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
+{
+    double *truth = iteration->motion->w + iteration->places.relation;
+    iteration->refraction->length = iteration->contacts->length;
+    const lag_status status = lag_refraction_cross(iteration->refraction, t, x, which, iteration->lookahead, refracted, back);
+    truth[which] = *back ? truth[which] : 1.0 - truth[which];
+    if (status == LAG_CHATTER) {
+        iteration->guilty[iteration->places.relation + which] = 1.0;
+    }
+    return status == LAG_OK && *refracted ? lag_event_iteration_settled(iteration, t, x) : status;
+}
+
+/*
+ * Relation i a time after the start, with accelerations: so long after that it has moved clearly, but a small part of the experiment at most; zero
+ * if it does not move.
+ */
+static double leaves(lag_event_iteration *iteration, double t, const double *x, size_t i)
+{
+    const size_t n = iteration->motion->model->nq;
+    const double clear = CLEAR * iteration->noise->sigma[i];
+    for (double after = iteration->lookahead; after < SOON * iteration->contacts->length; after *= LONGER) {
+        go(iteration, x, after);
+        for (size_t j = 0; j < n; ++j) {
+            iteration->later[j] += 0.5 * after * after * iteration->rate[n + j];
+        }
+        if (indicate(iteration, t + after, iteration->later, iteration->then) == LAG_OK && fabs(iteration->then[i] - iteration->now[i]) > clear) {
+            return iteration->then[i];
+        }
+    }
+    return 0.0;
+}
+
+lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, double *x, double *turned)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *truth = iteration->motion->w + iteration->places.relation;
+    if (model->nindicator == 0) {
+        return LAG_OK;
+    }
+    lag_fill(model->nindicator, 0.0, turned);
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_status status = indicate(iteration, t, x, iteration->now);
+    if (status == LAG_OK) {
+        lag_noise_find(iteration->noise, t, x);
+    }
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const double later = fabs(iteration->now[i]) <= iteration->noise->sigma[i] ? leaves(iteration, t, x, i) : 0.0;
+        int refracted = 0;
+        int back = 0;
+        turned[i] = later != 0.0 && (later > 0.0) != (truth[i] != 0.0);
+        if (turned[i] != 0.0) {
+            status = lag_event_iteration_cross(iteration, t, x, i, &refracted, &back);
         }
     }
     return status;

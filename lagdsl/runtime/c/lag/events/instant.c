@@ -6,15 +6,14 @@
 
 #include "lag/linalg/arena.h"
 
-/* A tick nearer to the present than this part of the period is the present one. */
-static const double SAME_TICK = 1e-9;
 /* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
 static const double ULPS = 4096.0;
+
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
+           lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -37,23 +36,15 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
         &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
+    instants->departed = lag_take(&memory, model->nindicator);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
+    instants->iteration.refraction = &instants->refraction;
     instants->iteration.from = instants->x_before;
     instants->iteration.stood = instants->w_before;
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
 /* ---- clocks ---- */
-
-static double tick(const lag_instants *instants, size_t i)
-{
-    return lag_clock_instant(&instants->clock[i], instants->clock[i].next);
-}
-
-static int is_due(const lag_instants *instants, size_t i, double t)
-{
-    return tick(instants, i) <= t + SAME_TICK * instants->clock[i].period;
-}
 
 static lag_status start_clocks(lag_instants *instants, double t)
 {
@@ -66,28 +57,22 @@ static lag_status start_clocks(lag_instants *instants, double t)
             return LAG_BAD_CLOCK;
         }
         instants->clock[i] = lag_clock_of(instants->first[i], instants->period[i]);
-        lag_clock_seek(&instants->clock[i], t - SAME_TICK * instants->period[i]);
+        lag_clock_enter(&instants->clock[i], t);
     }
     return status;
 }
 
 double lag_instants_next(const lag_instants *instants)
 {
-    double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
-    for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
-        next = fmin(next, tick(instants, i));
-    }
-    return next;
+    const double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
+    return fmin(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
 }
 
 /* True if a clock ticks, or bounces are over. */
 static int is_told(const lag_instants *instants, double t)
 {
-    size_t i = 0;
-    while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
-        ++i;
-    }
-    return i < instants->motion->model->nclock || lag_contacts_next(&instants->contacts) <= t;
+    const size_t count = instants->motion->model->nclock;
+    return lag_clocks_due(count, instants->clock, t) < count || lag_contacts_next(&instants->contacts) <= t;
 }
 
 int lag_instants_due(const lag_instants *instants, double t)
@@ -97,12 +82,7 @@ int lag_instants_due(const lag_instants *instants, double t)
 
 double lag_instants_same(const lag_instants *instants, double t)
 {
-    double same = t;
-    for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
-        const double instant = lag_clock_nearest(&instants->clock[i], t);
-        same = instant < same && t - instant <= SAME_TICK * instants->clock[i].period ? instant : same;
-    }
-    return same;
+    return lag_clocks_same(instants->motion->model->nclock, instants->clock, t);
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
@@ -110,7 +90,7 @@ static lag_status ring(lag_instants *instants, double t, const double *x)
 {
     lag_status status = LAG_OK;
     for (size_t i = 0; i < instants->motion->model->nclock && status == LAG_OK; ++i) {
-        if (is_due(instants, i, t)) {
+        if (lag_clock_is_due(&instants->clock[i], t)) {
             ++instants->clock[i].next;
             instants->motion->w[instants->places.clock + i] = 1.0;
             status = lag_event_iteration_tell(&instants->iteration, t, x, LAG_TICK, i);
@@ -144,6 +124,12 @@ static lag_status run(lag_instants *instants, double t, double *x, const double 
     return status == LAG_OK && instants->iteration.stopped ? LAG_STOPPED : status;
 }
 
+static void remember(lag_instants *instants, const double *x)
+{
+    memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
+    memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
+}
+
 lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
 {
     lag_motion *motion = instants->motion;
@@ -151,12 +137,8 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     motion->at.t = t;
     lag_status status = model->discrete_start(&motion->at, motion->w);
     instants->timed.length = instants->contacts.length;
-    if (status == LAG_OK) {
-        status = lag_timed_enter(&instants->timed, t);
-    }
-    if (status == LAG_OK) {
-        status = lag_event_iteration_settle(&instants->iteration, t, x);
-    }
+    status = status == LAG_OK ? lag_timed_enter(&instants->timed, t) : status;
+    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);
@@ -169,7 +151,9 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     if (instants->places.initial < model->nw) {
         motion->w[instants->places.initial] = 1.0;
     }
-    return run(instants, t, x, NULL, NULL);
+    remember(instants, x);
+    status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
+    return status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
@@ -247,12 +231,6 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
 }
 
 /* The discretes and the state before an instant. */
-static void remember(lag_instants *instants, const double *x)
-{
-    memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
-    memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
-}
-
 /* Ways of masses are the same with the discretes of now: LAG_WAY_JUMP, and flags of what has changed, if not. */
 static lag_status follow(lag_instants *instants, double t, const double *x)
 {
@@ -336,18 +314,13 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
     return status == LAG_OK ? follow(instants, t, x) : status;
 }
 
-/* A relation changes, with what an energy that jumps there does; or the motion turns back before it does. */
+/* A relation changes at an event. */
 static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
 {
-    double *truth = instants->motion->w + instants->places.relation;
+    const double *truth = instants->motion->w + instants->places.relation;
     int refracted = 0;
     int back = 0;
-    instants->refraction.length = instants->contacts.length;
-    lag_status status = lag_refraction_cross(&instants->refraction, t, x, i, instants->iteration.lookahead, &refracted, &back);
-    truth[i] = back ? truth[i] : 1.0 - truth[i];
-    if (status == LAG_OK && refracted) {
-        status = lag_event_iteration_settled(&instants->iteration, t, x);
-    }
+    lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }

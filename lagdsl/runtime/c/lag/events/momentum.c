@@ -130,6 +130,16 @@ static int is_off(const lag_momentum *momentum, const double *qd, double part, d
     return off;
 }
 
+int lag_momentum_differs(lag_momentum *momentum, const double *qd, double part)
+{
+    int differs = 0;
+    find_sizes(momentum, qd);
+    for (size_t i = 0; i < momentum->motion->model->nq; ++i) {
+        differs = differs || fabs(momentum->before[i] - momentum->now[i]) > part * momentum->size[i];
+    }
+    return differs;
+}
+
 /* The change of the rates, in the first order; *reached: it satisfies the rows and what is held. */
 static lag_status solve(lag_momentum *momentum, const double *held, int *reached)
 {

@@ -44,6 +44,9 @@ lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, 
 /* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open. */
 lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
 
+/* 1: momenta that were kept and those that were looked at, at rates qd, differ by more than this part of what enters them. */
+int lag_momentum_differs(lag_momentum *momentum, const double *qd, double part);
+
 /*
  * With the discretes that hold now: rates at which the momenta are those that were kept, but for impulses of the constraints. Closed
  * contacts only push, and do not take part. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if

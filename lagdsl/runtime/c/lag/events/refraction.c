@@ -12,6 +12,8 @@ static const double CHANGE = 6e-6;
 static const double JUMP = 1e-11;
 /* g is zero where it is less than what it changes by in a moment; it does not depend on rates where it changes less than this part. */
 static const double STILL = 1e-9;
+/* So many round-offs of g are none. */
+static const double FEW = 4.0;
 /* A row is off by less than this part of its terms after projection. */
 static const double LEFT = 1e-9;
 /* Differences of rows are along the gradient, or the gradient along the rows, but for this part of their sizes. */
@@ -278,21 +280,6 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
     return off;
 }
 
-/* 1: momenta that were kept are not those of now. */
-static int momenta_jump(const lag_momentum *momentum, const double *qd)
-{
-    const size_t n = momentum->motion->model->nq;
-    int jump = 0;
-    for (size_t i = 0; i < n; ++i) {
-        double size = fabs(momentum->before[i]) + fabs(momentum->now[i]);
-        for (size_t j = 0; j < n; ++j) {
-            size += fabs(momentum->mass[i * n + j] * qd[j]);
-        }
-        jump = jump || fabs(momentum->before[i] - momentum->now[i]) > JUMP * size;
-    }
-    return jump;
-}
-
 /* Momenta, energy h and its size on this side of relation `which` into r->before, and rows of constraints. */
 static lag_status keep(lag_refraction *r, double t, const double *x, double *h, double *size)
 {
@@ -355,6 +342,13 @@ static void turn(lag_refraction *r, double t, const double *x, size_t which)
     }
 }
 
+/* Round-off of the indicator. */
+static double noise_of(const lag_refraction *r, double t, const double *x, size_t which)
+{
+    lag_noise_find(r->noise, t, x);
+    return FEW * r->noise->sigma[which];
+}
+
 lag_status lag_refraction_cross(
     lag_refraction *r, double t, double *x, size_t which, double lookahead, int *refracted, int *back)
 {
@@ -375,13 +369,15 @@ lag_status lag_refraction_cross(
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
     const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
-    side.sense = speed > 0.0 ? 1.0 : -1.0;
+    side.sense = truth[which] == 0.0 ? 1.0 : -1.0;
+    const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
+    const int is_there = fabs(g) <= fabs(speed) * lookahead || fabs(g) <= noise_of(r, t, x, which);
     status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
     status = status == LAG_OK ? energy(r, t, x, &after, &other) : status;
     status = status == LAG_OK ? lag_momentum_look(r->momentum, t, x) : status;
-    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || momenta_jump(r->momentum, x + n) || rows_bend(r, x, side.drift);
-    if (status != LAG_OK || !jumps || !(fabs(g) <= fabs(speed) * lookahead)) {
+    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_momentum_differs(r->momentum, x + n, JUMP) || rows_bend(r, x, side.drift);
+    if (status != LAG_OK || !jumps || !is_there) {
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
         return status;
     }
@@ -391,6 +387,9 @@ lag_status lag_refraction_cross(
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
         status = turn_back(r, t, x, &side, back);
         *refracted = *back;
+        if (status == LAG_OK && speed * speed <= 2.0 * pull * noise_of(r, t, x, which)) {
+            return LAG_CHATTER; /* it rests against the step: flights are lost in round-off */
+        }
     }
     if (status == LAG_OK && *refracted) {
         memcpy(x + n, r->rate + n, n * sizeof(double));

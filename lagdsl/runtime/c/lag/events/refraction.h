@@ -45,7 +45,8 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_mo
  * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. If the
  * Lagrangian or the direction of a constraint jumps with the relation and the relation depends on positions: sets the rates behind it and *refracted to 1;
  * sets *back to 1 if the motion turns back and the relation stays. Otherwise changes nothing. Other relations between quantities that
- * jump with it, abs(mod(x, 2) - 1), have turned where it is refracted and not thrown back.
+ * jump with it, abs(mod(x, 2) - 1), have turned where it is refracted and not thrown back. LAG_CHATTER: the motion turns back at once, again
+ * and again, as forces press it against the step. LAG_MOMENTUM_UNREACHABLE: no rates have the momentum, or the energy, behind it.
  */
 lag_status lag_refraction_cross(
     lag_refraction *refraction, double t, double *x, size_t which, double lookahead, int *refracted, int *back);
