@@ -1,5 +1,6 @@
 #include "lag/events/event_iteration.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -8,11 +9,14 @@
 enum { MOST_PASSES = 100 };
 /* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
 static const double TORN = 1e-6;
+/* A way changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
+static const double CONTINUOUS = 1e-9;
+static const double FEW = 16.0;
 
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 3 * model->nindicator + 3 * model->ncontact;
+           4 * lag_motion_size(model) + model->nz + 3 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -44,6 +48,8 @@ void lag_event_iteration_place(
     iteration->held = lag_take(&memory, size);
     iteration->rate = lag_take(&memory, size);
     iteration->later = lag_take(&memory, size);
+    iteration->point = lag_take(&memory, size);
+    iteration->states = lag_take(&memory, model->nz);
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);
     iteration->soon = lag_take(&memory, model->nindicator);
@@ -207,19 +213,30 @@ static const double *settled_before(lag_event_iteration *iteration)
     return iteration->next;
 }
 
+/* x with other states z (nz), into `point`. */
+static const double *with_states(lag_event_iteration *iteration, const double *x, const double *z)
+{
+    const lag_model *model = iteration->motion->model;
+    memcpy(iteration->point, x, 2 * model->nq * sizeof(double));
+    memcpy(iteration->point + 2 * model->nq, z, model->nz * sizeof(double));
+    return iteration->point;
+}
+
 /*
- * If discretes in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
+ * If discretes or states in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
  * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
  * adapt, because they only push.
  */
 static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
 {
-    const double *held = acted ? iteration->held + iteration->motion->model->nq : NULL;
+    const lag_model *model = iteration->motion->model;
+    const double *held = acted ? iteration->held + model->nq : NULL;
     int jumped = 0;
-    if (is_settled(iteration)) {
+    if (is_settled(iteration) && same(model->nz, x + 2 * model->nq, iteration->states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
-    lag_status status = lag_momentum_keep(iteration->momentum, t, x, settled_before(iteration));
+    const double *was = with_states(iteration, x, iteration->states);
+    lag_status status = lag_momentum_keep(iteration->momentum, t, was, settled_before(iteration));
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_momentum_balance(iteration->momentum, t, x, held, &jumped);
@@ -243,6 +260,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     if (status != LAG_OK) {
         return status;
     }
+    memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
     memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &iteration->places, motion->w);
     if (!same(iteration->places.contact, motion->w, iteration->before)) {
@@ -291,4 +309,69 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         iteration->guilty[iteration->places.contact + i] += iteration->contacts->approach[i] != 0.0;
     }
     return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
+}
+
+/* ---- what is continuous ---- */
+
+/* Ways of masses with discretes w and states z, where the motion from x has come after a `moment`. */
+static lag_status look_at_ways(
+    lag_event_iteration *iteration, double t, const double *x, const double *w, const double *z, double moment, double *way)
+{
+    lag_motion *motion = iteration->motion;
+    const size_t n = motion->model->nq;
+    with_states(iteration, x, z);
+    for (size_t j = 0; j < n; ++j) {
+        iteration->point[j] += moment * x[n + j];
+    }
+    lag_motion_look(motion, t + moment, iteration->point);
+    motion->at.w = w;
+    const lag_status status = motion->model->way(&motion->at, way);
+    motion->at.w = motion->w;
+    return status;
+}
+
+/* LAG_WAY_JUMP if a mass is elsewhere at x, whose states a clause has set, than with the states and discretes before. */
+static lag_status ways_with_states(lag_event_iteration *iteration, double t, const double *x, double moment)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *w = iteration->motion->w;
+    const double *z = x + 2 * model->nq;
+    const double *stood = iteration->from + 2 * model->nq;
+    double *was = iteration->momentum->way;
+    double *now = was + model->nway;
+    double *later = now + model->nway;
+    double *behind = later + model->nway;
+    double size = 0.0;
+    for (size_t j = 0; j < model->nq; ++j) {
+        size = fmax(size, fmax(iteration->noise->peak[j], fabs(x[j])));
+    }
+    lag_status status = look_at_ways(iteration, t, x, iteration->stood, stood, 0.0, was);
+    status = status == LAG_OK ? look_at_ways(iteration, t, x, w, z, 0.0, now) : status;
+    status = status == LAG_OK ? look_at_ways(iteration, t, x, iteration->stood, stood, moment, later) : status;
+    status = status == LAG_OK ? look_at_ways(iteration, t, x, w, z, moment, behind) : status;
+    for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
+        const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
+        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));
+        status = fabs(now[i] - was[i]) > own + noise ? LAG_WAY_JUMP : LAG_OK;
+    }
+    return status;
+}
+
+lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *stood = iteration->from + 2 * model->nq;
+    const int still = same(model->nz, x + 2 * model->nq, stood);
+    double *pierced = iteration->guilty + iteration->places.contact;
+    lag_status status = lag_contacts_apart(
+        iteration->contacts, t, x, with_states(iteration, x, stood), iteration->stood, iteration->pulling, pierced);
+    if (status != LAG_OK || model->nway == 0) {
+        return status;
+    }
+    status = still ? lag_momentum_ways(iteration->momentum, t, x, iteration->stood, moment, iteration->noise->peak)
+                   : ways_with_states(iteration, t, x, moment);
+    for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
+        iteration->guilty[i] = iteration->motion->w[i] != iteration->stood[i];
+    }
+    return status;
 }
