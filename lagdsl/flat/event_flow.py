@@ -15,6 +15,12 @@ def branches(flat: FlatModel) -> Iterator[Branch]:
         yield from when.branches
 
 
+def reset_states(flat: FlatModel) -> frozenset[str]:
+    """States that clauses set."""
+    actions = (action for branch in branches(flat) for action in branch.actions)
+    return frozenset(action.name for action in actions if isinstance(action, Reset) and not action.rate)
+
+
 def assignments(when: When) -> Iterator[tuple[Assign, list[FlatExpression]]]:
     """Each assignment with the conditions that decide whether it acts."""
     conditions: list[FlatExpression] = []

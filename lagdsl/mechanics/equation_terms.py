@@ -25,6 +25,7 @@ from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.lagrange.inverse import bias_forces
 from lagdsl.mechanics.lagrange.lagrange import Dynamics, mass_matrix, parts
 from lagdsl.mechanics.lagrange.loads import VirtualWork
+from lagdsl.mechanics.lagrange.through_states import ThroughStates
 from lagdsl.program.program import Block
 
 
@@ -55,7 +56,9 @@ def _without_potential(equations: Equations) -> tuple[FlatModel, Dynamics]:
         lagrangian=graph.add(found.energies.kinetic, found.energies.extra),
     )
     work = VirtualWork(graph)
-    moving = Dynamics(energies=totals, work=work, terms=parts(graph, totals, work, equations.symbols.directions))
+    through = ThroughStates(found.terms.by_states, [graph.zero] * len(found.terms.by_states))
+    terms = parts(graph, totals, work, equations.symbols.directions, through)
+    moving = Dynamics(energies=totals, work=work, terms=terms)
     return replace(flat, energies=kept, gravity=None, loads=()), moving
 
 

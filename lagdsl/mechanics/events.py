@@ -12,7 +12,7 @@ from graphlib import TopologicalSorter
 from typing import assert_never
 
 from lagdsl.flat.dependence import Dependence
-from lagdsl.flat.event_flow import assignments, branches, needs
+from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
 from lagdsl.flat.model import Experiment, FlatModel
 from lagdsl.flat.ways import positions, turns
@@ -61,16 +61,20 @@ def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...
 
 
 def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
-    """`way` of a model in which ways of masses depend on discretes; none for others."""
+    """`way` of a model in which ways of masses depend on discretes or on states that clauses set; none for others."""
     if not entries(flat.events):
         return ()
-    graph = lowering.graph
-    found = [
-        *(node for vector in positions(flat) for node in lowering.vector(vector)),
-        *map(lowering.scalar, turns(flat)),
-    ]
-    ways = [node for node in dict.fromkeys(found) if graph.depends(node, Group.W)]
-    return (Function(name="way", arguments=OPTIONAL["way"], results=(_vector("way", ways),)),) if ways else ()
+    graph, states, dependence = lowering.graph, reset_states(flat), Dependence(flat)
+    places = [(vector, lowering.vector(vector)) for vector in positions(flat)]
+    found = [*places, *((angle, (lowering.scalar(angle),)) for angle in turns(flat))]
+    ways = {
+        node: None
+        for expression, nodes in found
+        for node in nodes
+        if graph.depends(node, Group.W)
+        or (states and graph.depends(node, Group.Z) and not states.isdisjoint(dependence.of(expression)))
+    }
+    return (Function(name="way", arguments=OPTIONAL["way"], results=(_vector("way", list(ways)),)),) if ways else ()
 
 
 def _vector(name: str, nodes: Sequence[int]) -> Block:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from lagdsl.flat.event_flow import branches
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.event_flow import branches, reset_states
 from lagdsl.flat.events import Check, Discrete, Entry, Reset, Terminate, entries
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item, Quantity
@@ -49,12 +50,25 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
     return Instants(
         strict=tuple(relation.strict for relation in flat.events.relations),
         contact_rows=tuple(named.index(contact.name) for contact in flat.events.contacts),
-        switched_rows=tuple(i for i, (_, c) in enumerate(rows) if c.switched and c.level == "position"),
+        switched_rows=_switched_rows(flat, rows),
         resets=names,
         reset_places=tuple(places[name] for name in names),
         stops=tuple(action.message for action in actions if isinstance(action, Terminate)),
         failures=tuple(action.message for action in actions if isinstance(action, Check)),
     )
+
+
+def _switched_rows(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> tuple[int, ...]:
+    """Rows on positions that discretes switch or move, or states that clauses set."""
+    states = reset_states(flat)
+    dependence = Dependence(flat)
+
+    def is_switched(each: Constraint) -> bool:
+        if each.contact or each.level != "position":
+            return False
+        return each.switched or bool(states and not states.isdisjoint(dependence.of_all(each.residuals)))
+
+    return tuple(i for i, (_, constraint) in enumerate(rows) if is_switched(constraint))
 
 
 def slots(items: Sequence[Quantity]) -> tuple[Slot, ...]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
 from sympy import Add, Expr, Integer, Rational, Symbol
@@ -12,6 +13,8 @@ from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.geometry import Vector
+from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE
+from lagdsl.textbook.symbols import Symbols, occurring, replaced
 
 HALF = Rational(1, 2)
 
@@ -100,6 +103,38 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
         residuals=tuple(converter.scalar(r) for constraint in flat.constraints for r in constraint.residuals),
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeldRates:
+    """`parts` of a model with symbols for those rates of states that depend on the motion, and what these are.
+
+    States are functions of time, as prescribed motions are: their equations stand in the place of their rates only
+    after the energies have been differentiated by coordinates and rates.
+    """
+
+    parts: Contributions
+    rates: Mapping[Symbol, Expr]
+
+    def partial(self, expression: Expr, symbol: Symbol) -> Expr:
+        """Of an expression made of `parts`."""
+        return replaced(partial(expression, symbol), self.rates)
+
+
+def held_rates(flat: FlatModel, table: Symbols, parts: Contributions) -> HeldRates:
+    """For the same contributions; these themselves where no rate of a state depends on the motion."""
+    given = parts.converter
+    moving = {*table.q, *table.qd, RELEASE, RELEASE_RATE}
+    held: dict[Symbol, Symbol] = {}
+    for state, symbol in zip(flat.states, table.z, strict=True):
+        if symbol in given.rates and moving & occurring(given.rates[symbol]):
+            held[symbol] = Symbol(f"der({state.name})")
+    if not held:
+        return HeldRates(parts=parts, rates={})
+    style = replace(given.style, held=held)
+    converter = Converter(model=flat, symbols=table, release=given.release, style=style)
+    rates = {rate: given.rates[symbol] for symbol, rate in held.items()}
+    return HeldRates(parts=contributions(flat, converter), rates=rates)
 
 
 def _inertial(item: PointMass | RigidBody, converter: Converter) -> Inertial:

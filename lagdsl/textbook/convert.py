@@ -100,12 +100,14 @@ class _NotDerivedYetError(Exception):
 
 @record(kw_only=True)
 class Style:
-    """Notation of expressions: `opaque` names definitions that stay symbols; `settle` makes choices between numbers."""
+    """Notation of expressions: `opaque` names definitions that stay symbols; `settle` makes choices between numbers.
+    `held` has symbols for rates of states, in the place of their equations."""
 
     number: Callable[[float], Expr] = plain_number
     tidy: Callable[[Expr], Expr] = as_it_is
     settle: Callable[[Expr], Expr] = as_it_is
     opaque: Mapping[str, Symbol] = field(default_factory=dict)
+    held: Mapping[Symbol, Symbol] = field(default_factory=dict)
 
 
 @dataclass
@@ -130,6 +132,7 @@ class Converter:
         self.rates = rates_of_motion(self.model, self.symbols)
         if self.release is not None:
             self.rates[RELEASE] = RELEASE_RATE
+        self.rates |= self.style.held
         self.kinematics = Kinematics(
             scalar=self.scalar, vector=self.vector, rate=self.rate, tidy=self.style.tidy, release=self.release
         )

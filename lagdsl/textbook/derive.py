@@ -14,7 +14,7 @@ from sympy import Add, Expr, ImmutableDenseMatrix, Integer
 from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.expression import Binary, FlatExpression, SystemEnergy, Unary
 from lagdsl.flat.model import FlatModel
-from lagdsl.textbook.contributions import Contributions, contributions, generalized_force
+from lagdsl.textbook.contributions import Contributions, contributions, generalized_force, held_rates
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies, EquationsOfMotion, MonitoredValue
@@ -33,12 +33,13 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
     """Lagrange's equations for contributions already gathered."""
     converter = parts.converter
     lagrangian, dissipation = parts.lagrangian, parts.dissipation
+    held = held_rates(flat, table, parts)
     momenta = [partial(lagrangian, qd) for qd in table.qd]
     mass = _symmetric([[partial(momentum, qd) for qd in table.qd[: i + 1]] for i, momentum in enumerate(momenta)])
     loads = [generalized_force(parts, q, qd) for q, qd in zip(table.q, table.qd, strict=True)]
-    drag = [-partial(dissipation, qd) for qd in table.qd]
+    drag = [-held.partial(held.parts.dissipation, qd) for qd in table.qd]
     forcing = [
-        load + resistance + partial(lagrangian, q) - converter.rate(momentum, bias=True)
+        load + resistance + held.partial(held.parts.lagrangian, q) - converter.rate(momentum, bias=True)
         for load, resistance, q, momentum in zip(loads, drag, table.q, momenta, strict=True)
     ]
     levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]

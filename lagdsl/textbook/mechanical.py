@@ -11,7 +11,7 @@ from sympy import Add, Expr, Integer
 from lagdsl.flat import expression as flat
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook import geometry
-from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force
+from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force, held_rates
 from lagdsl.textbook.convert import Converter, Mechanical, Style
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies
@@ -105,19 +105,19 @@ class MechanicalValues:
         style = Style(number=unreleased.style.number, tidy=unreleased.style.tidy)
         converter = Converter(model=self.model, symbols=self.symbols, release=release, style=style)
         parts = contributions(self.model, converter)
-        lagrangian = parts.lagrangian
+        held = held_rates(self.model, self.symbols, parts)
         levels = [constraint.level for constraint in self.model.constraints for _ in constraint.rows]
         upheld = [
             lam * partial(residual, RELEASE if level == "position" else RELEASE_RATE)
             for lam, residual, level in zip(self.symbols.lam, parts.residuals, levels, strict=True)
         ]
         others = (
-            partial(parts.dissipation, RELEASE_RATE)
-            - partial(lagrangian, RELEASE)
+            held.partial(held.parts.dissipation, RELEASE_RATE)
+            - held.partial(held.parts.lagrangian, RELEASE)
             - generalized_force(parts, RELEASE, RELEASE_RATE)
             - Add(*upheld)
         )
-        momentum = _unreleased(partial(lagrangian, RELEASE_RATE))
+        momentum = _unreleased(partial(parts.lagrangian, RELEASE_RATE))
         return unreleased.rate(unreleased.style.tidy(momentum)) + _unreleased(others)
 
 

@@ -16,7 +16,7 @@ from sympy import Add, Expr, Integer, Symbol, cos, sin
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item, Spans
 from lagdsl.textbook import geometry
-from lagdsl.textbook.contributions import Contributions, admissible_variation, work
+from lagdsl.textbook.contributions import Contributions, admissible_variation, held_rates, work
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.symbols import Symbols, occurring, postorder
 from lagdsl.textbook.tidy import Tidy, TooLargeError, size
@@ -81,32 +81,36 @@ def shares(flat: FlatModel, table: Symbols, parts: Contributions, *, whole: bool
     Where not `whole`, an energy stands for what becomes of it: it tells which symbols a share has.
     """
     converter = parts.converter
+    held = held_rates(flat, table, parts)
 
-    def operated(lagrangian: Expr) -> tuple[Expr, ...]:
-        """Lagrange's operator, one value per coordinate."""
+    def operated(lagrangian: Expr, still: Expr) -> tuple[Expr, ...]:
+        """Lagrange's operator, one value per coordinate; `still` is the same at fixed rates of states."""
         if not whole:
             present = occurring(lagrangian)
             moved = (q in present or qd in present for q, qd in zip(table.q, table.qd, strict=True))
             return tuple(lagrangian if acts else Integer(0) for acts in moved)
         return tuple(
-            converter.rate(partial(lagrangian, qd)) - partial(lagrangian, q)
+            converter.rate(partial(lagrangian, qd)) - held.partial(still, q)
             for q, qd in zip(table.q, table.qd, strict=True)
         )
 
-    for index, item in enumerate(parts.inertials):
-        yield Share(sources=(index,), values=operated(item.kinetic_energy))
+    for index, (item, same) in enumerate(zip(parts.inertials, held.parts.inertials, strict=True)):
+        yield Share(sources=(index,), values=operated(item.kinetic_energy, same.kinetic_energy))
     first = len(parts.inertials)
     if flat.gravity is not None:
         gravity = converter.vector(flat.gravity)
         for carrier, item in enumerate(parts.inertials):
-            yield Share(sources=(carrier, first), values=operated(item.mass * geometry.dot(gravity, item.position)))
+            weight = item.mass * geometry.dot(gravity, item.position)
+            yield Share(sources=(carrier, first), values=operated(weight, weight))
         first += 1
     for index, term in enumerate(flat.energies, start=first):
-        value = converter.scalar(term.value)
+        value, still = converter.scalar(term.value), held.parts.converter.scalar(term.value)
         if term.kind == "dissipation":
-            yield Share(sources=(index,), values=tuple(partial(value, qd) for qd in table.qd))
+            yield Share(sources=(index,), values=tuple(held.partial(still, qd) for qd in table.qd))
+        elif term.kind == "potential":
+            yield Share(sources=(index,), values=operated(-value, -still))
         else:
-            yield Share(sources=(index,), values=operated(-value if term.kind == "potential" else value))
+            yield Share(sources=(index,), values=operated(value, still))
     yield from _others(flat, table, parts, len(sources(flat)) - len(flat.loads) - len(flat.constraints))
 
 

@@ -25,8 +25,10 @@ from lagdsl.textbook.contributions import (
     AppliedGeneralizedForce,
     AppliedTorque,
     Contributions,
+    HeldRates,
     Inertial,
     admissible_variation,
+    held_rates,
     work,
 )
 from lagdsl.textbook.counting import Count, count
@@ -162,9 +164,11 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     kinetic = tidy(Add(*own, *(parts.converter.scalar(e.value) for e in flat.energies if e.kind == "kinetic")))
     potential, extra = tidy(parts.potential), tidy(parts.extra)
     lagrangian, dissipation = kinetic - potential + extra, tidy(parts.dissipation)
-    steps = tuple(_coordinate(reading, lagrangian, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
+    held = held_rates(flat, table, parts)
+    steps = tuple(_coordinate(reading, lagrangian, held, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
     actions = tuple(_action(reading, *each) for each in _numbered(reading))
-    drags = tuple(tidy(-partial(dissipation, qd)) for qd in table.qd)
+    lost = held.parts.dissipation if held.rates else dissipation
+    drags = tuple(tidy(-held.partial(lost, qd)) for qd in table.qd)
     loads = tuple(tidy(Add(*(action.works[j] for action in actions))) for j in range(len(table.q)))
     rows = _constraints(flat, reading)
     reading.parts.converter.mechanical = reading.values.mechanical = MechanicalValues(
@@ -255,11 +259,11 @@ def _written(reading: Reading, output: Output) -> Expr:
     return value
 
 
-def _coordinate(reading: Reading, lagrangian: Expr, q: Symbol, qd: Symbol) -> CoordinateStep:
+def _coordinate(reading: Reading, lagrangian: Expr, held: HeldRates, q: Symbol, qd: Symbol) -> CoordinateStep:
     tidy = reading.tidy
     momentum = tidy(partial(lagrangian, qd))
     rate = reading.parts.converter.rate(momentum)
-    gradient = tidy(partial(lagrangian, q))
+    gradient = tidy(held.partial(held.parts.lagrangian if held.rates else lagrangian, q))
     left = _by_accelerations(reading, rate - gradient)
     return CoordinateStep(
         q=q, momentum=momentum, momentum_rate=_by_accelerations(reading, rate), gradient=gradient, left=left

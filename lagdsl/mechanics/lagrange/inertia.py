@@ -49,8 +49,9 @@ def acceleration_form(lowering: Lowering, flat: FlatModel, found: Dynamics, dire
             rest = signs[term.kind](rest, lowering.scalar(term.value))
     apart = Apart(lowering)
     add_lagrangian(builder.form, lowering, apart, builder.add_typed_bodies(apart, apart.of(rest)))
-    for rate, load, drag in zip(directions.rates, found.terms.load, found.terms.drag, strict=True):
-        builder.form.add_force(rate, graph.subtract(load, drag))
+    terms = found.terms
+    for rate, load, drag, more in zip(directions.rates, terms.load, terms.drag, terms.by_states, strict=True):
+        builder.form.add_force(rate, graph.subtract(graph.subtract(load, drag), more))
     return builder.form
 
 

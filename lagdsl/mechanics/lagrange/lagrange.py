@@ -14,6 +14,7 @@ from lagdsl.graph.differentiate import adjoints, symmetric_jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lagrange.lagrangian import Energies, energies
 from lagdsl.mechanics.lagrange.loads import VirtualWork, generalized_forces, virtual_work
+from lagdsl.mechanics.lagrange.through_states import ThroughStates, through_states
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.record import record
@@ -21,12 +22,14 @@ from lagdsl.record import record
 
 @record(kw_only=True)
 class Terms:
-    """Parts of Lagrange's equations, one entry per direction: `push` is dL/dq, `drag` dD/dqd, `load` Q."""
+    """Parts of Lagrange's equations, one entry per direction: `push` is dL/dq, `drag` dD/dqd, `load` Q. `by_states` is
+    what dL/dq would have more if rates of states were not held."""
 
     momentum: list[int]
     push: list[int]
     drag: list[int]
     load: list[int]
+    by_states: list[int]
 
 
 @record(kw_only=True)
@@ -42,19 +45,29 @@ def dynamics(lowering: Lowering, flat: FlatModel, directions: Directions) -> Dyn
     """The parts of Lagrange's equations for `directions`."""
     totals = energies(lowering, flat)
     work = virtual_work(lowering, flat)
-    return Dynamics(energies=totals, work=work, terms=parts(lowering.graph, totals, work, directions))
+    found = through_states(lowering, flat, directions)
+    return Dynamics(energies=totals, work=work, terms=parts(lowering.graph, totals, work, directions, found))
 
 
-def parts(graph: Graph, totals: Energies, work: VirtualWork, directions: Directions) -> Terms:
+def parts(
+    graph: Graph, totals: Energies, work: VirtualWork, directions: Directions, through: ThroughStates | None = None
+) -> Terms:
     """The derivatives of the energies and the generalized forces of the loads."""
+    none = [graph.zero] * len(directions.positions)
+    found = through or ThroughStates(none, none)
     both = adjoints(graph, {totals.lagrangian: graph.one}, (directions.position_group, directions.rate_group))
     lost = adjoints(graph, {totals.dissipation: graph.one}, (directions.rate_group,))
     return Terms(
         momentum=[both.get(rate, graph.zero) for rate in directions.rates],
-        push=[both.get(position, graph.zero) for position in directions.positions],
-        drag=[lost.get(rate, graph.zero) for rate in directions.rates],
+        push=_less(graph, [both.get(position, graph.zero) for position in directions.positions], found.push),
+        drag=_less(graph, [lost.get(rate, graph.zero) for rate in directions.rates], found.drag),
         load=generalized_forces(work, directions),
+        by_states=found.push,
     )
+
+
+def _less(graph: Graph, values: list[int], others: list[int]) -> list[int]:
+    return [graph.subtract(value, other) for value, other in zip(values, others, strict=True)]
 
 
 def mass_matrix(graph: Graph, terms: Terms, directions: Directions) -> list[list[int]]:

@@ -110,6 +110,10 @@ class Lowering:
             self.value(self._items.origins[frame])
         return self._poses
 
+    def with_held_states(self, model: FlatModel) -> Lowering:
+        """The same for values in which rates of states are symbols."""
+        return _HeldStates(self.graph, model, self.symbols, self._poses.release)
+
     def velocity(self, position: Vector) -> Vector:
         of = self.rate.of
         return (of(position[0]), of(position[1]), of(position[2]))
@@ -281,3 +285,12 @@ class Lowering:
             return self.symbols.input_rate(index)
         assert group in (Group.QDD, Group.LAMBDA), group
         raise needs_accelerations(self.place, "this expression")
+
+
+class _HeldStates(Lowering):
+    """Rates of states are symbols, DIRECTION_Z, in the place of their equations."""
+
+    def _rate_of_symbol(self, symbol: int) -> int:
+        if self.graph.group(symbol) is Group.Z:
+            return self.graph.symbol(Group.DIRECTION_Z, self.graph.b[symbol])
+        return super()._rate_of_symbol(symbol)

@@ -209,14 +209,15 @@ double lag_contacts_next(const lag_contacts *contacts)
     return next;
 }
 
-lag_status lag_contacts_apart(lag_contacts *contacts, double t, const double *x, const double *before, double *gap, double *pierced)
+lag_status lag_contacts_apart(
+    lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced)
 {
     const size_t count = contacts->motion->model->ncontact;
     if (count == 0) {
         return LAG_OK;
     }
     contacts->motion->at.w = before;
-    lag_status status = lag_contacts_look(contacts, t, x);
+    lag_status status = lag_contacts_look(contacts, t, was);
     contacts->motion->at.w = contacts->motion->w;
     memcpy(gap, contacts->gap, count * sizeof(double));
     status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;

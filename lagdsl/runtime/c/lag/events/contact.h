@@ -85,10 +85,11 @@ lag_status lag_contacts_strike(
 double lag_contacts_next(const lag_contacts *contacts);
 
 /*
- * LAG_PENETRATION, and flags in `pierced` (ncontact), if what has changed since the discretes were `before` (nw) makes a gap negative, as the
- * side of a step does. `gap` (ncontact) is for its use.
+ * LAG_PENETRATION, and flags in `pierced` (ncontact), if what has changed since the discretes were `before` (nw) and the state `was` makes a
+ * gap negative, as the side of a step does. `gap` (ncontact) is for its use.
  */
-lag_status lag_contacts_apart(lag_contacts *contacts, double t, const double *x, const double *before, double *gap, double *pierced);
+lag_status lag_contacts_apart(
+    lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced);
 
 /* For the parts of it: gaps at a state with their scales, the multipliers, forces by which pulls are told from round-off. */
 lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x);

@@ -12,7 +12,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 4 * model->nindicator + 3 * model->ncontact;
+           4 * lag_motion_size(model) + model->nz + 4 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -44,6 +44,8 @@ void lag_event_iteration_place(
     iteration->held = lag_take(&memory, size);
     iteration->rate = lag_take(&memory, size);
     iteration->later = lag_take(&memory, size);
+    iteration->point = lag_take(&memory, size);
+    iteration->states = lag_take(&memory, model->nz);
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);
     iteration->soon = lag_take(&memory, model->nindicator);
@@ -208,19 +210,30 @@ static const double *settled_before(lag_event_iteration *iteration)
     return iteration->next;
 }
 
+/* x with other states z (nz), into `point`. */
+static const double *with_states(lag_event_iteration *iteration, const double *x, const double *z)
+{
+    const lag_model *model = iteration->motion->model;
+    memcpy(iteration->point, x, 2 * model->nq * sizeof(double));
+    memcpy(iteration->point + 2 * model->nq, z, model->nz * sizeof(double));
+    return iteration->point;
+}
+
 /*
- * If discretes in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
+ * If discretes or states in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
  * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
  * adapt, because they only push.
  */
 static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
 {
-    const double *held = acted ? iteration->held + iteration->motion->model->nq : NULL;
+    const lag_model *model = iteration->motion->model;
+    const double *held = acted ? iteration->held + model->nq : NULL;
     int jumped = 0;
-    if (is_settled(iteration)) {
+    if (is_settled(iteration) && same(model->nz, x + 2 * model->nq, iteration->states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
-    lag_status status = lag_momentum_keep(iteration->momentum, t, x, settled_before(iteration));
+    const double *was = with_states(iteration, x, iteration->states);
+    lag_status status = lag_momentum_keep(iteration->momentum, t, was, settled_before(iteration));
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_momentum_balance(iteration->momentum, t, x, held, &jumped);
@@ -266,6 +279,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     if (status != LAG_OK) {
         return status;
     }
+    memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
     memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &iteration->places, motion->w);
     if (!same(iteration->places.contact, motion->w, iteration->before)) {
@@ -314,4 +328,23 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         iteration->guilty[iteration->places.contact + i] += iteration->contacts->approach[i] != 0.0;
     }
     return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
+}
+
+/* ---- what is continuous ---- */
+
+lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *stood = iteration->from + 2 * model->nq;
+    const double *was = with_states(iteration, x, stood);
+    double *pierced = iteration->guilty + iteration->places.contact;
+    lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->stood, iteration->pulling, pierced);
+    if (status != LAG_OK || model->nway == 0) {
+        return status;
+    }
+    status = lag_momentum_ways(iteration->momentum, t, x, was, iteration->stood, moment, iteration->noise->peak);
+    for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
+        iteration->guilty[i] = iteration->motion->w[i] != iteration->stood[i];
+    }
+    return status;
 }

@@ -29,6 +29,8 @@ typedef struct lag_event_iteration {
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
     double *rate, *later;  /* (2 nq + nz) */
+    double *point;         /* (2 nq + nz) */
+    double *states;        /* (nz) before the clauses of this pass set them */
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
     double *now, *then, *soon; /* (nindicator) */
@@ -72,6 +74,12 @@ lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, co
 
 /* Of the closed contacts flagged in `pulling` those that still pull a moment later: a force at a corner of time is there by round-off only. */
 void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
+
+/*
+ * At an instant gaps do not become negative, and ways of masses are the same with the discretes and states of now:
+ * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not. The instant is known up to a `moment` [s].
+ */
+lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment);
 
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);

@@ -124,6 +124,7 @@ static lag_status run(lag_instants *instants, double t, double *x, const double 
     return status == LAG_OK && instants->iteration.stopped ? LAG_STOPPED : status;
 }
 
+/* The discretes and the state before an instant. */
 static void remember(lag_instants *instants, const double *x)
 {
     memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
@@ -230,23 +231,11 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
     return status;
 }
 
-/* The discretes and the state before an instant. */
-/* Ways of masses are the same with the discretes of now: LAG_WAY_JUMP, and flags of what has changed, if not. */
+/* Gaps and ways of masses are continuous. */
 static lag_status follow(lag_instants *instants, double t, const double *x)
 {
-    lag_motion *motion = instants->motion;
-    const lag_model *model = motion->model;
     const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
-    lag_status status = lag_contacts_apart(
-        &instants->contacts, t, x, instants->w_before, instants->iteration.pulling, instants->iteration.guilty + instants->places.contact);
-    if (status != LAG_OK || model->nway == 0) {
-        return status;
-    }
-    status = lag_momentum_ways(&instants->momentum, t, x, instants->w_before, moment, instants->noise.peak);
-    for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
-        instants->iteration.guilty[i] = motion->w[i] != instants->w_before[i];
-    }
-    return status;
+    return lag_event_iteration_follow(&instants->iteration, t, x, moment);
 }
 
 lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)

@@ -328,7 +328,17 @@ static lag_status look_at_ways(lag_motion *motion, double t, const double *x, co
     return status;
 }
 
-lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, const double *before, double moment, const double *peak)
+/* The same where the motion from x has come after a moment. */
+static lag_status look_later(lag_momentum *momentum, double t, const double *x, const double *w, double moment, double *way)
+{
+    const size_t n = momentum->motion->model->nq;
+    memcpy(momentum->point, x, lag_motion_size(momentum->motion->model) * sizeof(double));
+    lag_axpy(n, moment, x + n, momentum->point);
+    return look_at_ways(momentum->motion, t + moment, momentum->point, w, way);
+}
+
+lag_status lag_momentum_ways(
+    lag_momentum *momentum, double t, const double *x, const double *stood, const double *before, double moment, const double *peak)
 {
     lag_motion *motion = momentum->motion;
     const lag_model *model = motion->model;
@@ -337,15 +347,13 @@ lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, 
     double *later = now + model->nway;
     double *behind = later + model->nway;
     double size = 0.0;
-    memcpy(momentum->point, x, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < model->nq; ++j) {
         size = fmax(size, fmax(peak[j], fabs(x[j])));
-        momentum->point[j] += moment * x[model->nq + j];
     }
-    lag_status status = look_at_ways(motion, t, x, before, was);
+    lag_status status = look_at_ways(motion, t, stood, before, was);
     status = status == LAG_OK ? look_at_ways(motion, t, x, motion->w, now) : status;
-    status = status == LAG_OK ? look_at_ways(motion, t + moment, momentum->point, before, later) : status;
-    status = status == LAG_OK ? look_at_ways(motion, t + moment, momentum->point, motion->w, behind) : status;
+    status = status == LAG_OK ? look_later(momentum, t, stood, before, moment, later) : status;
+    status = status == LAG_OK ? look_later(momentum, t, x, motion->w, moment, behind) : status;
     for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
         const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
         const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));

@@ -62,9 +62,11 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
 int lag_momentum_overshoots(size_t count, const double *step, const double *from, const double *now, const double *aim);
 
 /*
- * Ways of masses are continuous: LAG_WAY_JUMP if one is elsewhere at x with the discretes of now than with `before` (nw). Round-off is what the
- * motion changes in a `moment` [s], as the instant is not known better, and that of numbers of the size `peak` (2 nq + nz).
+ * Ways of masses are continuous: LAG_WAY_JUMP if one is elsewhere at x with the discretes of now than with `before` (nw) at `stood`, which is x with
+ * the states z before the instant. Round-off is what the motion changes in a `moment` [s], as the instant is not known better, and that of
+ * numbers of the size `peak` (2 nq + nz).
  */
-lag_status lag_momentum_ways(lag_momentum *momentum, double t, const double *x, const double *before, double moment, const double *peak);
+lag_status lag_momentum_ways(
+    lag_momentum *momentum, double t, const double *x, const double *stood, const double *before, double moment, const double *peak);
 
 #endif

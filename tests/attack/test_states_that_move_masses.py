@@ -1,0 +1,211 @@
+"""States that carry masses or stand in kinetic energies are functions of time: forces of d'Alembert, and blows."""
+
+from __future__ import annotations
+
+from math import cos, exp, sin, sqrt
+
+from attack.rows import Attack, check, model, rows
+
+FOLLOWING = [
+    Attack(
+        "free_mass_on_a_carriage_that_follows_it",
+        # no force acts: x' + p' = 1, however steep the carriage starts
+        model(
+            "coordinate Real x(der(start = 1)); state Real p; gravity = 0; mass 1 at {x + p, 0};",
+            "der(p) = 0.25*(1 + tanh((x - 1.5)/0.02));",
+        ),
+        3.0,
+        {"der(x)": 0.5},
+    ),
+    Attack(
+        "mass_on_a_servo_and_one_on_the_ground",
+        # 2 x'' + p'' = 0 with p' = x
+        model(
+            "coordinate Real x(der(start = 1)); state Real p; gravity = 0; mass 1 at {x + p, 0}; kinetic 1/2*der(x)^2;",
+            "der(p) = x;",
+        ),
+        3.0,
+        {"der(x)": exp(-1.5), "x": 2 * (1 - exp(-1.5))},
+    ),
+    Attack(
+        "mass_on_a_servo_on_a_servo",
+        # x' + p' + q' is kept, so that x'' + x' + x = 0
+        model(
+            "coordinate Real x(der(start = 1)); state Real p, q; gravity = 0; mass 1 at {x + p + q, 0};",
+            "der(p) = x; der(q) = p;",
+        ),
+        2.0,
+        {"x": 2 * exp(-1) * sin(sqrt(3)) / sqrt(3)},
+    ),
+    Attack(
+        "rate_of_a_state_in_a_kinetic_energy",
+        model(
+            "coordinate Real x(der(start = 1)); state Real p; kinetic 1/2*(der(x) + der(p))^2;",
+            "der(p) = x;",
+        ),
+        3.0,
+        {"der(x)": exp(-3)},
+    ),
+    Attack(
+        "body_on_a_turntable_that_follows_it",
+        model(
+            "coordinate Real a(der(start = 1)); state Real p; gravity = 0; frame F = world.rotz(p).rotz(a); "
+            "body b(m = 1, com = {0.3, 0, 0}, Izz = 0.5) on F;",
+            "der(p) = a;",
+        ),
+        3.0,
+        {"der(a)": exp(-3)},
+    ),
+    Attack(
+        "reactions_of_a_carriage_that_follows",
+        # x as above; the lift h'' = 0.6 x x', and m (x'' + p'') = x'/2 along the slide
+        model(
+            "coordinate Real x(der(start = 1)); state Real p, h; gravity = 0; frame C = world.move({p, h, 0}); "
+            "mass 1 at C.point({x, 0, 0}); kinetic 1/2*der(x)^2; "
+            "output Real lift = reaction(C).force.y; output Real push = reaction(C).force.x;",
+            "der(p) = x; der(h) = 0.3*x^2;",
+        ),
+        1.0,
+        {"lift": 1.2 * (1 - exp(-0.5)) * exp(-0.5), "push": 0.5 * exp(-0.5)},
+    ),
+    Attack(
+        "damper_to_a_carriage_that_follows_a_speed",
+        # x'' = -(x' - p') with p' = x'/2
+        model(
+            "coordinate Real x(der(start = 1)); state Real p; kinetic 1/2*der(x)^2; "
+            "dissipation 1/2*(der(x) - der(p))^2;",
+            "der(p) = 1/2*der(x);",
+        ),
+        3.0,
+        {"der(x)": exp(-1.5)},
+    ),
+    Attack(
+        "mass_on_a_carriage_that_follows_a_speed",
+        # x' + p' is kept; M would not be symmetric
+        model(
+            "coordinate Real x(der(start = 1)); state Real p; gravity = 0; mass 1 at {x + p, 0}; kinetic 1/2*der(x)^2;",
+            "der(p) = der(x) + x;",
+        ),
+        3.0,
+        {"der(x)": exp(-1.0)},
+        refused=("E0308",),
+    ),
+]
+
+
+def _carried() -> float:
+    """x on a carriage whose speed is 1 from 1 to 2, with the spring 9."""
+    x, v = 0.0, 1.0
+    for jump, time in ((0.0, 1.0), (-1.0, 1.0), (1.0, 0.5)):
+        v += jump
+        x, v = x * cos(3 * time) + v / 3 * sin(3 * time), -3 * x * sin(3 * time) + v * cos(3 * time)
+    return x
+
+
+SET = [
+    Attack(
+        "mass_that_a_clause_sets",
+        model(
+            "coordinate Real x(der(start = 2)); state Real m(start = 1); kinetic 1/2*m*der(x)^2;",
+            "der(m) = 0;\nwhen time >= 1 then reinit(m, 4); end when;",
+        ),
+        2.0,
+        {"der(x)": 0.5, "x": 2.5},
+    ),
+    Attack(
+        "mass_and_rate_that_a_clause_sets",
+        model(
+            "coordinate Real x(der(start = 2)); state Real m(start = 1); kinetic 1/2*m*der(x)^2;",
+            "der(m) = 0;\nwhen time >= 1 then reinit(m, 4); reinit(der(x), 3); end when;",
+        ),
+        2.0,
+        {"der(x)": 3.0, "x": 5.0},
+    ),
+    Attack(
+        "mass_by_a_state_and_a_discrete",
+        model(
+            "coordinate Real x(der(start = 2)); state Real m(start = 1); discrete Real k(start = 1); "
+            "kinetic 1/2*m*k*der(x)^2;",
+            "der(m) = 0;\nwhen time >= 1 then reinit(m, 4); k = 2; end when;",
+        ),
+        2.0,
+        {"der(x)": 0.25},
+    ),
+    Attack(
+        "speed_of_a_carriage_that_clauses_set",
+        model(
+            "coordinate Real x(der(start = 1)); state Real p, w; gravity = 0; mass 1 at {x + p, 0}; "
+            "potential 1/2*9*x^2;",
+            "der(p) = w; der(w) = 0;\nwhen sample(1, 1) then reinit(w, 1 - pre(w)); end when;",
+        ),
+        2.5,
+        {"x": _carried()},
+    ),
+    Attack(
+        "magnetic_field_that_a_clause_sets",
+        # the field that appears at 1 s, at x = 1, turns the charge: y' = -B x/2
+        model(
+            "coordinate Real x(start = 1), y; kinetic 1/2*(der(x)^2 + der(y)^2); state Real B; "
+            "lagrangian B/2*(x*der(y) - y*der(x));",
+            "der(B) = 0;\nwhen time >= 1 then reinit(B, 2); end when;",
+        ),
+        1.5,
+        {"der(x)": -sin(1), "der(y)": -cos(1), "y": -sin(1) / 2},
+    ),
+    Attack(
+        "edge_that_a_clause_turns",
+        model(
+            "coordinate Real x(der(start = 1)), y; state Real th; kinetic 1/2*(der(x)^2 + der(y)^2); "
+            "constraint k: der(y)*cos(th) - der(x)*sin(th) = 0;",
+            "der(th) = 0;\nwhen time >= 1 then reinit(th, 1); end when;",
+        ),
+        2.0,
+        {"x": 1 + cos(1) ** 2, "y": cos(1) * sin(1)},
+    ),
+    Attack(
+        "counter_of_a_way_set_back",
+        # what the state loses the discrete takes: the mass stays where it is
+        model(
+            "coordinate Real x(der(start = 1)); state Real p(start = 0.5); discrete Real o(start = 0); gravity = 0; "
+            "mass 1 at {x + o + p, 0}; potential 1/2*4*x^2;",
+            "der(p) = 0;\nwhen time >= 1 then o = pre(o) + pre(p); reinit(p, 0); end when;",
+        ),
+        3.0,
+        {"x": sin(6) / 2},
+    ),
+    Attack(
+        "ground_that_a_clause_lowers",
+        model(
+            "coordinate Real x(start = 0.5); state Real p(start = 0.5); kinetic 1/2*der(x)^2; force -2 on x; "
+            "contact c: x >= p with restitution = 0;",
+            "der(p) = 0;\nwhen time >= 1 then reinit(p, 0); end when;",
+        ),
+        1.5,
+        {"x": 0.25},
+    ),
+]
+
+# Places that a clause would move by setting the state p to 2: there is no motion to compare with.
+TORN = [
+    Attack(
+        f"{name}_that_a_clause_sets",
+        model(
+            f"coordinate Real x(start = 0), y(start = 1); state Real p; gravity = 0; kinetic 1/2*der(y)^2; {text}",
+            "der(p) = 0;\nwhen time >= 1 then reinit(p, 2); end when;",
+        ),
+        3.0,
+        {"x": float("nan")},
+        refused=(code,),
+    )
+    for name, text, code in (
+        ("way", "mass 1 at {x + p, 0};", "E0836"),
+        ("turned_way", "mass 1 at world.rotz(p).point({x + 1, 0, 0});", "E0836"),
+        ("place_of_a_constraint", "mass 1 at {x, 0}; constraint c: x = p;", "E0835"),
+        ("ground", "mass 1 at {x, 0}; contact c: x + 1 >= p with restitution = 0.5;", "E0834"),
+    )
+]
+
+
+@rows([*FOLLOWING, *SET, *TORN])
+def test_attack(row: Attack, engine: str) -> None:
+    check(row, engine)
