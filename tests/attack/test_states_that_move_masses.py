@@ -185,6 +185,51 @@ SET = [
     ),
 ]
 
+# The same carriage three times: it starts to move where the mass is at 1, and the momentum of the mass is kept.
+CARRIAGE = "coordinate Real x(der(start = 1)); {} gravity = 0; mass 1 at {{x + p, 0}};"
+STARTED = [
+    Attack(
+        "carriage_that_a_place_starts",
+        model(CARRIAGE.format("state Real p;"), "der(p) = if x > 1 then 0.5 else 0;"),
+        3.0,
+        {"der(x)": 0.5, "x": 2.0},
+        refused=("E0311",),
+    ),
+    Attack(
+        "carriage_of_a_constraint_that_a_place_starts",
+        model(CARRIAGE.format("coordinate Real p; constraint k: der(p) = if x > 1 then 0.5 else 0;")),
+        3.0,
+        {"der(x)": 0.5, "x": 2.0},
+    ),
+    Attack(
+        "carriage_that_a_clause_starts",
+        model(
+            CARRIAGE.format("state Real p; discrete Real w(start = 0);"),
+            "der(p) = w; when x > 1 then w = 0.5; end when;",
+        ),
+        3.0,
+        {"der(x)": 0.5, "x": 2.0},
+    ),
+    Attack(
+        # x' = 2 - abs(x - 1): x = exp(t) - 1, from 1 on 3 - x falls
+        "carriage_with_a_corner_in_its_way",
+        model(CARRIAGE.format("state Real p;"), "der(p) = abs(x - 1);"),
+        3.0,
+        {"der(x)": 4 * exp(-3), "x": 3 - 4 * exp(-3)},
+    ),
+    Attack(
+        # the state that jumps carries nothing: the step of energy is felt
+        "state_beside_a_step",
+        model(
+            "coordinate Real x(der(start = 2)); state Real p; kinetic 1/2*der(x)^2; "
+            "potential if x > 1 then 1.5 else 0;",
+            "der(p) = if x > 1 then 0.5 else 0;",
+        ),
+        1.5,
+        {"der(x)": 1.0, "p": 0.5},
+    ),
+]
+
 # Places that a clause would move by setting the state p to 2: there is no motion to compare with.
 TORN = [
     Attack(
@@ -206,6 +251,6 @@ TORN = [
 ]
 
 
-@rows([*FOLLOWING, *SET, *TORN])
-def test_attack(row: Attack, engine: str) -> None:
+@rows([*FOLLOWING, *SET, *STARTED, *TORN])
+def test_states_that_move_masses(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -32,6 +32,7 @@ MODULES = {
     "test_scales": "beside_an_odometer_at_1e+07",
     "test_shapes_and_points": "minus_celsius",
     "test_starts": "discrete_mass_at_the_start",
+    "test_states_that_move_masses": None,
     "test_steps_beyond_newton": None,
     "test_steps_in_place": None,
     "test_switched": "clutch_by_a_clock",

@@ -7,6 +7,7 @@ has its equation in its place.
 
 from __future__ import annotations
 
+from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel, State
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
@@ -17,7 +18,7 @@ from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.record import record
 
-_MOVING = (Group.Q, Group.QD, Group.RELEASE, Group.RELEASE_RATE)
+_MOVING = (Group.Q, Group.QD, Group.RELEASE, Group.RELEASE_RATE, Group.W)
 
 
 @record()
@@ -31,7 +32,8 @@ class ThroughStates:
 def through_states(lowering: Lowering, flat: FlatModel, directions: Directions) -> ThroughStates:
     """Sums of dL/d(der z) d(der z)/dq and dD/d(der z) d(der z)/dqd over the states z whose rates energies have.
 
-    E0308 where momenta depend on a rate that depends on qd: its own rate of change needs accelerations.
+    E0308 where momenta depend on a rate that depends on qd: its own rate of change needs accelerations. E0311 where
+    the Lagrangian depends on a rate that jumps at a place: the law of steps in place would take it for a force there.
     """
     graph = lowering.graph
     rates = _asked(lowering, flat)
@@ -43,8 +45,11 @@ def through_states(lowering: Lowering, flat: FlatModel, directions: Directions) 
     by_rate = adjoints(graph, {found.lagrangian: graph.one}, (Group.DIRECTION_Z,))
     lost = adjoints(graph, {found.dissipation: graph.one}, (Group.DIRECTION_Z,))
     for symbol, (state, rate) in rates.items():
-        if symbol in by_rate and graph.depends(rate, Group.QD, Group.RELEASE_RATE):
+        if symbol not in by_rate:
+            continue
+        if graph.depends(rate, Group.QD, Group.RELEASE_RATE):
             raise needs_accelerations(state.spans, f"what `der({state.name})` carries")
+        _refuse_jumps(lowering, flat, state, rate)
     sums: list[dict[int, int]] = []
     for group, weights in ((directions.position_group, by_rate), (directions.rate_group, lost)):
         seeds: dict[int, int] = {}
@@ -58,8 +63,22 @@ def through_states(lowering: Lowering, flat: FlatModel, directions: Directions) 
     )
 
 
+def _refuse_jumps(lowering: Lowering, flat: FlatModel, state: State, rate: int) -> None:
+    """E0311 where the rate of a state reads a relation between positions."""
+    graph = lowering.graph
+    present = set(graph.live([rate])) if graph.depends(rate, Group.W) else set()
+    for relation in flat.events.relations:
+        difference = lowering.scalar(relation.difference)
+        if lowering.symbols.previous[relation.name] in present and graph.depends(difference, Group.Q):
+            sink = Sink()
+            what = f"a rate `der({state.name})` that changes with `{relation.name}` and carries a mass"
+            hint = f"declare `{state.name}` as a coordinate and write `constraint der({state.name}) = ...;`"
+            sink.report("E0311", relation.spans[0] if relation.spans else None, what=what, hint=hint)
+            raise CompilationFailed(sink.diagnostics)
+
+
 def _asked(lowering: Lowering, flat: FlatModel) -> dict[int, tuple[State, int]]:
-    """By the symbol of the rate: states whose rates were asked for; none where no rate depends on the motion."""
+    """By the symbol of the rate: states whose rates were asked for; none where all rates follow from time alone."""
     graph, known = lowering.graph, lowering.rate.known()
     found = {
         graph.symbol(Group.DIRECTION_Z, index): (state, lowering.scalar(state.derivative))
