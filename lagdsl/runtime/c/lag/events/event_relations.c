@@ -3,6 +3,7 @@
 
 #include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /* A relation that passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-2;
@@ -200,23 +201,32 @@ lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, d
 }
 
 /*
- * Relation i a time after the start, with accelerations: so long after that it has moved clearly, but a small part of the experiment at most; zero
- * if it does not move.
+ * Relations that are zero at the start, but for round-off, into `soon`: so long after it, with accelerations, that each has moved clearly, but a small
+ * part of the experiment at most; zero for those that do not move, and for others.
  */
-static double leaves(lag_event_iteration *iteration, double t, const double *x, size_t i)
+static void look_further(lag_event_iteration *iteration, double t, const double *x)
 {
-    const size_t n = iteration->motion->model->nq;
-    const double clear = CLEAR * iteration->noise->sigma[i];
-    for (double after = iteration->lookahead; after < SOON * iteration->contacts->length; after *= LONGER) {
+    const lag_model *model = iteration->motion->model;
+    const double *sigma = iteration->noise->sigma;
+    size_t left = 0;
+    for (size_t i = 0; i < model->nindicator; ++i) {
+        iteration->soon[i] = 0.0;
+        left += fabs(iteration->now[i]) <= sigma[i];
+    }
+    for (double after = iteration->lookahead; left > 0 && after < SOON * iteration->contacts->length; after *= LONGER) {
         go(iteration, x, after);
-        for (size_t j = 0; j < n; ++j) {
-            iteration->later[j] += 0.5 * after * after * iteration->rate[n + j];
+        lag_axpy(model->nq, 0.5 * after * after, iteration->rate + model->nq, iteration->later);
+        if (indicate(iteration, t + after, iteration->later, iteration->then) != LAG_OK) {
+            return;
         }
-        if (indicate(iteration, t + after, iteration->later, iteration->then) == LAG_OK && fabs(iteration->then[i] - iteration->now[i]) > clear) {
-            return iteration->then[i];
+        for (size_t i = 0; i < model->nindicator; ++i) {
+            const int waits = fabs(iteration->now[i]) <= sigma[i] && iteration->soon[i] == 0.0;
+            if (waits && fabs(iteration->then[i] - iteration->now[i]) > CLEAR * sigma[i]) {
+                iteration->soon[i] = iteration->then[i];
+                --left;
+            }
         }
     }
-    return 0.0;
 }
 
 lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, double *x, double *turned)
@@ -232,8 +242,9 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
     if (status == LAG_OK) {
         lag_noise_find(iteration->noise, t, x);
     }
+    look_further(iteration, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const double later = fabs(iteration->now[i]) <= iteration->noise->sigma[i] ? leaves(iteration, t, x, i) : 0.0;
+        const double later = iteration->soon[i];
         int refracted = 0;
         int back = 0;
         turned[i] = later != 0.0 && (later > 0.0) != (truth[i] != 0.0);

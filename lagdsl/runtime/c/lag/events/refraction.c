@@ -19,19 +19,6 @@ static const double LEFT = 1e-9;
 /* Differences of rows are along the gradient, or the gradient along the rows, but for this part of their sizes. */
 static const double ALONG = 1e-6;
 
-/* The balance of energy is solved where the impulse that is left changes the rate of g by this part. */
-static const double NEAR = 1e-9;
-/* It has its least value where half of the square of the rate of g is this part of what the energy lacks. */
-static const double FLAT = 1e-6;
-enum { MOST_STEPS = 100, MOST_HALVES = 60 };
-
-/* The side from which the motion comes. */
-typedef struct lag_side {
-    double energy; /* h there */
-    double drift;  /* rate of g with time and states, the positions held */
-    double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
-} lag_side;
-
 size_t lag_refraction_memory(const lag_model *model)
 {
     return 4 * model->nq + 2 * lag_motion_size(model) + 3 * model->nindicator + model->nc * (model->nq + 1);
@@ -103,34 +90,6 @@ static int differentiate(lag_refraction *r, double t, const double *x, size_t wh
     return isfinite(*g) && isfinite(*drift) && most > 0.0 && by_rates <= STILL * most;
 }
 
-/* The energy h at x, and the size of what it is made of. */
-static lag_status energy(const lag_refraction *r, double t, const double *x, double *h, double *size)
-{
-    lag_motion *motion = r->motion;
-    double total = 0.0;
-    double kinetic = 0.0;
-    double potential = 0.0;
-    lag_motion_look(motion, t, x);
-    const lag_status status = motion->model->energies(&motion->at, &total, &kinetic, &potential, h);
-    *size = fabs(kinetic) + fabs(potential) + fabs(*h);
-    return status;
-}
-
-/* r->along: the change of rates for an impulse along the gradient, with the M and the rows that the momentum has looked at. */
-static lag_status respond(lag_refraction *r)
-{
-    const lag_model *model = r->motion->model;
-    lag_momentum *momentum = r->momentum;
-    lag_system system;
-    lag_system_place(&system, model->nq, model->nc, model->components, momentum->system);
-    const lag_status status = lag_system_factor(&system, momentum->mass, momentum->jacobian, model->rank, &r->motion->coordinate);
-    lag_fill(model->nc, 0.0, momentum->right);
-    if (status == LAG_OK) {
-        lag_system_solve(&system, r->gradient, momentum->right, r->along, momentum->lam);
-    }
-    return status;
-}
-
 /* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
 static int is_determined(const lag_refraction *r, const double *x)
 {
@@ -143,99 +102,6 @@ static int is_determined(const lag_refraction *r, const double *x)
         moved = fmax(moved, fabs(lag_dot(n, r->momentum->mass + i * n, r->along)) * size);
     }
     return moved <= ALONG * most;
-}
-
-/* The balance of energy for an impulse along the gradient. */
-typedef struct lag_energy_balance {
-    double rest;  /* h behind the place, less h before it and what the place and the constraints that move add to it, */
-    double speed; /* its slope: the rate of g, counted in the sense of the motion behind the place */
-    double slope; /* of the speed */
-} lag_energy_balance;
-
-/*
- * The balance at rates that the momentum has balanced, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add,
- * with b' P = -v+ J' P, as J v+ + b = 0.
- */
-static lag_status look(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
-{
-    const size_t n = r->motion->model->nq;
-    const double *qd = x + n;
-    double h = 0.0;
-    double size = 0.0;
-    lag_status status = energy(r, t, x, &h, &size);
-    status = status == LAG_OK ? respond(r) : status;
-    const double change = lag_dot(n, qd, r->momentum->now) - lag_dot(n, qd, r->before);
-    const double along = lag_dot(n, r->gradient, qd) + side->drift;
-    *balance = (lag_energy_balance){
-        .rest = h - side->energy + mu * along - change,
-        .speed = side->sense * along,
-        .slope = lag_dot(n, r->gradient, r->along),
-    };
-    return status == LAG_SINGULAR || (status == LAG_OK && !(balance->slope > 0.0)) ? LAG_MOMENTUM_UNREACHABLE : status;
-}
-
-/* The impulse to the place where a parabola through the balance ends: its root on the side to which g moves, or its least value. */
-static double aim(const lag_energy_balance *b)
-{
-    const double under = b->speed * b->speed - 2.0 * b->rest * b->slope;
-    if (under <= 0.0) {
-        return -b->speed / b->slope;
-    }
-    return b->speed > 0.0 ? -2.0 * b->rest / (b->speed + sqrt(under)) : (sqrt(under) - b->speed) / b->slope;
-}
-
-/* Rates with an impulse `by` more along the gradient, or a part of it where there are no rates for all of it; *by: as much as that. */
-static lag_status push(lag_refraction *r, double t, double *x, double sense, double *by)
-{
-    const size_t n = r->motion->model->nq;
-    const size_t size = lag_motion_size(r->motion->model);
-    lag_status status = LAG_MOMENTUM_UNREACHABLE;
-    int jumped = 0;
-    memcpy(r->point, x, size * sizeof(double));
-    memcpy(r->aim, r->momentum->before, n * sizeof(double));
-    for (int k = 0; k < MOST_HALVES && status == LAG_MOMENTUM_UNREACHABLE; ++k) {
-        *by *= k > 0 ? 0.5 : 1.0;
-        memcpy(x, r->point, size * sizeof(double));
-        memcpy(r->momentum->before, r->aim, n * sizeof(double));
-        lag_axpy(n, sense * *by, r->gradient, r->momentum->before);
-        status = lag_momentum_balance(r->momentum, t, x, NULL, &jumped);
-    }
-    return status;
-}
-
-/*
- * Rates that the balance of energy asks for, from those that the momentum has balanced; *found: 0, there are none on the side to which g moves.
- * The balance is convex in the impulse, as its slope is the rate of g and M is positive definite: Newton's method, with the curvature, between
- * impulses that are known to be too small and too large. Where T is quadratic the first step is the last one.
- */
-static lag_status find(lag_refraction *r, double t, double *x, const lag_side *side, int *found)
-{
-    double low = -(double)INFINITY;
-    double high = (double)INFINITY;
-    double u = 0.0; /* the impulse, counted in the sense of the motion */
-    lag_energy_balance b;
-    *found = 0;
-    for (int k = 0; k < MOST_STEPS; ++k) {
-        lag_status status = look(r, t, x, side, side->sense * u, &b);
-        if (status != LAG_OK || (b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
-            return status;
-        }
-        const int beyond = b.speed > 0.0 && b.rest >= 0.0;
-        low = beyond ? low : u;
-        high = beyond ? u : high;
-        double by = aim(&b);
-        const int last = by == 0.0 || (b.speed > 0.0 && fabs(by) * b.slope <= NEAR * b.speed);
-        if (!last && !(u + by > low && u + by < high)) {
-            by = 0.5 * (low + high) - u;
-        }
-        status = push(r, t, x, side->sense, &by);
-        if (status != LAG_OK || last) {
-            *found = status == LAG_OK;
-            return status;
-        }
-        u += by;
-    }
-    return LAG_MOMENTUM_UNREACHABLE;
 }
 
 /* The coordinate on which g depends most. */
@@ -289,7 +155,7 @@ static lag_status keep(lag_refraction *r, double t, const double *x, double *h, 
     memcpy(r->speeds, r->momentum->rows, model->nc * sizeof(double));
     status = status == LAG_OK ? lag_momentum_keep(r->momentum, t, x, r->motion->w) : status;
     memcpy(r->before, r->momentum->before, model->nq * sizeof(double));
-    return status == LAG_OK ? energy(r, t, x, h, size) : status;
+    return status == LAG_OK ? lag_refraction_energy(r, t, x, h, size) : status;
 }
 
 /* Rates behind the place in r->rate; *refracted stays 0 where they are not there. */
@@ -299,12 +165,12 @@ static lag_status cross(lag_refraction *r, double t, const double *x, const lag_
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
     memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
     lag_status status = lag_momentum_balance(r->momentum, t, r->rate, NULL, &jumped);
-    status = status == LAG_OK ? respond(r) : status;
+    status = status == LAG_OK ? lag_refraction_respond(r) : status;
     if (status == LAG_OK && is_determined(r, x)) {
         *refracted = 1; /* the balance of momenta says it all */
         return LAG_OK;
     }
-    return status == LAG_OK ? find(r, t, r->rate, side, refracted) : status;
+    return status == LAG_OK ? lag_refraction_find(r, t, r->rate, side, refracted) : status;
 }
 
 /* Rates with which the motion turns back on this side, in r->rate. */
@@ -314,7 +180,7 @@ static lag_status turn_back(lag_refraction *r, double t, const double *x, const 
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
     memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
     const lag_status status = lag_momentum_look(r->momentum, t, r->rate);
-    return status == LAG_OK ? find(r, t, r->rate, &own, back) : status;
+    return status == LAG_OK ? lag_refraction_find(r, t, r->rate, &own, back) : status;
 }
 
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
@@ -342,6 +208,36 @@ static void turn(lag_refraction *r, double t, const double *x, size_t which)
     }
 }
 
+/* Momenta, rows of constraints and the energy h at x. */
+static lag_status see(lag_refraction *r, double t, const double *x, double *momenta, double *rows, double *speeds, double *h)
+{
+    lag_motion *motion = r->motion;
+    const lag_model *model = motion->model;
+    double size = 0.0;
+    lag_fill(model->nq, 0.0, momenta);
+    lag_status status = lag_refraction_energy(r, t, x, h, &size);
+    if (status == LAG_OK && model->momenta != NULL) {
+        status = model->momenta(&motion->at, momenta);
+    }
+    return status == LAG_OK && model->nc > 0 ? model->velocity_constraint(&motion->at, speeds, rows) : status;
+}
+
+/* 1: a relation is in the Lagrangian or in a constraint: what follows from it is not the same to the bit. Most are in forces only. */
+static int matters(lag_refraction *r, double t, const double *x, size_t which)
+{
+    const lag_model *model = r->motion->model;
+    double *truth = r->motion->w + r->places.relation;
+    double before = 0.0;
+    double after = 0.0;
+    lag_status status = see(r, t, x, r->before, r->rows, r->speeds, &before);
+    turn(r, t, x, which);
+    status = status == LAG_OK ? see(r, t, x, r->along, r->momentum->jacobian, r->momentum->rows, &after) : status;
+    memcpy(truth, r->truth, model->nindicator * sizeof(double));
+    return status != LAG_OK || before != after || memcmp(r->before, r->along, model->nq * sizeof(double)) != 0 ||
+           memcmp(r->speeds, r->momentum->rows, model->nc * sizeof(double)) != 0 ||
+           memcmp(r->rows, r->momentum->jacobian, model->nc * model->nq * sizeof(double)) != 0;
+}
+
 /* Round-off of the indicator. */
 static double noise_of(const lag_refraction *r, double t, const double *x, size_t which)
 {
@@ -361,7 +257,7 @@ lag_status lag_refraction_cross(
     double size = 0.0;
     double other = 0.0;
     *refracted = *back = 0;
-    if (motion->model->energies == NULL) { /* nothing is known of an energy that jumps */
+    if (motion->model->energies == NULL || !matters(r, t, x, which)) { /* without it nothing is known of an energy that jumps */
         return LAG_OK;
     }
     lag_status status = motion->ode.rates(motion, t, x, r->rate);
@@ -374,7 +270,7 @@ lag_status lag_refraction_cross(
     const int is_there = fabs(g) <= fabs(speed) * lookahead || fabs(g) <= noise_of(r, t, x, which);
     status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
-    status = status == LAG_OK ? energy(r, t, x, &after, &other) : status;
+    status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
     status = status == LAG_OK ? lag_momentum_look(r->momentum, t, x) : status;
     const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_momentum_differs(r->momentum, x + n, JUMP) || rows_bend(r, x, side.drift);
     if (status != LAG_OK || !jumps || !is_there) {

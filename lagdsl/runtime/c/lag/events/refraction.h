@@ -36,6 +36,13 @@ typedef struct lag_refraction {
     double *truth;          /* (nindicator) relations on this side */
 } lag_refraction;
 
+/* The side from which the motion comes. */
+typedef struct lag_side {
+    double energy; /* h there */
+    double drift;  /* rate of g with time and states, the positions held */
+    double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
+} lag_side;
+
 /* Doubles for it. */
 size_t lag_refraction_memory(const lag_model *model);
 
@@ -50,5 +57,18 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_mo
  */
 lag_status lag_refraction_cross(
     lag_refraction *refraction, double t, double *x, size_t which, double lookahead, int *refracted, int *back);
+
+/* The energy h at x, and the size of what it is made of. */
+lag_status lag_refraction_energy(const lag_refraction *refraction, double t, const double *x, double *h, double *size);
+
+/* refraction->along: the change of rates for an impulse along the gradient, with the M and the rows that the momentum has looked at. */
+lag_status lag_refraction_respond(lag_refraction *refraction);
+
+/*
+ * Rates that the balance of energy asks for, from those that the momentum has balanced; *found: 0, there are none on the side to which g moves.
+ * The balance is convex in the impulse, as its slope is the rate of g and M is positive definite: Newton's method, with the curvature, between
+ * impulses that are known to be too small and too large. Where T is quadratic the first step is the last one.
+ */
+lag_status lag_refraction_find(lag_refraction *refraction, double t, double *x, const lag_side *side, int *found);
 
 #endif
