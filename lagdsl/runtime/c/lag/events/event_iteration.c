@@ -12,7 +12,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 3 * model->nindicator + 3 * model->ncontact;
+           4 * lag_motion_size(model) + 3 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -43,6 +43,7 @@ void lag_event_iteration_place(
     iteration->fail = lag_take(&memory, model->nfail);
     iteration->held = lag_take(&memory, size);
     iteration->rate = lag_take(&memory, size);
+    iteration->middle = lag_take(&memory, size);
     iteration->later = lag_take(&memory, size);
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);

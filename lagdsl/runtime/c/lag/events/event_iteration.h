@@ -26,7 +26,7 @@ typedef struct lag_event_iteration {
     double *collision, *restitution; /* (ncollision) */
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
-    double *rate, *later;  /* (2 nq + nz) */
+    double *rate, *middle, *later; /* (2 nq + nz) */
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
     double *now, *then, *soon; /* (nindicator) */

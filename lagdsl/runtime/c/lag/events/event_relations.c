@@ -72,10 +72,30 @@ static void go(lag_event_iteration *iteration, const double *x, double time)
     }
 }
 
+/*
+ * An acceleration that passes zero here is the one in the middle of `lookahead`: where a body breaks away under a force that grows, round-off
+ * alone gives it a sign.
+ */
+static void leave_zero(lag_event_iteration *iteration, double t, const double *x)
+{
+    lag_motion *motion = iteration->motion;
+    const double half = iteration->lookahead / 2.0;
+    go(iteration, x, half);
+    if (motion->ode.rates(motion, t + half, iteration->later, iteration->middle) != LAG_OK) {
+        return;
+    }
+    for (size_t i = motion->model->nq; i < lag_motion_size(motion->model); ++i) {
+        const double middle = iteration->middle[i];
+        iteration->rate[i] = fabs(iteration->rate[i]) <= PASSING * fabs(middle) ? middle : iteration->rate[i];
+    }
+}
+
 void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x)
 {
     lag_motion *motion = iteration->motion;
-    if (motion->ode.rates(motion, t, x, iteration->rate) != LAG_OK) {
+    if (motion->ode.rates(motion, t, x, iteration->rate) == LAG_OK) {
+        leave_zero(iteration, t, x);
+    } else {
         lag_fill(lag_motion_size(motion->model), 0.0, iteration->rate);
     }
     go(iteration, x, iteration->lookahead);
