@@ -77,6 +77,12 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
 
 /*
+ * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
+ * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N.
+ */
+lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned);
+
+/*
  * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned`, which has changed, back across its zero
  * for shorter and shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
  * motion would go on behind it.

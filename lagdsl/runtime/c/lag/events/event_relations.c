@@ -209,6 +209,28 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
     return lag_event_iteration_ahead(iteration, t, x, NULL);
 }
 
+lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *truth = iteration->motion->w + iteration->places.relation;
+    if (!lag_any(model->nindicator, turned)) {
+        return LAG_OK;
+    }
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_status status = indicate(iteration, t, x, iteration->now);
+    if (status == LAG_OK) {
+        status = indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then);
+    }
+    status = status == LAG_OK ? look_sooner(iteration, t, x, NULL) : status;
+    lag_noise_find(iteration->noise, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const double now = fabs(iteration->now[i]) <= iteration->noise->sigma[i] ? 0.0 : iteration->now[i];
+        const int stays = holds(model, i, passing(iteration, i) ? iteration->then[i] : now) == (truth[i] != 0.0);
+        turned[i] = stays ? 0.0 : turned[i];
+    }
+    return status;
+}
+
 double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead)
 {
     double late = 0.0;
