@@ -130,6 +130,22 @@ PULLS = [
     for c in ("<", "<=")
 ]
 
+SWINGS = "coordinate Real x; kinetic 1/2*der(x)^2; force cos(time) on x; discrete Integer n(start = 0);"
+# a value that comes to its border and stays there: 2 sin(t) above 1 at pi/6, and so on
+SATURATED = [
+    Attack(
+        name,
+        model(SWINGS, f"when {condition} then n = pre(n) + 1; end when;"),
+        20.0,
+        {"n": 4.0},
+    )
+    for name, condition in {
+        "limit": "limit(2*der(x), -1, 1) >= 1",
+        "not_below": "not limit(2*der(x), -1, 1) < 1",
+        "max": "max(0.5 - der(x), 0) <= 0",
+    }.items()
+]
+
 
 @rows(BREAK_AWAY)
 def test_break_away(row: Attack, engine: str) -> None:
@@ -143,4 +159,9 @@ def test_touched_limits(row: Attack, engine: str) -> None:
 
 @rows(PULLS)
 def test_contacts_only_push(row: Attack, engine: str) -> None:
+    check(row, engine)
+
+
+@rows(SATURATED)
+def test_values_that_end_at_their_borders(row: Attack, engine: str) -> None:
     check(row, engine)

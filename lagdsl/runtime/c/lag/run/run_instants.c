@@ -88,7 +88,7 @@ static lag_status find_turned(lag_run *run, int *any)
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
     lag_status status = model->nindicator + model->ncontact > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
-    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x)) {
+    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x, NULL)) {
         status = lag_zero_crossing_look(crossings, s->t, s->x);
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
