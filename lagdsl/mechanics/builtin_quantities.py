@@ -8,7 +8,7 @@ from typing import assert_never
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel
-from lagdsl.flat.traversal import operands
+from lagdsl.flat.traversal import operands, records
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.mechanics.kinematics.vectors import Vector
 from lagdsl.mechanics.lagrange.energies import SystemEnergies
@@ -85,8 +85,9 @@ class Provider:
 
 
 def _requests(model: FlatModel) -> Iterator[flat.FrameReaction | flat.ReactionAlong]:
-    """Every reaction that occurs in an output, invariant, assertion, initial equation or definition, in order."""
+    """Every reaction of an output, invariant, assertion, initial equation, definition or event, in order."""
     stack: list[FlatExpression] = [item.residual for item in reversed(model.initial_equations)]
+    stack += [each for each in records(model.events) if isinstance(each, flat.FrameReaction | flat.ReactionAlong)]
     stack += [item.condition for item in reversed(model.assertions)]
     stack += [item.value for item in reversed(model.invariants)]
     stack += [item.value for item in reversed(model.outputs)]

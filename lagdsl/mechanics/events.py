@@ -19,6 +19,7 @@ from lagdsl.flat.ways import positions, turns
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
+from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
@@ -35,7 +36,7 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     graph = lowering.graph
     found = {
         "discrete_start": [_vector("w", _starts(lowering, flat))],
-        "indicator": [_vector("g", [lowering.scalar(each.difference) for each in flat.events.relations])],
+        "indicator": [_vector("g", _indicators(lowering, flat))],
         "standing": [_vector("w", _standing(lowering, flat))],
         "contact": _gaps(lowering, flat),
         "clock": [
@@ -46,6 +47,17 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     }
     found["time_event"] = _time_events(lowering, flat)
     return tuple(Function(name=name, arguments=OPTIONAL[name], results=tuple(found[name])) for name in found)
+
+
+def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
+    """Sides of relations, one less the other. A contact only pushes: where its multiplier pulls, at the instant at
+    which it opens, relations see zero."""
+    symbols = lowering.symbols
+    rows = [row for each in flat.constraints if each.contact for row in each.rows]
+    forces = [symbols.lam[symbols.rows.index(row)] for row in rows]
+    pushing = {force: lowering.graph.binary(Op.MAX, force, lowering.graph.constant(0.0)) for force in forces}
+    differences = [lowering.scalar(each.difference) for each in flat.events.relations]
+    return Substitution(lowering.graph, pushing).of_all(differences)
 
 
 def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:

@@ -11,11 +11,10 @@ from lagdsl.syntax.parser import parse_expression
 from lagdsl.units.definition import si_value
 from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
 from lagdsl.units.naming import describe
-from lagdsl.units.parse import parse_unit
+from lagdsl.units.parse import counts_turns, parse_unit
 
 _OF_NUMBERS = ("E0105", "E0108", "E0116")
 """No unit, a character such as a degree sign, no number of double precision."""
-_CYCLES = ("Hz", "kHz", "MHz")
 
 
 @record()
@@ -45,7 +44,7 @@ def literal(name: str, text: str, example: str = "2 kg") -> Literal:
     if isinstance(expression, nodes.Quantity):
         definition = parse_unit(expression.unit)
         value = si_value(sign + expression.number, definition)
-        cycles, is_point = expression.unit in _CYCLES, definition.shift != 0
+        cycles, is_point = counts_turns(expression.unit), definition.shift != 0
         return Literal(text, value, definition.dimension, counts_turns=cycles, is_point=is_point)
     if isinstance(expression, nodes.Boolean):
         return Literal(text, float(expression.value), DIMENSIONLESS, boolean=True)

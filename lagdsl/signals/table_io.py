@@ -14,7 +14,7 @@ from typing import TypeAlias
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import FlatModel, Input
 from lagdsl.record import record
 from lagdsl.signals.hold import Hold
 from lagdsl.signals.inputs import Signal
@@ -23,7 +23,7 @@ from lagdsl.source import SourceFile, Span
 from lagdsl.source.whole_file import whole_file
 from lagdsl.units.dimension import TIME
 from lagdsl.units.naming import describe
-from lagdsl.units.parse import UnknownUnit, parse_unit
+from lagdsl.units.parse import UnknownUnit, counts_turns, parse_unit
 
 
 @record()
@@ -183,8 +183,8 @@ def in_si(tables: Tables, flat: FlatModel, sink: Sink, *, hold: bool = False) ->
     inputs = {item.name: item for item in flat.inputs}
     found: dict[str, Signal] = {}
     for name, table in tables.items():
-        if table.unit and name in inputs and parse_unit(table.unit).dimension != inputs[name].dimension:
-            why = f"`{name}` is {describe(inputs[name].dimension)} [{inputs[name].unit}]"
+        why = _misfit(table.unit, inputs[name]) if table.unit and name in inputs else ""
+        if why:
             sink.report("E0878", None, name=name, unit=table.unit, why=why)
         if table.words and name in inputs and inputs[name].base != "Boolean":
             place, text, line = table.words
@@ -192,6 +192,18 @@ def in_si(tables: Tables, flat: FlatModel, sink: Sink, *, hold: bool = False) ->
         values = _converted(table.values, table.unit)
         found[name] = Hold(table.times, values) if hold else (table.times, values)
     return found
+
+
+def _misfit(unit: str, item: Input) -> str:
+    """Why the values of an input cannot be in `unit`, or nothing."""
+    definition = parse_unit(unit)
+    if definition.dimension != item.dimension:
+        return f"`{item.name}` is {describe(item.dimension)} [{item.unit}]"
+    if definition.shift != 0 and item.type_name == "TemperatureDifference":
+        return f"`{item.name}` is a difference of temperatures; give it in K"
+    if counts_turns(unit) and item.unit == "rad/s":
+        return "Hz counts turns; write `rev/s` or `rad/s`"
+    return ""
 
 
 def _words(file: SourceFile, rows: list[tuple[int, list[str]]], index: int) -> tuple[Label, str, int] | None:

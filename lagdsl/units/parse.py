@@ -17,6 +17,7 @@ Factors = list[tuple[UnitDefinition, Fraction]]
 _TOKEN = re.compile(r"(?P<name>[A-Za-z_µμ°%Ω]+)|(?P<one>1)|(?P<mark>[./()*])|(?P<other>.)", re.DOTALL)
 _EXPONENT = re.compile(r"\^?(?P<whole>[+-]?[1-9][0-9]?)(?![0-9])|\^\((?P<ratio>-?[1-9][0-9]?/[1-9][0-9]?)\)")
 _LONGEST = 100
+_CYCLES = ("Hz", "kHz", "MHz")
 
 
 class UnknownUnit(ValueError):  # noqa: N818 the contract's name
@@ -42,6 +43,11 @@ class UnknownUnit(ValueError):  # noqa: N818 the contract's name
 
     def __str__(self) -> str:
         return f"`{self.text}` is not a unit" + (f"; did you mean `{self.suggestion}`?" if self.suggestion else "")
+
+
+def counts_turns(text: str) -> bool:
+    """True for a unit of frequencies. An angular velocity counts angles in the same dimension."""
+    return text.strip() in _CYCLES
 
 
 @lru_cache(maxsize=1024)

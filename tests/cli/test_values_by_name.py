@@ -234,6 +234,17 @@ class TestInputs:
         result = invoke(command, two, "--input", table)
         assert (result.exit_code, code in result.stderr) == (status, True), result.stderr
 
+    @pytest.mark.parametrize(
+        ("kind", "unit"), [("TemperatureDifference", "degC"), ("AngularVelocity", "Hz"), ("AngularVelocity", "kHz")]
+    )
+    def test_units_of_points_and_of_turns(self, invoke: Invoke, tmp_path: Path, kind: str, unit: str) -> None:
+        path, table = tmp_path / "given.lag", tmp_path / "given.csv"
+        scale = "1 K.s" if kind == "TemperatureDifference" else "1 rad"
+        path.write_text(f"model Given\n input {kind} u;\n state Real y;\nequation\n der(y) = u/({scale});\nend Given;")
+        table.write_text(f"time,u [{unit}]\n0,5\n100,5\n")
+        result = invoke("run", path, "--input", table, *SHORT)
+        assert (result.exit_code, "E0878" in result.stderr) == (1, True), result.stderr
+
     def test_an_input_is_given_once(self, invoke: Invoke, two: Path, tmp_path: Path) -> None:
         table = tmp_path / "tau.csv"
         table.write_text("time,tau\n0,0\n100,0\n")

@@ -25,6 +25,7 @@ from lagdsl.semantics.scope.values import (
 )
 from lagdsl.semantics.types.dimensions import fits, require
 from lagdsl.syntax import nodes
+from lagdsl.units.parse import counts_turns
 
 
 @record()
@@ -112,7 +113,7 @@ def _is_rounded(value: Scalar | flat.FlatExpression) -> bool:
 def _in_hertz(node: nodes.Node) -> nodes.Node | None:
     """The literal in Hz that is the value or an element or branch of it: a frequency, not an angular velocity."""
     if isinstance(node, nodes.Quantity):
-        return node if node.unit in ("Hz", "kHz", "MHz") else None
+        return node if counts_turns(node.unit) else None
     if isinstance(node, nodes.Unary | nodes.Parenthesized):
         inner = node.operand if isinstance(node, nodes.Unary) else node.inner
         found = _in_hertz(inner)

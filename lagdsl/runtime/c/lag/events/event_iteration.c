@@ -12,7 +12,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           4 * lag_motion_size(model) + model->nz + 4 * model->nindicator + 3 * model->ncontact;
+           5 * lag_motion_size(model) + model->nz + 4 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -43,6 +43,7 @@ void lag_event_iteration_place(
     iteration->fail = lag_take(&memory, model->nfail);
     iteration->held = lag_take(&memory, size);
     iteration->rate = lag_take(&memory, size);
+    iteration->middle = lag_take(&memory, size);
     iteration->later = lag_take(&memory, size);
     iteration->point = lag_take(&memory, size);
     iteration->states = lag_take(&memory, model->nz);

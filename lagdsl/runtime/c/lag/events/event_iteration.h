@@ -28,7 +28,7 @@ typedef struct lag_event_iteration {
     double *collision, *restitution; /* (ncollision) */
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
-    double *rate, *later;  /* (2 nq + nz) */
+    double *rate, *middle, *later; /* (2 nq + nz) */
     double *point;         /* (2 nq + nz) */
     double *states;        /* (nz) before the clauses of this pass set them */
     const double *from;    /* (2 nq + nz) the state before the event */
@@ -95,6 +95,12 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 
 /* Relations that pass zero here become what they are a moment later. */
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
+
+/*
+ * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
+ * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N.
+ */
+lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned);
 
 /*
  * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned`, which has changed, back across its zero

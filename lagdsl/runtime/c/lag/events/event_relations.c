@@ -75,10 +75,30 @@ static void go(lag_event_iteration *iteration, const double *x, double time)
     }
 }
 
+/*
+ * An acceleration that passes zero here is the one in the middle of `lookahead`: where a body breaks away under a force that grows, round-off
+ * alone gives it a sign.
+ */
+static void leave_zero(lag_event_iteration *iteration, double t, const double *x)
+{
+    lag_motion *motion = iteration->motion;
+    const double half = iteration->lookahead / 2.0;
+    go(iteration, x, half);
+    if (motion->ode.rates(motion, t + half, iteration->later, iteration->middle) != LAG_OK) {
+        return;
+    }
+    for (size_t i = motion->model->nq; i < lag_motion_size(motion->model); ++i) {
+        const double middle = iteration->middle[i];
+        iteration->rate[i] = fabs(iteration->rate[i]) <= PASSING * fabs(middle) ? middle : iteration->rate[i];
+    }
+}
+
 void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x)
 {
     lag_motion *motion = iteration->motion;
-    if (motion->ode.rates(motion, t, x, iteration->rate) != LAG_OK) {
+    if (motion->ode.rates(motion, t, x, iteration->rate) == LAG_OK) {
+        leave_zero(iteration, t, x);
+    } else {
         lag_fill(lag_motion_size(motion->model), 0.0, iteration->rate);
     }
     go(iteration, x, iteration->lookahead);
@@ -258,6 +278,28 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x)
 {
     return lag_event_iteration_ahead(iteration, t, x, NULL);
+}
+
+lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *truth = iteration->motion->w + iteration->places.relation;
+    if (!lag_any(model->nindicator, turned)) {
+        return LAG_OK;
+    }
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_status status = indicate(iteration, t, x, iteration->now);
+    if (status == LAG_OK) {
+        status = indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then);
+    }
+    status = status == LAG_OK ? look_sooner(iteration, t, x, NULL) : status;
+    lag_noise_find(iteration->noise, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const double now = fabs(iteration->now[i]) <= iteration->noise->sigma[i] ? 0.0 : iteration->now[i];
+        const int stays = holds(model, i, passing(iteration, i) ? iteration->then[i] : now) == (truth[i] != 0.0);
+        turned[i] = stays ? 0.0 : turned[i];
+    }
+    return status;
 }
 
 double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead)

@@ -321,12 +321,13 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     return status;
 }
 
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
     remember(instants, x);
     lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
+    status = ticks && status == LAG_OK ? lag_event_iteration_reach(&instants->iteration, t, x, changed) : status;
     int any = 0;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {

@@ -67,9 +67,9 @@ double lag_instants_same(const lag_instants *instants, double t);
 
 /*
  * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact). With `ticks`,
- * also the ticks at t. LAG_CHATTER: events crowd.
+ * also the ticks at t; flags of relations that do not turn then are cleared. LAG_CHATTER: events crowd.
  */
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks);
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int ticks);
 
 /* Events at t follow on a step of length h. */
 void lag_instants_after(lag_instants *instants, double t, double h);

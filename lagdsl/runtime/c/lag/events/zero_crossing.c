@@ -186,7 +186,14 @@ int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which
     return which < relations || which >= relations + crossings->motion->model->ncontact;
 }
 
-int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x)
+/* True if a value comes to zero itself from where it was clearly not, as one that `limit` or `min` ends at its border. */
+static int ends_at_zero(const lag_zero_crossing *crossings, size_t which, const double *from)
+{
+    const double noise = lag_zero_crossing_noise(crossings, which);
+    return from != NULL && lag_zero_crossing_value(crossings, which) == 0.0 && from[which] > CLEARLY * noise;
+}
+
+int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x, const double *from)
 {
     const size_t count = lag_zero_crossing_count(crossings);
     int unclear = 0;
@@ -200,7 +207,9 @@ int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double
     }
     lag_noise_find(crossings->noise, t, x);
     for (size_t i = 0; i < count; ++i) {
-        if (lag_zero_crossing_has_noise(crossings, i) && crossings->changed[i] != 0.0 && -lag_zero_crossing_value(crossings, i) <= lag_zero_crossing_noise(crossings, i)) {
+        const int is_round_off = -lag_zero_crossing_value(crossings, i) <= lag_zero_crossing_noise(crossings, i);
+        const int has_changed = lag_zero_crossing_has_noise(crossings, i) && crossings->changed[i] != 0.0;
+        if (has_changed && is_round_off && !ends_at_zero(crossings, i, from)) {
             crossings->band[i] = fmax(crossings->band[i], lag_zero_crossing_noise(crossings, i));
         }
     }

@@ -52,8 +52,9 @@ lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const 
 
 /*
  * Widens the bands of relations that the last look, at x at time t, saw change, so that a change within round-off counts as
- * none. Returns 1 if another look is needed.
+ * none, but for values that are zero itself and were clearly not `from` (before, or null), as one that `limit` ends at its border.
+ * Returns 1 if another look is needed.
  */
-int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x);
+int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x, const double *from);
 
 #endif

@@ -30,17 +30,35 @@ lag_status lag_run_enter(lag_run *run)
     return has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
 }
 
+/* Of the relations that have changed at the end of a row of inputs, those that turn by the inputs from then on. */
+static lag_status reach_next_row(lag_run *run, double *changed)
+{
+    const double until = run->motion.until;
+    if (run->stepper.t < until) {
+        return LAG_OK;
+    }
+    run->motion.until = (double)INFINITY;
+    const lag_status status = lag_event_iteration_reach(&run->instants.iteration, run->stepper.t, run->stepper.x, changed);
+    run->motion.until = until;
+    return status;
+}
+
 static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
 {
     const lag_model *model = run->motion.model;
+    const size_t count = model->nindicator + model->ncontact;
     double *x = run->stepper.x;
     lag_instants_after(&run->instants, run->stepper.t, h);
     if (changed == NULL) {
         return LAG_OK;
     }
+    memmove(run->crossings.changed, changed, count * sizeof(double));
+    lag_status status = reach_next_row(run, run->crossings.changed);
+    if (status == LAG_OK && !ticks && !lag_any(count, run->crossings.changed)) {
+        return LAG_OK;
+    }
     ++run->events;
-    memmove(run->crossings.changed, changed, (model->nindicator + model->ncontact) * sizeof(double));
-    lag_status status = tell(run, LAG_BEFORE);
+    status = status == LAG_OK ? tell(run, LAG_BEFORE) : status;
     if (status == LAG_OK) {
         status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, ticks));
     }
@@ -70,7 +88,7 @@ static lag_status find_turned(lag_run *run, int *any)
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
     lag_status status = model->nindicator + model->ncontact > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
-    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x)) {
+    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x, NULL)) {
         status = lag_zero_crossing_look(crossings, s->t, s->x);
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */

@@ -47,7 +47,8 @@ static void remember(lag_run *run, int k)
 static lag_status look(lag_run *run, double t)
 {
     const lag_status status = lag_scan_look(run, t);
-    return status == LAG_EVENT_PENDING && lag_zero_crossing_widen(&run->crossings, t, run->point) ? lag_scan_look(run, t) : status;
+    const int pending = status == LAG_EVENT_PENDING;
+    return pending && lag_zero_crossing_widen(&run->crossings, t, run->point, run->crossings.seen[0]) ? lag_scan_look(run, t) : status;
 }
 
 /* ---- what comes and goes between looks ---- */
