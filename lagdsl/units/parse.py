@@ -18,6 +18,7 @@ _TOKEN = re.compile(r"(?P<name>[A-Za-z_µμ°%Ω]+)|(?P<one>1)|(?P<mark>[./()*])
 _EXPONENT = re.compile(r"\^?(?P<whole>[+-]?[1-9][0-9]?)(?![0-9])|\^\((?P<ratio>-?[1-9][0-9]?/[1-9][0-9]?)\)")
 _LONGEST = 100
 _CYCLES = ("Hz", "kHz", "MHz")
+_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "rpm"})
 
 
 class UnknownUnit(ValueError):  # noqa: N818 the contract's name
@@ -48,6 +49,11 @@ class UnknownUnit(ValueError):  # noqa: N818 the contract's name
 def counts_turns(text: str) -> bool:
     """True for a unit of frequencies. An angular velocity counts angles in the same dimension."""
     return text.strip() in _CYCLES
+
+
+def counts_angles(text: str) -> bool:
+    """True for a unit with an angle in it, as those of angular velocities, `rad/s` and `rpm`."""
+    return any(match["name"] in _ANGLES for match in _TOKEN.finditer(text))
 
 
 @lru_cache(maxsize=1024)

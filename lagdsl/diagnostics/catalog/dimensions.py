@@ -95,4 +95,9 @@ ROWS: dict[str, Row] = {
         label="a number without a unit",
         help="write `{number} deg` if degrees are meant, `{number} rad` if not",
     ),
+    "E0420": error(
+        "{what} is a frequency, and `{unit}` counts angles",
+        label="an angular velocity",
+        help="write Hz, as 60 rpm are 1 Hz, or declare an `AngularVelocity`",
+    ),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from lagdsl.flat import expression as flat
@@ -25,7 +26,7 @@ from lagdsl.semantics.scope.values import (
 )
 from lagdsl.semantics.types.dimensions import fits, require
 from lagdsl.syntax import nodes
-from lagdsl.units.parse import counts_turns
+from lagdsl.units.parse import counts_angles, counts_turns
 
 
 @record()
@@ -49,8 +50,11 @@ def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected
         return None
     if expected.dimension is None:
         return shaped
-    if expected.unit in ("rad/s", "rpm") and (literal := _in_hertz(node)) is not None:
-        ctx.sink.report("E0411", literal.span, what=expected.what)
+    if expected.unit in ("rad/s", "rpm") and (literal := _literal(node, counts_turns)) is not None:
+        ctx.sink.report("E0411", literal[0].span, what=expected.what)
+        return None
+    if expected.unit == "Hz" and (literal := _literal(node, counts_angles)) is not None:
+        ctx.sink.report("E0420", literal[0].span, what=expected.what, unit=literal[1])
         return None
     if not fits(shaped.dimension, expected.dimension):
         require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
@@ -110,14 +114,14 @@ def _is_rounded(value: Scalar | flat.FlatExpression) -> bool:
     return isinstance(expression, flat.Number) and abs(expression.value) >= EXACT_INTEGERS
 
 
-def _in_hertz(node: nodes.Node) -> nodes.Node | None:
-    """The literal in Hz that is the value or an element or branch of it: a frequency, not an angular velocity."""
+def _literal(node: nodes.Node, counts: Callable[[str], bool]) -> tuple[nodes.Node, str] | None:
+    """The literal, with its sign, that is the value or an element or branch of it and whose unit `counts`; the unit."""
     if isinstance(node, nodes.Quantity):
-        return node if counts_turns(node.unit) else None
+        return (node, node.unit) if counts(node.unit) else None
     if isinstance(node, nodes.Unary | nodes.Parenthesized):
         inner = node.operand if isinstance(node, nodes.Unary) else node.inner
-        found = _in_hertz(inner)
-        return node if found is inner else found
+        found = _literal(inner, counts)
+        return (node, found[1]) if found is not None and found[0] is inner else found
     parts: list[nodes.Expression] = []
     if isinstance(node, nodes.Array):
         parts = [*node.elements]
@@ -125,7 +129,7 @@ def _in_hertz(node: nodes.Node) -> nodes.Node | None:
         parts = [part for row in node.rows for part in row]
     if isinstance(node, nodes.Conditional):
         parts = [*(branch.value for branch in node.branches), node.otherwise]
-    return next(filter(None, map(_in_hertz, parts)), None)
+    return next((found for part in parts if (found := _literal(part, counts)) is not None), None)
 
 
 def bound(ctx: Context, scope: Scope, node: nodes.Expression, expected: Expected) -> Scalar | Array | Value:

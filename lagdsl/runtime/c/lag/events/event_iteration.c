@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 enum { MOST_PASSES = 100 };
 /* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
@@ -62,15 +63,6 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
     return iteration->tell != NULL ? iteration->tell(iteration->context, &notice) : LAG_OK;
 }
 
-static int same(size_t count, const double *a, const double *b)
-{
-    size_t i = 0;
-    while (i < count && a[i] == b[i]) {
-        ++i;
-    }
-    return i == count;
-}
-
 /* ---- one pass ---- */
 
 static lag_status look(lag_event_iteration *iteration, double t, const double *x)
@@ -96,7 +88,7 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
         for (size_t i = places->condition; i < places->clock; ++i) {
             w[i] = iteration->next[i];
         }
-        if (same(model->nw, iteration->before, w)) {
+        if (lag_same(model->nw, iteration->before, w)) {
             break;
         }
     }
@@ -109,7 +101,7 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
     const lag_places *places = &iteration->places;
     const size_t count = places->clock - places->condition;
     const lag_status status = count > 0 ? look(iteration, t, x) : LAG_OK;
-    *changed = status == LAG_OK && !same(count, iteration->next + places->condition, iteration->motion->w + places->condition);
+    *changed = status == LAG_OK && !lag_same(count, iteration->next + places->condition, iteration->motion->w + places->condition);
     return status;
 }
 
@@ -197,7 +189,7 @@ static int is_settled(const lag_event_iteration *iteration)
     const lag_places *places = &iteration->places;
     const size_t relations = iteration->motion->model->nindicator;
     const double *w = iteration->motion->w;
-    return same(places->contact, w, iteration->settled) && same(relations, w + places->relation, iteration->settled + places->relation);
+    return lag_same(places->contact, w, iteration->settled) && lag_same(relations, w + places->relation, iteration->settled + places->relation);
 }
 
 /* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
@@ -230,7 +222,7 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     const lag_model *model = iteration->motion->model;
     const double *held = acted ? iteration->held + model->nq : NULL;
     int jumped = 0;
-    if (is_settled(iteration) && same(model->nz, x + 2 * model->nq, iteration->states)) {
+    if (is_settled(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
     const double *was = with_states(iteration, x, iteration->states);
@@ -283,7 +275,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
     memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &iteration->places, motion->w);
-    if (!same(iteration->places.contact, motion->w, iteration->before)) {
+    if (!lag_same(iteration->places.contact, motion->w, iteration->before)) {
         status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
     }
     status = status == LAG_OK ? act(iteration, t, x, acted) : status;
@@ -318,7 +310,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         int acted = 0;
         memcpy(iteration->before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
-        if (status == LAG_OK && !acted && same(model->nw, iteration->before, w)) {
+        if (status == LAG_OK && !acted && lag_same(model->nw, iteration->before, w)) {
             return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
         }
     }

@@ -59,12 +59,7 @@ lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, c
 /* True if the event has not changed the state so far. */
 static int is_same(const lag_event_iteration *iteration, const double *x)
 {
-    const size_t size = lag_motion_size(iteration->motion->model);
-    size_t i = 0;
-    while (i < size && x[i] == iteration->from[i]) {
-        ++i;
-    }
-    return i == size;
+    return lag_same(lag_motion_size(iteration->motion->model), x, iteration->from);
 }
 
 /* The state so much later, by its rates. */

@@ -222,7 +222,7 @@ static lag_status see(lag_refraction *r, double t, const double *x, double *mome
     return status == LAG_OK && model->nc > 0 ? model->velocity_constraint(&motion->at, speeds, rows) : status;
 }
 
-/* 1: a relation is in the Lagrangian or in a constraint: what follows from it is not the same to the bit. Most are in forces only. */
+/* 1: a relation is in the Lagrangian or in a constraint: what follows from it is not the same. Most are in forces only. */
 static int matters(lag_refraction *r, double t, const double *x, size_t which)
 {
     const lag_model *model = r->motion->model;
@@ -233,9 +233,8 @@ static int matters(lag_refraction *r, double t, const double *x, size_t which)
     turn(r, t, x, which);
     status = status == LAG_OK ? see(r, t, x, r->along, r->momentum->jacobian, r->momentum->rows, &after) : status;
     memcpy(truth, r->truth, model->nindicator * sizeof(double));
-    return status != LAG_OK || before != after || memcmp(r->before, r->along, model->nq * sizeof(double)) != 0 ||
-           memcmp(r->speeds, r->momentum->rows, model->nc * sizeof(double)) != 0 ||
-           memcmp(r->rows, r->momentum->jacobian, model->nc * model->nq * sizeof(double)) != 0;
+    return status != LAG_OK || before != after || !lag_same(model->nq, r->before, r->along) ||
+           !lag_same(model->nc, r->speeds, r->momentum->rows) || !lag_same(model->nc * model->nq, r->rows, r->momentum->jacobian);
 }
 
 /* Round-off of the indicator. */

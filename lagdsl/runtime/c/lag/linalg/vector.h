@@ -14,6 +14,16 @@ static inline double lag_dot(size_t count, const double *x, const double *y)
     return sum;
 }
 
+/* True if x and y are equal, each number of them. */
+static inline int lag_same(size_t count, const double *x, const double *y)
+{
+    size_t i = 0;
+    while (i < count && x[i] == y[i]) {
+        ++i;
+    }
+    return i == count;
+}
+
 /* y += factor x */
 static inline void lag_axpy(size_t count, double factor, const double *x, double *y)
 {

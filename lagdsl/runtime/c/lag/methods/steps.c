@@ -5,6 +5,7 @@
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
 #include "lag/stepper.h"
+#include "lag/linalg/vector.h"
 
 /* A last step that would leave less than this part of itself is stretched. */
 static const double STRETCH = 1.01;
@@ -42,21 +43,11 @@ static void begin(lag_stepper *s)
     *at.count = 0.0;
 }
 
-static int same(size_t size, const double *x, const double *y)
-{
-    for (size_t i = 0; i < size; ++i) {
-        if (x[i] != y[i]) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* The system as the formulas see it: counted, and known at the present state. */
 static lag_status rates(void *context, double t, const double *x, double *xd)
 {
     lag_stepper *s = context;
-    if (t == s->t && same(s->ode->size, x, s->x)) {
+    if (t == s->t && lag_same(s->ode->size, x, s->x)) {
         memcpy(xd, s->f, s->ode->size * sizeof(double));
         return LAG_OK;
     }
