@@ -217,6 +217,11 @@ ROWS: dict[str, Row] = {
         "the color `{color}` is not drawn: no color of CSS has this name",
         label="the shape keeps its own color",
     ),
+    "W0353": warning(
+        "the start of `{name}` is computed with the guess of a free parameter",
+        label="not with the value that the initial equations give it",
+        help="write the relation as an initial equation, or give the start a value of its own",
+    ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(
         "the {which} must be known while compiling",

@@ -1,4 +1,4 @@
-"""E0349, E0350: parameters that are found with the start, and what decides them."""
+"""E0349, E0350, W0353: parameters that are found with the start, and what decides them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from lagdsl.flat.traversal import postorder
 
 
 def check_free_parameters(model: fm.FlatModel, sink: Sink) -> None:
-    """E0349 for fewer initial equations than free parameters, E0350 for a fixed start that moves with one."""
+    """E0349 for fewer initial equations than free parameters, E0350 for a fixed start that moves with one,
+    W0353 for another one."""
     free = [parameter for parameter in model.parameters if parameter.free]
     if not free:
         return
@@ -27,11 +28,11 @@ def check_free_parameters(model: fm.FlatModel, sink: Sink) -> None:
             (coordinate.fixed, coordinate.start, coordinate.name),
             (coordinate.rate_fixed, coordinate.rate_start, f"der({coordinate.name})"),
         ):
-            if fixed and _uses(start, moved):
-                sink.report("E0350", place(coordinate), name=name)
+            if _uses(start, moved):
+                sink.report("E0350" if fixed else "W0353", place(coordinate), name=name)
     for state in model.states:
-        if state.fixed and _uses(state.start, moved):
-            sink.report("E0350", place(state), name=state.name)
+        if _uses(state.start, moved):
+            sink.report("E0350" if state.fixed else "W0353", place(state), name=state.name)
 
 
 def _counted(free: list[fm.Parameter]) -> str:
