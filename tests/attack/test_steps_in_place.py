@@ -121,7 +121,7 @@ ON_BORDERS = [
         model(FROM.format(1, 0) + "force 2 on x; potential if x <= 1 then 0 else 1.5;"),
         1.0,
         {"x": 1.0},
-        refused=("E0833",),
+        refused=("E0833", "E0908"),
     ),
     Attack(
         # 2 is 1 on the step, half of it comes back, and down it goes
@@ -143,8 +143,8 @@ ON_BORDERS = [
         # 1/2 v^2 = 3.5 is enough for three stairs
         "many_stairs",
         model(FROM.format(0, sqrt(7)) + "potential floor(x);"),
-        2 * (1 / sqrt(7) + 1 / sqrt(5) + 1 / sqrt(3) + 1) - 1 / sqrt(7),
-        {"x": 1.0, "der(x)": -sqrt(7)},
+        2 * (1 / sqrt(7) + 1 / sqrt(5) + 1 / sqrt(3) + 1) - 0.5 / sqrt(7),
+        {"x": 0.5, "der(x)": -sqrt(7)},
     ),
     Attack(
         "height_that_another_coordinate_gives",
