@@ -275,6 +275,33 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
     return lag_event_iteration_ahead(iteration, t, x, NULL);
 }
 
+/*
+ * Values by which relations flagged in `turned` are judged, into `then`: the first one that has moved clearly after a short time, so that a narrow
+ * `abs(x - a) < b` is seen; else the one now, zero where it is round-off.
+ */
+static lag_status look_where_they_go(lag_event_iteration *iteration, double t, const double *x, const double *turned)
+{
+    const size_t count = iteration->motion->model->nindicator;
+    const double *sigma = iteration->noise->sigma;
+    double *waits = iteration->truth;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < count; ++i) {
+        waits[i] = turned[i];
+        iteration->then[i] = fabs(iteration->now[i]) <= sigma[i] ? 0.0 : iteration->now[i];
+    }
+    for (double after = iteration->moment; after < LONGER * iteration->lookahead && lag_any(count, waits) && status == LAG_OK; after *= LONGER) {
+        go(iteration, x, fmin(after, iteration->lookahead));
+        status = indicate(iteration, t + fmin(after, iteration->lookahead), iteration->later, iteration->soon);
+        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+            if (waits[i] != 0.0 && PASSING * fabs(iteration->soon[i] - iteration->now[i]) > fmax(sigma[i], fabs(iteration->now[i]))) {
+                iteration->then[i] = iteration->soon[i];
+                waits[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
 lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned)
 {
     const lag_model *model = iteration->motion->model;
@@ -284,15 +311,10 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     }
     lag_event_iteration_move_on(iteration, t, x);
     lag_status status = indicate(iteration, t, x, iteration->now);
-    if (status == LAG_OK) {
-        status = indicate(iteration, t + iteration->lookahead, iteration->later, iteration->then);
-    }
-    status = status == LAG_OK ? look_sooner(iteration, t, x, NULL) : status;
     lag_noise_find(iteration->noise, t, x);
+    status = status == LAG_OK ? look_where_they_go(iteration, t, x, turned) : status;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const double now = fabs(iteration->now[i]) <= iteration->noise->sigma[i] ? 0.0 : iteration->now[i];
-        const int stays = holds(model, i, passing(iteration, i) ? iteration->then[i] : now) == (truth[i] != 0.0);
-        turned[i] = stays ? 0.0 : turned[i];
+        turned[i] = holds(model, i, iteration->then[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
     return status;
 }
