@@ -204,6 +204,64 @@ PARAMETERS = [
 ]
 
 
-@rows([*PULSES, *STAIRS, *PASSED, *SOURCES, *PARAMETERS])
+REST = "coordinate Real x; kinetic 1/2*der(x)^2; "
+COUNT = REST + "discrete Integer n(start = 0); Real f = {}; "
+# A function of time whose line changes where a relation is zero: it touches, or stays.
+TOUCHED = [
+    Attack(
+        "top_of_a_tent",
+        model(COUNT.format("min(time, 2 - time)"), "when f > 1 then n = pre(n) + 1; end when;"),
+        2.0,
+        {"n": 0},
+    ),
+    Attack(
+        "top_of_a_tent_far_away",
+        model(COUNT.format("min(time - 1e5, 1e5 + 2 - time)"), "when f > 1 then n = pre(n) + 1; end when;"),
+        1.5e5,
+        {"n": 0},
+    ),
+    Attack(
+        "just_below_the_top",
+        model(COUNT.format("table(time, {0, 1, 2}, {0, 1, 0})"), "when f > 1 - 1e-9 then n = pre(n) + 1; end when;"),
+        2.0,
+        {"n": 1},
+    ),
+    Attack(
+        "saw_below_its_top",
+        model(COUNT.format("mod(time, 1)"), "when f >= 1 then n = pre(n) + 1; end when;"),
+        3.25,
+        {"n": 0},
+    ),
+    Attack(
+        "limit_that_is_not_passed",
+        model(REST + "Real f = min(3*time, 3); force if f > 3 then 5 else 1 on x;"),
+        2.0,
+        {"der(x)": 2.0},
+    ),
+    Attack(
+        "limit_that_is_reached",
+        model(REST + "Real f = min(3*time, 3); force if f >= 3 then 5 else 1 on x;"),
+        2.0,
+        {"der(x)": 6.0},
+    ),
+    Attack(
+        "stairs_of_a_tent",
+        model(REST + "state Real z; Real f = 3*min(time, 2 - time);", "der(z) = floor(f);"),
+        2.0,
+        {"z": 2.0},
+    ),
+    Attack(
+        "needle_at_a_corner_of_time",
+        model(
+            "coordinate Real x(der(start = 1)); kinetic 1/2*der(x)^2; discrete Integer n(start = 0); state Real z;",
+            "der(z) = max(0, time - 1); when abs(x - 1) < 1e-6 then n = pre(n) + 1; end when;",
+        ),
+        3.0,
+        {"n": 1, "z": 2.0},
+    ),
+]
+
+
+@rows([*PULSES, *STAIRS, *PASSED, *SOURCES, *PARAMETERS, *TOUCHED])
 def test_corners(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -18,7 +18,7 @@ static const double OFF = 0.01;
 
 size_t lag_timed_memory(const lag_model *model)
 {
-    return 3 * model->ntimed + 6 * model->ndistance;
+    return 3 * model->ntimed + 8 * model->ndistance;
 }
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
@@ -36,6 +36,8 @@ void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
     timed->affine = lag_take(&memory, model->ndistance);
     timed->entry = lag_take(&memory, model->ndistance);
     timed->change = lag_take(&memory, model->ndistance);
+    timed->old_distance = lag_take(&memory, model->ndistance);
+    timed->old_rate = lag_take(&memory, model->ndistance);
     timed->zero = memory;
 }
 
@@ -242,19 +244,39 @@ lag_status lag_timed_seek(lag_timed *timed, double t)
     return status;
 }
 
+/* Distance i has reached zero by its line, and the entry that it belongs to is what it was: the change is lost in round-off. */
+static int is_lost(const lag_timed *timed, size_t i, double later)
+{
+    const size_t count = timed->motion->model->ntimed;
+    const double *w = timed->motion->w + timed->first;
+    const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)count;
+    const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
+    return known && reached && w[(size_t)timed->entry[i]] == timed->before[(size_t)timed->entry[i]];
+}
+
 lag_status lag_timed_change(lag_timed *timed, double t)
 {
     const lag_model *model = timed->motion->model;
     const double later = t + resolution(timed, t);
     double *w = timed->motion->w + timed->first;
+    int lost = 0;
     memcpy(timed->before, w, model->ntimed * sizeof(double));
-    const lag_status status = look(timed, later);
+    lag_status status = look(timed, later);
     memcpy(w, timed->value, model->ntimed * sizeof(double));
     for (size_t i = 0; i < model->ndistance; ++i) {
-        const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)model->ntimed;
-        const size_t which = known ? (size_t)timed->entry[i] : 0;
-        const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
-        if (known && reached && w[which] == timed->before[which]) {
+        lost = lost || is_lost(timed, i, later);
+    }
+    if (!lost || status != LAG_OK) {
+        return status;
+    }
+    memcpy(timed->old_distance, timed->distance, model->ndistance * sizeof(double));
+    memcpy(timed->old_rate, timed->rate, model->ndistance * sizeof(double));
+    status = look(timed, later);
+    for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
+        /* by a line that changes here, as that of a tent at its top, nothing was to come */
+        const int goes_on = timed->distance[i] == timed->old_distance[i] && timed->rate[i] == timed->old_rate[i];
+        if (is_lost(timed, i, later) && goes_on) {
+            const size_t which = (size_t)timed->entry[i];
             w[which] = timed->change[i] != 0.0 ? w[which] + timed->change[i] : 1.0 - w[which];
         }
     }

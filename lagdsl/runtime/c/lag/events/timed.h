@@ -21,6 +21,7 @@ typedef struct lag_timed {
     double *before;                           /* (ntimed) the entries before the last change */
     double *distance, *rate, *affine, *entry, *change; /* (ndistance) */
     double *zero;                             /* (ndistance) the time at which it reaches zero */
+    double *old_distance, *old_rate;          /* (ndistance) with the entries before the change */
 } lag_timed;
 
 /* Doubles for them. */
