@@ -26,7 +26,7 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
     coordinates = {coordinate.name for coordinate in flat.coordinates}
     differences = {each.name: each.difference for each in flat.events.relations}
 
-    def moving(name: str) -> bool:
+    def turns(name: str) -> bool:
         return name in differences and any(each in coordinates for each in dependence.of(differences[name]))
 
     degree = RateDegree(dependence)
@@ -44,7 +44,7 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
         elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(trials, term):
             sink.report("E0504", place(term), *around(term))
         else:
-            stepped = any(moving(name) for name in dependence.of(term.value))
+            stepped = any(turns(name) for name in dependence.of(term.value))
             _check_effect(term, orders, stepped, sink)
     if not sink.has_errors:
         _check_sign(flat, trials, sink)
