@@ -12,7 +12,7 @@ from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
-from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
+from lagdsl.mechanics.lowering.acceleration import needs_accelerations, refuse_accelerations
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.solve import solve
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
@@ -79,6 +79,7 @@ def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
     gamma = constraints.bias(lowering, rows)
     f = lagrange.forcing(lowering, terms) if dense or equations.flat.states else []
     _refuse_accelerating_states(equations, [*f, *gamma])
+    _refuse_places_of_rates(equations, phi)
     tau = inverse_dynamics(lowering, equations.flat, equations.dynamics, directions)
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
@@ -103,6 +104,16 @@ def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
             _vector("ds", directional(graph, s, STATE_GROUPS)),
         ],
     }
+
+
+def _refuse_places_of_rates(equations: Equations, phi: Sequence[int]) -> None:
+    """E0308 at a state whose rate follows rates of coordinates and that a position row holds: the second derivative of
+    the row has accelerations that its gradient does not tell."""
+    graph, lowering = equations.graph, equations.lowering
+    present = set(graph.live(phi)) if equations.flat.states else set()
+    for state, symbol in zip(equations.flat.states, equations.symbols.z, strict=True):
+        if symbol in present and graph.depends(lowering.scalar(state.derivative), Group.QD):
+            raise needs_accelerations(state.spans, f"what a constraint on `{state.name}` asks for")
 
 
 def _refuse_accelerating_states(equations: Equations, forces: Sequence[int]) -> None:

@@ -98,7 +98,14 @@ class _Ranks:
         self._graph = Graph()
         self._table = table
         nodes = {table.time: self._graph.symbol(Group.TIME)}
-        groups = {Group.Q: table.q, Group.QD: table.qd, Group.U: table.u, Group.W: table.w, Group.P: table.p}
+        groups = {
+            Group.Q: table.q,
+            Group.QD: table.qd,
+            Group.Z: table.z,
+            Group.U: table.u,
+            Group.W: table.w,
+            Group.P: table.p,
+        }
         for group, members in groups.items():
             nodes |= {symbol: self._graph.symbol(group, index) for index, symbol in enumerate(members)}
         self._to_graph = ToGraph(self._graph, nodes)
@@ -137,6 +144,7 @@ class _Ranks:
             Group.TIME: 0.3,
             Group.Q: q,
             Group.QD: np.ones(len(q)),
+            Group.Z: 0.5 + 0.5 * np.random.default_rng(_SEED + 1).random(len(table.z)),
             Group.U: np.zeros(len(table.u)),
             Group.W: np.zeros(len(table.w)),
             Group.P: np.array(self._parameters, dtype=float),

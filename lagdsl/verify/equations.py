@@ -107,7 +107,8 @@ def tangents(program: Program, engine: Engine, states: Arrays) -> Line:
 
 def power(program: Program, states: Arrays) -> Line:
     """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with the Jacobi integral h = qd . dL/dqd - L (Goldstein 2.7);
-    states are held, and inputs but for those whose derivatives are inputs, too: their motion is part of dL/dt."""
+    inputs are held but for those whose derivatives are inputs, too: their motion, and that of states, is part of
+    dL/dt."""
     part, names = 0.0, [slot.name for slot in program.layout.inputs]
     follows = [(k, names.index(f"der({name})")) for k, name in enumerate(names) if f"der({name})" in names]
     for i in range(0, len(states[Group.TIME]), 5):
@@ -117,7 +118,12 @@ def power(program: Program, states: Arrays) -> Line:
         u = state[Group.U].astype(complex)
         for k, rate_of in follows:
             u[k] += 1j * _STEP * state[Group.U][rate_of]
-        later = state | {Group.TIME: state[Group.TIME] + 1j * _STEP, Group.U: u}
+        (zd,) = values(program, "state_derivative", state | {Group.QDD: qdd, Group.LAMBDA: lam})
+        later = state | {
+            Group.TIME: state[Group.TIME] + 1j * _STEP,
+            Group.Z: state[Group.Z] + 1j * _STEP * zd,
+            Group.U: u,
+        }
         moving = later | {
             Group.Q: state[Group.Q] + 1j * _STEP * qd,
             Group.QD: qd + 1j * _STEP * qdd,

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from math import cos, exp, sin, sqrt
 
+import pytest
 from attack.rows import Attack, check, model, rows
+
+import lagdsl
 
 FOLLOWING = [
     Attack(
@@ -89,6 +92,29 @@ FOLLOWING = [
         3.0,
         {"der(x)": exp(-1.0)},
         refused=("E0308",),
+    ),
+    Attack(
+        # x follows y, which falls; the constraint pulls x alone
+        "place_of_a_constraint_that_follows_a_speed",
+        model(
+            "coordinate Real x, y; state Real w; kinetic 1/2*(der(x)^2 + der(y)^2); force -2 on y; constraint d: x = w;"
+            "output Real pull = multiplier(d);",
+            "der(w) = der(y);",
+        ),
+        1.0,
+        {"x": -1.0, "pull": -2.0},
+        refused=("E0308",),
+    ),
+    Attack(
+        # the edge turns with 0.7 + 0.2 x: the side force is m v times that
+        "edge_that_follows_a_place",
+        model(
+            "coordinate Real x(der(start = 1)), y; state Real a, l(start = 0); kinetic 1/2*(der(x)^2 + der(y)^2);"
+            "constraint k: der(y)*cos(a) - der(x)*sin(a) = 0; output Real off = multiplier(k) - 0.7 - 0.2*x;",
+            "der(a) = 0.7 + 0.2*x; der(l) = der(x)*cos(a) + der(y)*sin(a);",
+        ),
+        2.0,
+        {"off": 0.0, "l": 2.0},
     ),
 ]
 
@@ -249,6 +275,16 @@ TORN = [
         ("ground", "mass 1 at {x, 0}; contact c: x + 1 >= p with restitution = 0.5;", "E0834"),
     )
 ]
+
+
+@pytest.mark.parametrize("name", ["edge_that_follows_a_place", "rate_that_a_state_has"])
+def test_certificates_and_derivations_of_states(name: str) -> None:
+    """Derivations count rows with states; the power of what states do is part of the balance."""
+    moved = "coordinate Real x(der(start = 1)); state Real z(start = 1), w; kinetic 1/2*(1 + der(z)^2)*der(x)^2;"
+    rate = model(moved, "der(z) = w; der(w) = -4*z;")
+    attacked = lagdsl.compile(next((row.text for row in FOLLOWING if row.name == name), rate))
+    assert "Lagrange" in str(attacked.derive())
+    assert attacked.verify().holds
 
 
 @rows([*FOLLOWING, *SET, *STARTED, *TORN])

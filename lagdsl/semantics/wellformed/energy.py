@@ -24,6 +24,11 @@ _FACTORS = ((-2.0, -0.5, 1.0, 2.5), (0.5, 1.0, 1.5, 2.0))
 def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """Each `kinetic`, `potential`, `lagrangian`, `dissipation` must have its form and an effect."""
     coordinates = {coordinate.name for coordinate in flat.coordinates}
+    differences = {each.name: each.difference for each in flat.events.relations}
+
+    def turns(name: str) -> bool:
+        return name in differences and any(each in coordinates for each in dependence.of(differences[name]))
+
     degree = RateDegree(dependence)
     trials = _Trials(flat)
     for term in flat.energies:
@@ -39,7 +44,8 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
         elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(trials, term):
             sink.report("E0504", place(term), *around(term))
         else:
-            _check_effect(term, orders, sink)
+            stepped = any(turns(name) for name in dependence.of(term.value))
+            _check_effect(term, orders, stepped, sink)
     if not sink.has_errors:
         _check_sign(flat, trials, sink)
         if not check_damping(flat, sink):
@@ -103,7 +109,8 @@ def _check_dissipation(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
             return
 
 
-def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], sink: Sink) -> None:
+def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], stepped: bool, sink: Sink) -> None:
+    """W0514 for a term without effect; one that is `stepped` by relations of the motion acts where they turn."""
     if term.kind == "dissipation" and not any(orders.values()):
         sink.report(
             "W0514",
@@ -112,7 +119,7 @@ def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], sink: Sink) ->
             keyword=term.kind,
             reason="it depends on no rate, and only rates dissipate",
         )
-    elif not orders:
+    elif not orders and not stepped:
         sink.report("W0514", place(term), *around(term), keyword=term.kind, reason="it depends on no coordinate")
 
 

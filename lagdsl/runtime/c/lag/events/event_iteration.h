@@ -35,6 +35,7 @@ typedef struct lag_event_iteration {
     const double *stood;   /* (nw) the discrete variables before the event */
     double *now, *then, *soon; /* (nindicator) */
     double *truth;         /* (nindicator) relations before a pass turns them */
+    double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
     double *closed, *meeting, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
     int stopped;           /* a `terminate` acted */

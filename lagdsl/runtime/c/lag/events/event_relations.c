@@ -203,18 +203,6 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     return status;
 }
 
-lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
-{
-    double *truth = iteration->motion->w + iteration->places.relation;
-    iteration->refraction->length = iteration->contacts->length;
-    const lag_status status = lag_refraction_cross(iteration->refraction, t, x, which, iteration->lookahead, refracted, back);
-    truth[which] = *back ? truth[which] : 1.0 - truth[which];
-    if (status == LAG_CHATTER) {
-        iteration->guilty[iteration->places.relation + which] = 1.0;
-    }
-    return status == LAG_OK && *refracted ? lag_event_iteration_settled(iteration, t, x) : status;
-}
-
 /*
  * Relations that are zero at the start, but for round-off, into `soon`: so long after it, with accelerations, that each has moved clearly, but a small
  * part of the experiment at most; zero for those that do not move, and for others.

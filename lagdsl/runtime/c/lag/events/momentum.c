@@ -28,7 +28,7 @@ size_t lag_momentum_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t rows = model->nc + most_held(model);
-    return 6 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + 4 * model->nway + lag_motion_size(model) +
+    return 6 * n + n * n + model->nc * n + model->nc + model->nw + model->ncontact + rows * n + 2 * rows + 4 * model->nway + lag_motion_size(model) +
            lag_system_memory(n, rows);
 }
 
@@ -47,6 +47,8 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
     momentum->jacobian = lag_take(&memory, model->nc * n);
     momentum->rows = lag_take(&memory, model->nc);
     momentum->open = lag_take(&memory, model->nw);
+    momentum->holding = lag_take(&memory, model->ncontact);
+    memset(momentum->holding, 0, model->ncontact * sizeof(double));
     momentum->size = lag_take(&memory, n);
     momentum->chosen = lag_take(&memory, rows * n);
     momentum->right = lag_take(&memory, rows);
@@ -80,7 +82,7 @@ lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x)
     lag_motion *motion = momentum->motion;
     const lag_model *model = motion->model;
     memcpy(momentum->open, motion->w, model->nw * sizeof(double));
-    memset(momentum->open + momentum->places.contact, 0, model->ncontact * sizeof(double));
+    memcpy(momentum->open + momentum->places.contact, momentum->holding, model->ncontact * sizeof(double));
     lag_motion_look(motion, t, x);
     motion->at.w = momentum->open;
     lag_status status = momenta(motion, momentum->now);

@@ -23,7 +23,8 @@ typedef struct lag_momentum {
     double *now, *mass;        /* (nq) (nq, nq) */
     double *from;              /* (nq) momenta before a step of Newton's method */
     double *jacobian, *rows;   /* (nc, nq) (nc) */
-    double *open;              /* (nw) discretes with all contacts open */
+    double *open;              /* (nw) discretes with contacts as in `holding` */
+    double *holding;           /* (ncontact) flags of closed contacts that hold like constraints; zero but across a step */
     double *size;              /* (nq) of the momenta */
     double *chosen, *right;    /* (nc + most held, nq) (nc + most held) */
     double *force, *change;    /* (nq) */
@@ -41,7 +42,7 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
 lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w);
 
-/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open. */
+/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open that are not `holding`. */
 lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
 
 /* 1: momenta that were kept and those that were looked at, at rates qd, differ by more than this part of what enters them. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/slope.h"
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
 static const double CHANGE = 16.0 * DBL_EPSILON;
@@ -97,4 +98,77 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }
+}
+
+double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)
+{
+    const double own = fmax(noise->peak[j], fabs(x[j]));
+    return own > 0.0 ? own : 1.0;
+}
+
+/* A line through x: along coordinate or rate j, or along time with the states, the positions held. */
+typedef struct lag_line {
+    lag_noise *noise;
+    double t;
+    const double *x, *rate;
+    size_t which, j;
+} lag_line;
+
+/* The indicator at noise->point, with accelerations and multipliers as they are; not a number where there is none. */
+static double indicator(const lag_line *line, double t)
+{
+    lag_motion *motion = line->noise->motion;
+    lag_motion_look(motion, t, line->noise->point);
+    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
+}
+
+static double along_one(void *context, double by)
+{
+    const lag_line *line = context;
+    double *point = line->noise->point + line->j;
+    *point = line->x[line->j] + by;
+    const double g = indicator(line, line->t);
+    *point = line->x[line->j];
+    return g;
+}
+
+static double along_time(void *context, double by)
+{
+    const lag_line *line = context;
+    const lag_model *model = line->noise->motion->model;
+    for (size_t j = 2 * model->nq; j < lag_motion_size(model); ++j) {
+        line->noise->point[j] = line->x[j] + by * line->rate[j];
+    }
+    return indicator(line, line->t + by);
+}
+
+int lag_noise_differentiate(
+    lag_noise *noise, double t, const double *x, size_t which, const double *rate, double length, double *gradient, double *drift)
+{
+    const lag_model *model = noise->motion->model;
+    const size_t n = model->nq;
+    lag_line line = {.noise = noise, .t = t, .x = x, .rate = rate, .which = which};
+    lag_slope slope = {.noise = noise->sigma[which]};
+    double largest[2] = {0.0, 0.0}; /* coordinate and rate */
+    int by_place = 0;
+    int by_rates = 0;
+    memcpy(noise->point, x, lag_motion_size(model) * sizeof(double));
+    for (size_t j = 0; j < 2 * n; ++j) {
+        largest[j / n] = fmax(largest[j / n], lag_noise_extent(noise, x, j));
+    }
+    for (line.j = 0; line.j < 2 * n; ++line.j) {
+        slope.unit = lag_noise_extent(noise, x, line.j);
+        slope.most = largest[line.j / n];
+        lag_slope_find(&slope, along_one, &line);
+        if (line.j < n) {
+            gradient[line.j] = slope.value;
+            by_place = by_place || slope.value != 0.0;
+        } else {
+            by_rates = by_rates || slope.shows;
+        }
+    }
+    slope.unit = slope.most = fmax(fabs(t), length);
+    lag_slope_find(&slope, along_time, &line);
+    *drift = slope.value;
+    return isfinite(*drift) && by_place && !by_rates;
 }

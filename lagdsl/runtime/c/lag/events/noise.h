@@ -1,7 +1,7 @@
 /*
  * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error of the unit round-off eps, so
  * g is known to about eps |dg/dx x|: only what enters g counts, in its own units. The derivatives are differences along changes of all
- * numbers at once, with signs such that no two numbers change alike in all of them.
+ * numbers at once, with signs such that no two numbers change alike in all of them. Gradients, where a step needs them, take a difference for each number.
  */
 #ifndef LAG_NOISE_H
 #define LAG_NOISE_H
@@ -26,5 +26,15 @@ void lag_noise_follow(lag_noise *noise, const double *x);
 
 /* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
+
+/* The size of coordinate j, or of rate j - nq. */
+double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);
+
+/*
+ * After lag_noise_find: the gradient (nq) by q of indicator `which`, with accelerations and multipliers as they are, and *drift, its rate with time and
+ * states, which have the `rate` (2 nq + nz), the positions held. 0: it depends on rates, or not on positions. `length` of the experiment [s].
+ */
+int lag_noise_differentiate(
+    lag_noise *noise, double t, const double *x, size_t which, const double *rate, double length, double *gradient, double *drift);
 
 #endif

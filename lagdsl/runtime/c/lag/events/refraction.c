@@ -6,12 +6,8 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* Numbers are changed by this part of their sizes for differences. */
-static const double CHANGE = 6e-6;
 /* A jump of energy or momenta below this part of what they are made of is none. */
 static const double JUMP = 1e-11;
-/* g is zero where it is less than what it changes by in a moment; it does not depend on rates where it changes less than this part. */
-static const double STILL = 1e-9;
 /* So many round-offs of g are none. */
 static const double FEW = 4.0;
 /* A row is off by less than this part of its terms after projection. */
@@ -49,47 +45,6 @@ static double indicator(lag_refraction *r, double t, size_t which)
     return status == LAG_OK ? r->g[which] : (double)NAN;
 }
 
-/* The size of coordinate j, or of rate j - nq. */
-static double extent(const lag_refraction *r, const double *x, size_t j)
-{
-    const double own = fmax(r->noise->peak[j], fabs(x[j]));
-    return own > 0.0 ? own : 1.0;
-}
-
-/* g and its gradient by q; *drift: its rate with time and states, the positions held; 0: it depends on rates, or not on positions. */
-static int differentiate(lag_refraction *r, double t, const double *x, size_t which, double *g, double *drift)
-{
-    const lag_model *model = r->motion->model;
-    const size_t n = model->nq;
-    const size_t size = lag_motion_size(model);
-    const double dt = CHANGE * fmax(fabs(t), r->length);
-    double most = 0.0;
-    double by_rates = 0.0;
-    memcpy(r->point, x, size * sizeof(double));
-    *g = indicator(r, t, which);
-    for (size_t j = 0; j < 2 * n; ++j) {
-        const double by = CHANGE * extent(r, x, j);
-        r->point[j] = x[j] + by;
-        const double after = indicator(r, t, which);
-        r->point[j] = x[j] - by;
-        const double change = after - indicator(r, t, which);
-        r->point[j] = x[j];
-        if (j < n) {
-            r->gradient[j] = change / (2.0 * by);
-            most = fmax(most, fabs(change));
-        } else {
-            by_rates = fmax(by_rates, fabs(change));
-        }
-    }
-    for (int sign = -1; sign <= 1; sign += 2) {
-        for (size_t j = 2 * n; j < size; ++j) {
-            r->point[j] = x[j] + sign * dt * r->rate[j];
-        }
-        *drift = sign < 0 ? indicator(r, t - dt, which) : (indicator(r, t + dt, which) - *drift) / (2.0 * dt);
-    }
-    return isfinite(*g) && isfinite(*drift) && most > 0.0 && by_rates <= STILL * most;
-}
-
 /* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
 static int is_determined(const lag_refraction *r, const double *x)
 {
@@ -97,7 +52,7 @@ static int is_determined(const lag_refraction *r, const double *x)
     double most = 0.0;
     double moved = 0.0;
     for (size_t i = 0; i < n; ++i) {
-        const double size = extent(r, x, i);
+        const double size = lag_noise_extent(r->noise, x, i);
         most = fmax(most, fabs(r->gradient[i]) * size);
         moved = fmax(moved, fabs(lag_dot(n, r->momentum->mass + i * n, r->along)) * size);
     }
@@ -109,7 +64,7 @@ static size_t steepest(const lag_refraction *r, const double *x)
 {
     size_t most = 0;
     for (size_t j = 1; j < r->motion->model->nq; ++j) {
-        most = fabs(r->gradient[j]) * extent(r, x, j) > fabs(r->gradient[most]) * extent(r, x, most) ? j : most;
+        most = fabs(r->gradient[j]) * lag_noise_extent(r->noise, x, j) > fabs(r->gradient[most]) * lag_noise_extent(r->noise, x, most) ? j : most;
     }
     return most;
 }
@@ -135,8 +90,8 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
         double aside = 0.0;
         for (size_t j = 0; j < n; ++j) {
             size += fabs(row[j] * x[n + j]);
-            most = fmax(most, (fabs(row[j]) + fabs(was[j])) * extent(r, x, j));
-            aside = fmax(aside, fabs(row[j] - was[j] - part * r->gradient[j]) * extent(r, x, j));
+            most = fmax(most, (fabs(row[j]) + fabs(was[j])) * lag_noise_extent(r->noise, x, j));
+            aside = fmax(aside, fabs(row[j] - was[j] - part * r->gradient[j]) * lag_noise_extent(r->noise, x, j));
         }
         if (aside > ALONG * most || fabs(speed - own - part * drift) > ALONG * size) {
             return 0;
@@ -237,20 +192,12 @@ static int matters(lag_refraction *r, double t, const double *x, size_t which)
            !lag_same(model->nc, r->speeds, r->momentum->rows) || !lag_same(model->nc * model->nq, r->rows, r->momentum->jacobian);
 }
 
-/* Round-off of the indicator. */
-static double noise_of(const lag_refraction *r, double t, const double *x, size_t which)
-{
-    lag_noise_find(r->noise, t, x);
-    return FEW * r->noise->sigma[which];
-}
-
 lag_status lag_refraction_cross(
     lag_refraction *r, double t, double *x, size_t which, double lookahead, int *refracted, int *back)
 {
     lag_motion *motion = r->motion;
     const size_t n = motion->model->nq;
     double *truth = motion->w + r->places.relation;
-    double g = 0.0;
     lag_side side = {0};
     double after = 0.0;
     double size = 0.0;
@@ -259,14 +206,17 @@ lag_status lag_refraction_cross(
     if (motion->model->energies == NULL || !matters(r, t, x, which)) { /* without it nothing is known of an energy that jumps */
         return LAG_OK;
     }
+    lag_noise_find(r->noise, t, x);
+    const double g = r->noise->value[which];
     lag_status status = motion->ode.rates(motion, t, x, r->rate);
-    if (status != LAG_OK || !differentiate(r, t, x, which, &g, &side.drift)) {
+    if (status != LAG_OK || !isfinite(g) || !lag_noise_differentiate(r->noise, t, x, which, r->rate, r->length, r->gradient, &side.drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
     const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
     side.sense = truth[which] == 0.0 ? 1.0 : -1.0;
     const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
-    const int is_there = fabs(g) <= fabs(speed) * lookahead || fabs(g) <= noise_of(r, t, x, which);
+    const double noise = FEW * r->noise->sigma[which];
+    const int is_there = fabs(g) <= fabs(speed) * lookahead || fabs(g) <= noise;
     status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
     status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
@@ -282,7 +232,7 @@ lag_status lag_refraction_cross(
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
         status = turn_back(r, t, x, &side, back);
         *refracted = *back;
-        if (status == LAG_OK && speed * speed <= 2.0 * pull * noise_of(r, t, x, which)) {
+        if (status == LAG_OK && speed * speed <= 2.0 * pull * noise) {
             return LAG_CHATTER; /* it rests against the step: flights are lost in round-off */
         }
     }
