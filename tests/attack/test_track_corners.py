@@ -144,6 +144,13 @@ TRACKS = [
         )
         for name, text in {"abs": "abs(x)", "if": "(if x > 0 then x else -x)"}.items()
     ),
+    Attack(
+        # at the start it is on the stair below: 9 is 7 at once
+        "stairs_of_energy_ceil",
+        model("coordinate Real x(der(start = 3)); kinetic 1/2*der(x)^2; potential ceil(x - 1);"),
+        2.0,
+        {"der(x)": 1.0, "x": 3 + 2 - 1 / sqrt(7) - 1 / sqrt(5) - 1 / sqrt(3)},
+    ),
     *(
         Attack(
             f"stairs_of_energy_{name}",
@@ -155,7 +162,6 @@ TRACKS = [
         for name, text in {
             "floor": "floor(x)",
             "mod": "x - mod(x, 1)",
-            "ceil": "ceil(x - 1)",
             "if": "(if x < 1 then 0 elseif x < 2 then 1 elseif x < 3 then 2 elseif x < 4 then 3 else 4)",
         }.items()
     ),

@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 5 * model->nindicator + 3 * model->ncontact;
+           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -51,6 +51,7 @@ void lag_event_iteration_place(
     iteration->now = lag_take(&memory, model->nindicator);
     iteration->then = lag_take(&memory, model->nindicator);
     iteration->soon = lag_take(&memory, model->nindicator);
+    iteration->half = lag_take(&memory, model->nindicator);
     iteration->truth = lag_take(&memory, model->nindicator);
     iteration->aside = lag_take(&memory, size);
     iteration->sides = lag_take(&memory, model->nindicator);

@@ -264,6 +264,25 @@ lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, co
 }
 
 /*
+ * A relation that is zero and waits, as it does not move clearly against its round-off within `lookahead`, moves slowly if it goes twice as far in twice the time:
+ * 5 mm at 7000 km that close at 1 cm/s.
+ */
+static lag_status look_at_lines(lag_event_iteration *iteration, double t, const double *x)
+{
+    const double half = iteration->lookahead / 2.0;
+    go(iteration, x, half);
+    const lag_status status = indicate(iteration, t + half, iteration->later, iteration->half);
+    for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
+        const double moved = iteration->soon[i] - iteration->now[i];
+        const double by_half = iteration->half[i] - iteration->now[i];
+        if (iteration->truth[i] != 0.0 && iteration->then[i] == 0.0 && fabs(moved - 2.0 * by_half) < 0.5 * fabs(moved)) {
+            iteration->then[i] = moved;
+        }
+    }
+    return status;
+}
+
+/*
  * Values by which relations flagged in `turned` are judged, into `then`: the first one that has moved clearly after a short time, so that a narrow
  * `abs(x - a) < b` is seen; else the one now, zero where it is round-off.
  */
@@ -287,7 +306,7 @@ static lag_status look_where_they_go(lag_event_iteration *iteration, double t, c
             }
         }
     }
-    return status;
+    return status == LAG_OK && lag_any(count, waits) ? look_at_lines(iteration, t, x) : status;
 }
 
 lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned)

@@ -204,7 +204,7 @@ static lag_status find_first(lag_run *run, piece *in, lag_status status, double 
     return status;
 }
 
-/* A value that changes within round-off of time behind the end changes at the end; one that was round-off itself does not. */
+/* A value that changes within round-off of time behind the end changes at the end; gaps and forces that were round-off do not. */
 static lag_status look_at_end(lag_run *run, const piece *in)
 {
     const double h = in->b - place_of(in, LAST - 1);
@@ -213,7 +213,8 @@ static lag_status look_at_end(lag_run *run, const piece *in)
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = run->crossings.seen[LAST][i];
         const double rate = (value - run->crossings.seen[LAST - 1][i]) / h;
-        const int was_clear = run->crossings.seen[LAST - 1][i] > lag_zero_crossing_noise(&run->crossings, i);
+        const double noise = lag_zero_crossing_has_noise(&run->crossings, i) ? 0.0 : lag_zero_crossing_noise(&run->crossings, i);
+        const int was_clear = run->crossings.seen[LAST - 1][i] > noise;
         run->crossings.changed[i] = rate < 0.0 && was_clear && value <= -rate * soon;
         any = any || run->crossings.changed[i] != 0.0;
     }
