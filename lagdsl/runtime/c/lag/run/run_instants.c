@@ -53,8 +53,9 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
         return LAG_OK;
     }
     memmove(run->crossings.changed, changed, count * sizeof(double));
+    const int any = lag_any(count, changed); /* without, other things than relations and contacts have changed */
     lag_status status = reach_next_row(run, run->crossings.changed);
-    if (status == LAG_OK && !ticks && !lag_any(count, run->crossings.changed)) {
+    if (status == LAG_OK && !ticks && any && !lag_any(count, run->crossings.changed)) {
         return LAG_OK;
     }
     ++run->events;
