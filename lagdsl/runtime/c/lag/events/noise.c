@@ -148,7 +148,7 @@ int lag_noise_differentiate(
     const lag_model *model = noise->motion->model;
     const size_t n = model->nq;
     lag_line line = {.noise = noise, .t = t, .x = x, .rate = rate, .which = which};
-    lag_slope slope = {.noise = noise->sigma[which]};
+    lag_slope slope = {.here = noise->value[which], .noise = noise->sigma[which]};
     double largest[2] = {0.0, 0.0}; /* coordinate and rate */
     int by_place = 0;
     int by_rates = 0;

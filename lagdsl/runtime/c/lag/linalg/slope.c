@@ -38,9 +38,20 @@ static double error_of(const estimate *e)
     return fmax(e->order, e->noise);
 }
 
+/* True if the function is the same at a distance on both sides. */
+static int is_flat(const lag_slope *slope, double (*g)(void *context, double by), void *context, double h)
+{
+    return g(context, h) == slope->here && g(context, -h) == slope->here;
+}
+
 void lag_slope_find(lag_slope *slope, double (*g)(void *context, double by), void *context)
 {
     const double first = PART * slope->unit;
+    if (is_flat(slope, g, context, PART * slope->most) && is_flat(slope, g, context, first)) { /* most numbers do not enter */
+        slope->value = 0.0;
+        slope->shows = 0;
+        return;
+    }
     estimate best = difference(g, context, first, slope->noise);
     double h = first;
     for (int k = 0; k < MOST_STEPS && error_of(&best) > EXACT && h < PART * slope->most; ++k) {

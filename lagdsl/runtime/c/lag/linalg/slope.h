@@ -11,6 +11,7 @@
 typedef struct lag_slope {
     double unit;  /* steps begin with a part of this, */
     double most;  /* and end at the same part of this */
+    double here;  /* the function at zero */
     double noise; /* round-off of the function */
     double value; /* the derivative */
     int shows;    /* 1: the function changes by more than its round-off */
