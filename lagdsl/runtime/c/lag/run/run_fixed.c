@@ -2,6 +2,9 @@
 #include "lag/fixed.h"
 #include "lag/run.h"
 
+/* A relation that has changed was zero less than so many steps ago: one, and round-off. */
+static const double AGO = 1.5;
+
 /* Carries out the events of a step of fixed length at its end. */
 static lag_status follow_fixed(lag_run *run, double h)
 {
@@ -11,11 +14,12 @@ static lag_status follow_fixed(lag_run *run, double h)
     }
     lag_instants_after(&run->instants, run->stepper.t, h);
     run->instants.contacts.flight = h;
+    run->instants.refraction.passed = AGO * h;
     status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
     if (status == LAG_EVENT_PENDING) {
         status = lag_run_event(run, h, run->crossings.changed);
     }
-    run->instants.contacts.flight = 0.0;
+    run->instants.contacts.flight = run->instants.refraction.passed = 0.0;
     return status == LAG_OK ? lag_run_ticks(run) : status;
 }
 
