@@ -234,7 +234,8 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
 /* Gaps and ways of masses are continuous. */
 static lag_status follow(lag_instants *instants, double t, const double *x)
 {
-    const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
+    const double rounding = ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
+    const double moment = fmax(rounding, fmax(instants->late, instants->refraction.passed));
     return lag_event_iteration_follow(&instants->iteration, t, x, moment);
 }
 
