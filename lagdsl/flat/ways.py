@@ -11,7 +11,7 @@ from lagdsl.flat.reached import reached
 def ways(flat: fm.FlatModel) -> list[fx.FlatExpression]:
     """Positions of masses and bodies, and what the kinetic energy differentiates."""
     places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
-    return [*places, *_differentiated(flat)]
+    return [*places, *differentiated(flat)]
 
 
 def positions(flat: fm.FlatModel) -> list[fx.FlatExpression]:
@@ -20,12 +20,7 @@ def positions(flat: fm.FlatModel) -> list[fx.FlatExpression]:
     return [*(mass.position for mass in flat.masses), *(fx.FrameOrigin(body.frame) for body in flat.bodies), *axes]
 
 
-def turns(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    """Cosine and sine of what the kinetic energy differentiates: an angle may jump by whole turns, `wrap(a)`."""
-    return [fx.Function(name, (x,)) for x in _differentiated(flat) for name in ("cos", "sin")]
-
-
-def _differentiated(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    """Arguments of `der` in the kinetic energy and in terms of the Lagrangian."""
+def differentiated(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Arguments of `der` in the kinetic energy and in terms of the Lagrangian, scalars and vectors."""
     terms = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
     return [x.operand for x in reached(flat, terms) if isinstance(x, fx.Derivative)]

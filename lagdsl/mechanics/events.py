@@ -14,8 +14,9 @@ from typing import assert_never
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Experiment, FlatModel
-from lagdsl.flat.ways import positions, turns
+from lagdsl.flat.ways import differentiated, positions
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
@@ -78,7 +79,7 @@ def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
         return ()
     graph, states, dependence = lowering.graph, reset_states(flat), Dependence(flat)
     places = [(vector, lowering.vector(vector)) for vector in positions(flat)]
-    found = [*places, *((angle, (lowering.scalar(angle),)) for angle in turns(flat))]
+    found = [*places, *((way, _continuous(lowering, way)) for way in differentiated(flat))]
     ways = {
         node: None
         for expression, nodes in found
@@ -87,6 +88,12 @@ def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
         or (states and graph.depends(node, Group.Z) and not states.isdisjoint(dependence.of(expression)))
     }
     return (Function(name="way", arguments=OPTIONAL["way"], results=(_vector("way", list(ways)),)),) if ways else ()
+
+
+def _continuous(lowering: Lowering, way: FlatExpression) -> tuple[int, ...]:
+    """A vector as it is; cosine and sine of a scalar: an angle may jump by whole turns, `wrap(a)`."""
+    value, graph = lowering.value(way), lowering.graph
+    return value if isinstance(value, tuple) else (graph.unary(Op.COS, value), graph.unary(Op.SIN, value))
 
 
 def _vector(name: str, nodes: Sequence[int]) -> Block:

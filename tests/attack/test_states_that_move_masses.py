@@ -276,6 +276,31 @@ TORN = [
     )
 ]
 
+# The kinetic energy has the rate of a vector: a mass that changes from 2 to 1 keeps its momentum, a way must not jump.
+CHANGED = (
+    "coordinate Real x(der(start = 4)), y(der(start = 2)); discrete Real m(start = 2), d(start = 0); gravity = 0; "
+)
+VECTORS = [
+    Attack(
+        "mass_of_a_vector_that_a_clause_sets",
+        model(
+            CHANGED + "point P = {x, y}; kinetic 1/2*m*der(P)*der(P);", "when time >= 1 then m = 1; d = 1; end when;"
+        ),
+        2.0,
+        {"der(x)": 8.0, "der(y)": 4.0, "x": 12.0},
+    ),
+    Attack(
+        "way_of_a_vector_that_a_clause_sets",
+        model(
+            CHANGED + "point P = {x + d, y}; kinetic 1/2*m*der(P)*der(P);",
+            "when time >= 1 then m = 1; d = 1; end when;",
+        ),
+        2.0,
+        {"x": float("nan")},
+        refused=("E0836",),
+    ),
+]
+
 
 @pytest.mark.parametrize("name", ["edge_that_follows_a_place", "rate_that_a_state_has"])
 def test_certificates_and_derivations_of_states(name: str) -> None:
@@ -287,6 +312,6 @@ def test_certificates_and_derivations_of_states(name: str) -> None:
     assert attacked.verify().holds
 
 
-@rows([*FOLLOWING, *SET, *STARTED, *TORN])
+@rows([*FOLLOWING, *SET, *STARTED, *TORN, *VECTORS])
 def test_states_that_move_masses(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, exp, sin
+from math import asinh, cos, cosh, exp, sin
 
 from attack.rows import Attack, check, model, rows
 
@@ -229,6 +229,47 @@ end Stepped;
 ]
 
 
-@rows([*CLUTCHES, *DRIVES, *LIBRARY])
+def _braked(m: float, c: float, g: float) -> float:
+    """The rate along x at 2 s of what a brake holds along x from 0.3 s to 0.6 s, from 0.9 s to 1.2 s, and so on. A
+    damper acts between the rates along x and y."""
+    along, down, k = -1.1, -1.0, c / m
+    for i in range(7):
+        last = min(0.3, 2 - 0.3 * i)
+        if i % 2:
+            along, down = 0.0, -g / k + (down + g / k) * exp(-k * last)
+        else:
+            steady = g / (2 * k)
+            both, apart = along + down - g * last, steady + (along - down - steady) * exp(-2 * k * last)
+            along, down = (both + apart) / 2, (both - apart) / 2
+    return along
+
+
+# The brake leaves a rate of round-off, whose momentum is known to the round-off of the rate along y only.
+SINE = asinh(-0.0578)
+BRAKES = [
+    Attack(
+        f"brake_that_opens_{name}",
+        model(
+            "discrete Boolean held(start = false); constraint brake: (if held then der(x) else 0) = 0;"
+            f"coordinate Real x(start = -0.0578, der(start = -1.1)){along} gravity = {{0, -9.81, 0}};"
+            f"coordinate Real y(start = 0.2, der(start = -1)){down}"
+            "mass 2.14 at {x, y}; dissipation 1/2*1.58*(der(x) - der(y))^2;",
+            "when sample(0.3, 0.3) then held = not pre(held); end when;",
+        ),
+        2.0,
+        {"der(x)": _braked(2.14, 1.58, 9.81)},
+    )
+    for name, along, down in (
+        ("alone", ";", ";"),
+        (
+            "on_ways_of_others",
+            f", u(start = {SINE!r}, der(start = {-1.1 / cosh(SINE)!r})); constraint ways: x = sinh(u);",
+            ", v; constraint heights: sinh(v) - y = 0;",
+        ),
+    )
+]
+
+
+@rows([*CLUTCHES, *DRIVES, *LIBRARY, *BRAKES])
 def test_switched_constraints(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -15,6 +15,8 @@ static const double ROUNDING = 1e-13;
 static const double LEFT = 1e-9;
 /* A step overshoots where the momenta behind it are beyond their aim by this part of what they were short of it. */
 static const double BEYOND = 0.5;
+/* Less than this part of a step changes no rate. */
+static const double NOTHING = 1e-60;
 /* A way changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
 static const double CONTINUOUS = 1e-9;
 static const double FEW = 16.0;
@@ -211,6 +213,40 @@ static void settle(lag_momentum *momentum)
     }
 }
 
+/* qd'M qd, twice the kinetic energy where T is quadratic. */
+static double find_action(const lag_momentum *momentum, const double *qd)
+{
+    const size_t n = momentum->motion->model->nq;
+    double action = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            action += qd[i] * momentum->mass[i * n + j] * qd[j];
+        }
+    }
+    return fabs(action);
+}
+
+/* Whether the momenta are those that the balance asks for; if not, the coordinate that is farthest from its own. A rate that is zero but for
+   the round-off of the others has a momentum of its round-off: sqrt(M_ii qd'M qd) is the momentum that all the energy would give. */
+static lag_status judge(const lag_momentum *momentum, const double *qd)
+{
+    const size_t n = momentum->motion->model->nq;
+    const double action = find_action(momentum, qd);
+    double most = LEFT;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < n; ++i) {
+        const double noise = FEW * DBL_EPSILON * sqrt(fabs(momentum->mass[i * n + i]) * action);
+        const double off = fabs(momentum->before[i] - momentum->now[i]);
+        const double part = off <= noise ? 0.0 : off / fmax(momentum->size[i], DBL_MIN);
+        if (!(part <= most)) {
+            most = isfinite(part) ? part : (double)INFINITY;
+            momentum->motion->coordinate = i;
+            status = LAG_MOMENTUM_UNREACHABLE;
+        }
+    }
+    return status;
+}
+
 /* Adds the change to the rates, or as much of it as does not overshoot, and looks at what is there. */
 static lag_status step(lag_momentum *momentum, double t, double *x)
 {
@@ -227,7 +263,7 @@ static lag_status step(lag_momentum *momentum, double t, double *x)
         lag_axpy(n, -*part, momentum->change, x + n);
         status = lag_momentum_look(momentum, t, x);
         if (status == LAG_OK && k + 1 == MOST_HALVES) {
-            status = LAG_MOMENTUM_UNREACHABLE;
+            status = judge(momentum, x + n);
         }
     }
     return status;
@@ -240,22 +276,6 @@ static lag_status retreat(lag_momentum *momentum, double t, double *x)
     lag_axpy(n, -0.25 * momentum->part, momentum->change, x + n);
     momentum->part *= 0.75;
     return lag_momentum_look(momentum, t, x);
-}
-
-/* After the last step: whether the momenta are those that the balance asks for; if not, the coordinate that is farthest from its own. */
-static lag_status judge(const lag_momentum *momentum)
-{
-    double most = LEFT;
-    lag_status status = LAG_OK;
-    for (size_t i = 0; i < momentum->motion->model->nq; ++i) {
-        const double off = fabs(momentum->before[i] - momentum->now[i]) / fmax(momentum->size[i], DBL_MIN);
-        if (!(off <= most)) {
-            most = isfinite(off) ? off : (double)INFINITY;
-            momentum->motion->coordinate = i;
-            status = LAG_MOMENTUM_UNREACHABLE;
-        }
-    }
-    return status;
 }
 
 static int are_finite(const lag_momentum *momentum)
@@ -313,11 +333,11 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
         }
         *jumped = 1;
         find_sizes(momentum, qd);
-        if (!is_off(momentum, qd, 1e2 * ROUNDING, 1e-12)) {
+        if (momentum->part < NOTHING || !is_off(momentum, qd, 1e2 * ROUNDING, 1e-12)) {
             return LAG_OK;
         }
     }
-    return judge(momentum);
+    return judge(momentum, qd);
 }
 
 /* Ways of masses at x with discretes w. */
