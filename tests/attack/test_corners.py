@@ -204,6 +204,20 @@ PARAMETERS = [
 ]
 
 
+# A spring of 90 that begins at a place, met at 1.5; the place is known to its own round-off only.
+FAR_AWAY = [
+    Attack(
+        f"spring_that_begins_at_{at:g}_by_{name}",
+        model(
+            f"coordinate Real u(start = {at} - 0.02, der(start = 1.5)); kinetic 1/2*der(u)^2; "
+            f"force {text.format(f'(u - ({at}))')} on u;"
+        ),
+        0.1,
+        {"u": at + 1.5 / sqrt(90) * sin(sqrt(90) * (0.1 - 0.02 / 1.5))},
+    )
+    for at in (-50.0, -100.0, 333.3, 1e4)
+    for name, text in (("max", "-90*max(0, {})"), ("table", "-table({}, {{-1, 0, 1}}, {{0, 0, 90}})"))
+]
 REST = "coordinate Real x; kinetic 1/2*der(x)^2; "
 COUNT = REST + "discrete Integer n(start = 0); Real f = {}; "
 # A function of time whose line changes where a relation is zero: it touches, or stays.
@@ -262,6 +276,6 @@ TOUCHED = [
 ]
 
 
-@rows([*PULSES, *STAIRS, *PASSED, *SOURCES, *PARAMETERS, *TOUCHED])
+@rows([*PULSES, *STAIRS, *PASSED, *SOURCES, *PARAMETERS, *FAR_AWAY, *TOUCHED])
 def test_corners(row: Attack, engine: str) -> None:
     check(row, engine)

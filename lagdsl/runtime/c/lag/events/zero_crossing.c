@@ -11,7 +11,7 @@ static const double CLEARLY = 1e6;
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = model->nindicator + model->ncontact + model->ncorner;
-    return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 2 * model->ncorner + (4 + LAG_LOOKS) * count;
+    return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (4 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
@@ -35,6 +35,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->jacobian = lag_take(&memory, model->ngap * model->nq);
     crossings->far = lag_take(&memory, model->ncorner);
     crossings->side = lag_take(&memory, model->ncorner);
+    crossings->beside = lag_take(&memory, model->ncorner);
     crossings->laws = memory;
     crossings->span = crossings->reach = 0.0;
     memset(crossings->band, 0, count * sizeof(double));

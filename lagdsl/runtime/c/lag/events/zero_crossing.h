@@ -18,6 +18,7 @@ typedef struct lag_zero_crossing {
     lag_noise *noise;
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
     double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
+    double *beside;                /* (ncorner) flags: the motion is just there */
     size_t corners;                /* ncorner where corners are looked at, else 0 */
     int solved;                    /* they read accelerations or multipliers */
     double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */

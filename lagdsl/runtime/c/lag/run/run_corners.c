@@ -14,6 +14,10 @@ static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
 static const double TOGETHER = 4.0 * 8.0;
 
+/* A corner goes clearly if it goes twice as far in twice the time, but for this part. */
+static const double STRAIGHT = 0.5;
+/* It does so within this part of the experiment. */
+static const double LATER = 1e-6;
 /* So many of them behind a corner it has been passed. */
 static const double BEHIND = 6.0, PASSED = 4.0;
 
@@ -118,26 +122,59 @@ static lag_status leave_out(lag_run *run)
     return status;
 }
 
+/* Distances where the motion goes from x with rates f in a time. */
+static lag_status look_ahead(lag_run *run, double t, const double *x, const double *f, double after, double *far)
+{
+    for (size_t i = 0; i < run->stepper.ode->size; ++i) {
+        run->point[i] = x[i] + after * f[i];
+    }
+    return look(run, t + after, run->point, far);
+}
+
+/*
+ * A time, at most `most`, in which the corners flagged in `beside`, whose distances at x are in seen[0], go clearly against the round-off of x: twice
+ * as far in twice the time. Distances there are in `far`.
+ */
+static lag_status go_clearly(lag_run *run, double t, const double *x, const double *f, const double *beside, double most, double *after)
+{
+    lag_zero_crossing *crossings = &run->crossings;
+    const double *here = crossings->seen[0];
+    lag_status status = LAG_OK;
+    int clear = 0;
+    *after = lookahead(run);
+    while (status == LAG_OK && !clear) {
+        status = look_ahead(run, t, x, f, 2.0 * *after, crossings->root);
+        status = status == LAG_OK ? look_ahead(run, t, x, f, *after, crossings->far) : status;
+        clear = 1;
+        for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+            const double moved = crossings->far[i] - here[i];
+            const double twice = crossings->root[i] - here[i];
+            clear = clear && (beside[i] == 0.0 || fabs(twice - 2.0 * moved) < STRAIGHT * fabs(moved));
+        }
+        clear = clear || 2.0 * *after > most;
+        *after *= clear ? 1.0 : 2.0;
+    }
+    return status;
+}
+
 /* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
 static lag_status face(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
+    const size_t count = run->motion.model->ncorner;
     lag_zero_crossing *crossings = &run->crossings;
     lag_status status = LAG_OK;
-    int beside = 0;
-    for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-        crossings->side[i] = crossings->side[i] == 0.0 ? 0.0 : crossings->seen[0][i] < 0.0 ? -1.0 : 1.0;
-        beside = beside || (crossings->side[i] != 0.0 && fabs(crossings->seen[0][i]) <= BESIDE * range_of(run, i));
-    }
-    if (beside) {
-        for (size_t i = 0; i < s->ode->size; ++i) {
-            run->point[i] = s->x_before[i] + lookahead(run) * s->f_before[i];
-        }
-        status = look(run, s->t_before + lookahead(run), run->point, crossings->far);
-    }
-    for (size_t i = 0; i < run->motion.model->ncorner && beside && status == LAG_OK; ++i) {
+    double after = 0.0;
+    for (size_t i = 0; i < count; ++i) {
         const int is_beside = crossings->side[i] != 0.0 && fabs(crossings->seen[0][i]) <= BESIDE * range_of(run, i);
-        if (is_beside && crossings->far[i] != 0.0) {
+        crossings->side[i] = crossings->side[i] == 0.0 ? 0.0 : crossings->seen[0][i] < 0.0 ? -1.0 : 1.0;
+        crossings->beside[i] = is_beside;
+    }
+    if (lag_any(count, crossings->beside)) {
+        status = go_clearly(run, s->t_before, s->x_before, s->f_before, crossings->beside, LATER * run->instants.contacts.length, &after);
+    }
+    for (size_t i = 0; i < count && after > 0.0 && status == LAG_OK; ++i) {
+        if (crossings->beside[i] != 0.0 && crossings->far[i] != 0.0) {
             crossings->side[i] = crossings->far[i] < 0.0 ? -1.0 : 1.0;
         }
     }
@@ -248,10 +285,27 @@ int lag_run_is_at_end(const lag_run *run, double corner)
     return corner >= run->stepper.t - 2.0 * lookahead(run);
 }
 
+/* A time in which the corner that has been reached is passed. */
+static double time_to_pass(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    const double length = run->instants.contacts.length;
+    lag_zero_crossing *crossings = &run->crossings;
+    double after = lookahead(run);
+    lag_status status = look(run, s->t, s->x, crossings->seen[0]);
+    status = status == LAG_OK ? look_ahead(run, s->t, s->x, s->f, LATER * length, crossings->far) : status;
+    for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
+        crossings->beside[i] = fabs(crossings->seen[0][i]) <= BESIDE * fabs(crossings->far[i] - crossings->seen[0][i]);
+    }
+    status = status == LAG_OK ? go_clearly(run, s->t, s->x, s->f, crossings->beside, LATER * length, &after) : status;
+    after = status == LAG_OK ? after : lookahead(run);
+    return PASSED * (after > lookahead(run) ? PASSED * after : after); /* where the place is known to round-off only, so is the corner */
+}
+
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = s->t + PASSED * lookahead(run);
+    const double t = s->t + time_to_pass(run);
     run->crossings.corners = 0;
     if (!(t < limit)) {
         return;
