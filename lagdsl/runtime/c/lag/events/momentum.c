@@ -226,8 +226,10 @@ static double find_action(const lag_momentum *momentum, const double *qd)
     return fabs(action);
 }
 
-/* Whether the momenta are those that the balance asks for; if not, the coordinate that is farthest from its own. A rate that is zero but for
-   the round-off of the others has a momentum of its round-off: sqrt(M_ii qd'M qd) is the momentum that all the energy would give. */
+/*
+ * LAG_MOMENTUM_UNREACHABLE if the momenta are not those that the balance asks for, with the coordinate that is farthest from its own. A rate that is
+ * zero but for the round-off of the others has a momentum of its round-off: sqrt(M_ii qd'M qd) is the momentum that all the energy would give.
+ */
 static lag_status judge(const lag_momentum *momentum, const double *qd)
 {
     const size_t n = momentum->motion->model->nq;
