@@ -11,7 +11,7 @@ from lagdsl.syntax.parser import parse_expression
 from lagdsl.units.definition import si_value
 from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
 from lagdsl.units.naming import describe
-from lagdsl.units.parse import counts_angles, counts_turns, parse_unit
+from lagdsl.units.parse import counts_otherwise, parse_unit
 
 _OF_NUMBERS = ("E0105", "E0108", "E0116")
 """No unit, a character such as a degree sign, no number of double precision."""
@@ -26,8 +26,7 @@ class Literal:
     value: float
     dimension: Dimension | None
     boolean: bool = False
-    counts_turns: bool = False  # a literal in Hz
-    counts_angles: bool = False  # a literal in rpm, rad/s
+    unit: str = ""
     is_point: bool = False  # in a unit with an offset
 
 
@@ -49,8 +48,7 @@ def literal(name: str, text: str, example: str = "2 kg") -> Literal:
             text,
             value,
             definition.dimension,
-            counts_turns=counts_turns(expression.unit),
-            counts_angles=counts_angles(expression.unit),
+            unit=expression.unit,
             is_point=definition.shift != 0,
         )
     if isinstance(expression, nodes.Boolean):
@@ -68,10 +66,8 @@ def require_dimension(name: str, given: Literal, dimension: Dimension, unit: str
             f"{name}={short(given.text)}: `{name}` is {describe(dimension)} [{unit}], "
             f"this is {describe(given.dimension)}"
         )
-    if given.counts_turns and unit == "rad/s":
-        raise SettingError(f"{name}={short(given.text)}: Hz counts turns; write `rev/s` or `rad/s`")
-    if given.counts_angles and unit == "Hz":
-        raise SettingError(f"{name}={short(given.text)}: its unit counts angles; write Hz, as 60 rpm are 1 Hz")
+    if why := counts_otherwise(given.unit, unit):
+        raise SettingError(f"{name}={short(given.text)}: {why}")
 
 
 def seconds(option: str, text: str | None) -> float | None:

@@ -23,7 +23,7 @@ from lagdsl.source import SourceFile, Span
 from lagdsl.source.whole_file import whole_file
 from lagdsl.units.dimension import TIME
 from lagdsl.units.naming import describe
-from lagdsl.units.parse import UnknownUnit, counts_angles, counts_turns, parse_unit
+from lagdsl.units.parse import UnknownUnit, counts_otherwise, parse_unit
 
 
 @record()
@@ -201,11 +201,7 @@ def _misfit(unit: str, item: Input) -> str:
         return f"`{item.name}` is {describe(item.dimension)} [{item.unit}]"
     if definition.shift != 0 and item.type_name == "TemperatureDifference":
         return f"`{item.name}` is a difference of temperatures; give it in K"
-    if counts_turns(unit) and item.unit == "rad/s":
-        return "Hz counts turns; write `rev/s` or `rad/s`"
-    if counts_angles(unit) and item.unit == "Hz":
-        return f"`{unit}` counts angles; write Hz, as 60 rpm are 1 Hz"
-    return ""
+    return counts_otherwise(unit, item.unit)
 
 
 def _words(file: SourceFile, rows: list[tuple[int, list[str]]], index: int) -> tuple[Label, str, int] | None:

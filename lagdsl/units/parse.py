@@ -56,6 +56,15 @@ def counts_angles(text: str) -> bool:
     return any(match["name"] in _ANGLES for match in _TOKEN.finditer(text))
 
 
+def counts_otherwise(text: str, unit: str) -> str:
+    """Why a value in the unit `text` cannot be one of a quantity declared in `unit`, though dimensions agree; or ""."""
+    if unit == "rad/s" and counts_turns(text):
+        return "Hz counts turns; write `rev/s` or `rad/s`"
+    if unit == "Hz" and counts_angles(text):
+        return f"`{text}` counts angles; write Hz, as 60 rpm are 1 Hz"
+    return ""
+
+
 @lru_cache(maxsize=1024)
 def parse_unit(text: str) -> UnitDefinition:
     """The definition of a unit text: dimension and exact conversion to the coherent SI unit.

@@ -111,15 +111,22 @@ static void find_sizes(lag_momentum *momentum, const double *qd)
     }
 }
 
+/* 1: momenta differ from those that were kept by more than `part` of their sizes. */
+static int differs(const lag_momentum *momentum, double part)
+{
+    int off = 0;
+    for (size_t i = 0; i < momentum->motion->model->nq; ++i) {
+        off = off || fabs(momentum->before[i] - momentum->now[i]) > part * momentum->size[i];
+    }
+    return off;
+}
+
 /* 1: momenta or rows are off by more than `part` of what enters them. */
 static int is_off(const lag_momentum *momentum, const double *qd, double part, double rows)
 {
     const lag_model *model = momentum->motion->model;
     const size_t n = model->nq;
-    int off = 0;
-    for (size_t i = 0; i < n; ++i) {
-        off = off || fabs(momentum->before[i] - momentum->now[i]) > part * momentum->size[i];
-    }
+    int off = differs(momentum, part);
     for (size_t i = 0; i < model->nc; ++i) {
         double size = 0.0;
         double along = 0.0;
@@ -136,12 +143,8 @@ static int is_off(const lag_momentum *momentum, const double *qd, double part, d
 
 int lag_momentum_differs(lag_momentum *momentum, const double *qd, double part)
 {
-    int differs = 0;
     find_sizes(momentum, qd);
-    for (size_t i = 0; i < momentum->motion->model->nq; ++i) {
-        differs = differs || fabs(momentum->before[i] - momentum->now[i]) > part * momentum->size[i];
-    }
-    return differs;
+    return differs(momentum, part);
 }
 
 /* The change of the rates, in the first order; *reached: it satisfies the rows and what is held. */

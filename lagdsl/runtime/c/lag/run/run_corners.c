@@ -6,7 +6,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3 };
+enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3, MOST_DOUBLINGS = 64 };
 /* Looks at a step, as parts of it, behind its beginning; no two distances are alike. */
 static const double PLACES[LOOKS] = {0.2071, 0.4583, 0.7361, 1.0};
 /* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
@@ -142,7 +142,7 @@ static lag_status go_clearly(lag_run *run, double t, const double *x, const doub
     lag_status status = LAG_OK;
     int clear = 0;
     *after = lookahead(run);
-    while (status == LAG_OK && !clear) {
+    for (int k = 0; k < MOST_DOUBLINGS && status == LAG_OK && !clear; ++k) { /* a run without an end has no length */
         status = look_ahead(run, t, x, f, 2.0 * *after, crossings->root);
         status = status == LAG_OK ? look_ahead(run, t, x, f, *after, crossings->far) : status;
         clear = 1;
