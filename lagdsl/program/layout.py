@@ -42,6 +42,7 @@ def _discrete(entry: Entry) -> Slot:
 
 def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instants:
     named = [name for name, _ in rows]
+    whole = tuple(item.base != "Real" for item in flat.inputs)
     actions = [action for branch in branches(flat) for action in branch.actions]
     resets = [action for action in actions if isinstance(action, Reset)]
     places = {f"der({c.name})": len(flat.coordinates) + index for index, c in enumerate(flat.coordinates)}
@@ -49,6 +50,7 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
     names = tuple(f"der({reset.name})" if reset.rate else reset.name for reset in resets)
     return Instants(
         strict=tuple(relation.strict for relation in flat.events.relations),
+        whole_inputs=whole if any(whole) else (),
         contact_rows=tuple(named.index(contact.name) for contact in flat.events.contacts),
         switched_rows=_switched_rows(flat, rows),
         resets=names,

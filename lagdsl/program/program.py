@@ -27,12 +27,13 @@ class Slot:
 class Instants:
     """Events, in the order of the results of `indicator`, `contact` and `event`.
 
-    `strict` flags relations that do not hold at zero, `contact_rows` are rows of constraints, `switched_rows` those of
-    position level that discretes switch. `resets` are as results call them, `reset_places` their entries in (q, qd, z);
-    `stops` and `failures` are messages.
+    `strict` flags relations that do not hold at zero, `whole_inputs` inputs that are no Reals, empty where all are.
+    `contact_rows` are rows of constraints, `switched_rows` those of position level that discretes switch. `resets` are
+    as results call them, `reset_places` their entries in (q, qd, z); `stops` and `failures` are messages.
     """
 
     strict: tuple[bool, ...] = ()
+    whole_inputs: tuple[bool, ...] = ()
     contact_rows: tuple[int, ...] = ()
     switched_rows: tuple[int, ...] = ()
     resets: tuple[str, ...] = ()

@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 4
+VERSION = 5
 
 # lag_event_kind.
 WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
@@ -129,7 +129,7 @@ class Model(Structure):
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
         *_all(c_size_t, "ncorner nway"),
-        *_all(c_void_p, "kinds strict contact_rows"),
+        *_all(c_void_p, "kinds strict whole_inputs contact_rows"),
         *_all(c_size_t, "nswitched"),
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),
         *_all(c_size_t, "nd"),

@@ -20,7 +20,7 @@ from lagdsl.program.passes.along import Along, along, elements, shared
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 
-VERSION: Final = 6
+VERSION: Final = 7
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
@@ -179,6 +179,7 @@ def _tables(program: Program) -> list[bytes]:
         bytes(layout.redundant),
         bytes(kinds),
         bytes(instants.strict),
+        bytes(instants.whole_inputs),
         _words(program.kept_rows),
         _words(instants.contact_rows),
         _words(instants.switched_rows),

@@ -92,6 +92,7 @@ class Callbacks:
             "switched_rows": (np.uintp, instants.switched_rows),
             "reset_places": (np.uintp, instants.reset_places),
             "kept_rows": (np.uintp, kept_rows),
+            **({"whole_inputs": (np.uint8, instants.whole_inputs)} if instants.whole_inputs else {}),
             **({"components": (np.uintp, layout.components)} if layout.components else {}),
         }
         for name, (kind, values) in numbers.items():

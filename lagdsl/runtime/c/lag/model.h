@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 4u
+#define LAG_MODEL_VERSION 5u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -275,6 +275,7 @@ typedef struct lag_model {
     size_t nway;    /* of models in which ways of masses depend on discretes */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
+    const unsigned char *whole_inputs; /* (nu) 1: Integer, Boolean or enumerated, without round-off; null: none is */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */
     size_t nswitched;            /* rows of constraints, of position level, that discretes switch */
     const size_t *switched_rows; /* (nswitched) */

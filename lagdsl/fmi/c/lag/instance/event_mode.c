@@ -1,7 +1,8 @@
 /*
  * Event mode, and the indicators that lead to it. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
  * margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
- * has located it.
+ * has located it. A relation that changes at zero itself, as `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a
+ * little early.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -9,8 +10,10 @@
 #include <math.h>
 #include <string.h>
 
-/* During an event, a value has changed if it lies behind zero by this part of its margin. */
-static const double CLEARLY = 0.6;
+/* During an event, a value has changed if it is behind zero, or behind the place of its indicator's zero but for this part of its round-off. */
+static const double NEARLY = 0.4;
+/* A relation that changes at zero does so early by this part of its round-off. */
+static const double EARLY = 0.5;
 /*
  * An event without effect is one of the importer's errors: they grow by this factor before they cause the next. They have a size of
  * their own, which has nothing to do with how far behind zero a contact is.
@@ -63,6 +66,21 @@ double lag_instance_round_off(const lag_instance *instance, size_t i)
     return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
 }
 
+/* True if it changes where its value is zero: `>=` and `<=` that do not hold, `>` and `<` that do. */
+static int changes_at_zero(const lag_instance *instance, size_t i)
+{
+    const lag_model *model = instance->fmu->model;
+    const int holds = i < model->nindicator && instance->run->motion.w[instance->run->crossings.places.relation + i] != 0.0;
+    return i < model->nindicator && holds == (model->strict[i] != 0);
+}
+
+/* Value that passes zero downward where the importer is to have the event. */
+static double room(const lag_instance *instance, size_t i)
+{
+    const double noise = lag_instance_round_off(instance, i);
+    return value(instance, i) + (changes_at_zero(instance, i) ? -EARLY * noise : noise);
+}
+
 double lag_instance_side(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
@@ -79,14 +97,14 @@ static lag_status look(lag_instance *instance, double t, const double *x)
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room)
+lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *rooms)
 {
     const size_t count = watched(instance);
     const lag_status status = look(instance, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[i] = lag_instance_is_held(instance, i) ? 1.0 : value(instance, i) + lag_instance_round_off(instance, i) + instance->latched[i];
+        rooms[i] = lag_instance_is_held(instance, i) ? 1.0 : room(instance, i) + instance->latched[i];
     }
-    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
+    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, rooms) : status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -110,7 +128,7 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
     lag_instance_forget_path(instance);
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->latched[i] = fmax(0.0, -value(instance, i)) + instance->errors[i];
+        instance->latched[i] = fmax(0.0, lag_instance_round_off(instance, i) - room(instance, i)) + instance->errors[i];
     }
     return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
 }
@@ -120,7 +138,7 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        if (value(instance, i) > lag_instance_round_off(instance, i) + instance->errors[i]) {
+        if (room(instance, i) > 2.0 * lag_instance_round_off(instance, i) + instance->errors[i]) {
             instance->latched[i] = instance->errors[i] = 0.0;
         }
     }
@@ -140,8 +158,8 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
     const lag_status status = look(instance, t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = instance->latched[i] + CLEARLY * lag_instance_round_off(instance, i);
-        const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
+        const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
+        const int changed = room(instance, i) < nearly || (located != NULL && located[i] != 0.0);
         instance->run->crossings.changed[i] = changed;
         *any = *any || changed;
     }
@@ -268,7 +286,7 @@ static lag_status step_back(lag_instance *instance, int happened)
     for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         const int bent = value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
         const int turned = happened && has_turned(instance, i);
-        if (!turned && (bent || -value(instance, i) > instance->latched[i])) {
+        if (!turned && (bent || room(instance, i) + instance->latched[i] < lag_instance_round_off(instance, i))) {
             instance->errors[i] = FARTHER * fmax(instance->errors[i], least_error(instance, i));
         }
     }

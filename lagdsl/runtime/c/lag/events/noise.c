@@ -17,30 +17,33 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * lag_motion_size(model) + 4 * count_of(model) : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 4 * count_of(model) : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
+    const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
-    noise->peak = lag_take(&memory, size);
+    noise->peak = lag_take(&memory, size + inputs);
     noise->point = lag_take(&memory, size);
+    noise->u = lag_take(&memory, inputs);
     noise->value = lag_take(&memory, count_of(model));
     noise->other = lag_take(&memory, count_of(model));
     noise->opposite = lag_take(&memory, count_of(model));
     noise->sigma = memory;
-    memset(noise->peak, 0, size * sizeof(double));
+    memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
 }
 
 void lag_noise_follow(lag_noise *noise, const double *x)
 {
     const lag_model *model = noise->motion->model;
-    const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
-    for (size_t i = 0; i < size; ++i) {
-        const double magnitude = fabs(x[i]);
+    const size_t size = lag_motion_size(model);
+    const size_t count = count_of(model) > 0 ? size + model->nu : 0;
+    for (size_t i = 0; i < count; ++i) {
+        const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
         noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
     }
 }
@@ -63,22 +66,48 @@ static lag_status evaluate(lag_motion *motion, double t, const double *x, double
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
 }
 
-/* The same after change k, or after the opposite one (`sign` -1), into `values`. */
+/* Number i after change k, or after the opposite one (`sign` -1). */
+static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
+{
+    const double by = sign * CHANGE * noise->peak[i];
+    return same_sign(i, k) ? number + by : number - by;
+}
+
+/* Changes the inputs, but for whole ones. */
+static void change_inputs(lag_noise *noise, unsigned k, double sign)
+{
+    const lag_model *model = noise->motion->model;
+    for (size_t i = 0; i < model->nu; ++i) {
+        const int is_whole = model->whole_inputs != NULL && model->whole_inputs[i] != 0;
+        const double given = noise->u[i];
+        noise->motion->u[i] = is_whole ? given : changed(noise, lag_motion_size(model) + i, given, k, sign);
+    }
+}
+
+/* The same after change k, or after the opposite one, into `values`. */
 static lag_status change(lag_noise *noise, double t, const double *x, unsigned k, double sign, double *values)
 {
     lag_motion *motion = noise->motion;
-    const lag_model *model = motion->model;
-    for (size_t i = 0; i < lag_motion_size(model); ++i) {
-        const double by = sign * CHANGE * noise->peak[i];
-        noise->point[i] = same_sign(i, k) ? x[i] + by : x[i] - by;
+    lag_inputs *const inputs = motion->inputs;
+    const double after = t - sign * CHANGE * fabs(t);
+    for (size_t i = 0; i < lag_motion_size(motion->model); ++i) {
+        noise->point[i] = changed(noise, i, x[i], k, sign);
     }
-    return evaluate(motion, t - sign * CHANGE * fabs(t), noise->point, values);
+    lag_motion_look(motion, after, noise->point);
+    memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
+    motion->inputs = NULL;
+    change_inputs(noise, k, sign);
+    const lag_status status = evaluate(motion, after, noise->point, values);
+    motion->inputs = inputs;
+    memcpy(motion->u, noise->u, motion->model->nu * sizeof(double));
+    return status;
 }
 
 void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     unsigned changes = 1;
+    lag_motion_look(noise->motion, t, x);
     lag_noise_follow(noise, x);
     if (evaluate(noise->motion, t, x, noise->value) != LAG_OK) {
         return;
@@ -86,7 +115,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
     for (size_t i = 0; i < count_of(model); ++i) {
         noise->sigma[i] = DBL_MIN;
     }
-    while (changes < 32 && (lag_motion_size(model) >> changes) > 0) {
+    while (changes < 32 && ((lag_motion_size(model) + model->nu) >> changes) > 0) {
         ++changes;
     }
     for (unsigned k = 0; k < changes; ++k) {

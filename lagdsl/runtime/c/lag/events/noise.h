@@ -1,6 +1,6 @@
 /*
  * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error of the unit round-off eps, so
- * g is known to about eps |dg/dx x|: only what enters g counts, in its own units. The derivatives are differences along changes of all
+ * g is known to about eps |dg/dx x|: only what enters g counts, in its own units. Numbers are states, inputs and the time. The derivatives are differences along changes of all
  * numbers at once, with signs such that no two numbers change alike in all of them. Gradients, where a step needs them, take a difference for each number.
  */
 #ifndef LAG_NOISE_H
@@ -10,8 +10,8 @@
 
 typedef struct lag_noise {
     lag_motion *motion;
-    double *peak;         /* (2 nq + nz) largest magnitude of each number so far */
-    double *point;        /* (2 nq + nz) */
+    double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
+    double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
 } lag_noise;
@@ -21,7 +21,7 @@ size_t lag_noise_memory(const lag_model *model);
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 
-/* The motion passed through x. */
+/* The motion passed through x, with the inputs that it has. */
 void lag_noise_follow(lag_noise *noise, const double *x);
 
 /* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */

@@ -121,6 +121,7 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->redundant = section(parts, LAG_TAPE_REDUNDANT);
     model->kinds = section(parts, LAG_TAPE_KINDS);
     model->strict = section(parts, LAG_TAPE_STRICT);
+    model->whole_inputs = section(parts, LAG_TAPE_WHOLE_INPUTS);
 }
 
 static void give_start(lag_start *start, const lag_tape_parts *parts)
