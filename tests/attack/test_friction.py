@@ -106,6 +106,15 @@ TOUCHED = [
         for touch, ends, speed in ((0, ENDS, 0.0), (1, TOUCHES, 1.5))
     ),
     Attack("input_stays", model(BLOCK + "input Real F; force F on x;", ENDS), 3.0, {"der(x)": 0.0}, inputs=GIVEN),
+    Attack(
+        "input_touches_a_third",
+        model(
+            BLOCK.replace("1/2", "1/6") + "input Real F; force F on x;", sticks("slip", "der(x)", "stick", "2.1", "=")
+        ),
+        5.0,
+        {"der(x)": 0.6},
+        inputs={"F": ((0.0, 3.0, 9.0), (0.0, 2.1, 2.1))},
+    ),
     Attack("input_touches", model(BLOCK + "input Real F; force F on x;", TOUCHES), 3.0, {"der(x)": 1.5}, inputs=GIVEN),
 ]
 
@@ -143,6 +152,8 @@ SATURATED = [
         "limit": "limit(2*der(x), -1, 1) >= 1",
         "not_below": "not limit(2*der(x), -1, 1) < 1",
         "max": "max(0.5 - der(x), 0) <= 0",
+        "squared": "max(0.1 - der(x), 0)^2 <= 0",
+        "thirds": "limit(der(x)/0.3, -1/3, 1/3) >= 1/3",
     }.items()
 ]
 

@@ -198,7 +198,7 @@ def _changed(margin: Callable[[float], float], a: float, b: float) -> float:
     """The first change between a and b, on the side where it has changed."""
     if margin(a) <= 0 or not margin(b) < 0:
         return b
-    root = float(brentq(margin, a, b, xtol=1e-15, rtol=8.9e-16))
+    root = float(brentq(margin, a, b, xtol=1e-15, rtol=8.9e-16, maxiter=1000))
     step = float(np.spacing(root))
     while root < b and margin(root) > 0:
         root, step = min(b, root + step), 2 * step

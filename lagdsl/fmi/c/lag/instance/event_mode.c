@@ -1,19 +1,14 @@
-/*
- * Event mode, and the indicators that lead to it. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
- * margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
- * has located it. A relation that changes at zero itself, as `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a
- * little early.
- */
+/* Event mode: finds what has changed at the present state, and carries it out by the rules of the run. */
 #include "lag/instance/instance_internal.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/arena.h"
+
 /* During an event, a value has changed if it is behind zero, or behind the place of its indicator's zero but for this part of its round-off. */
 static const double NEARLY = 0.4;
-/* A relation that changes at zero does so early by this part of its round-off. */
-static const double EARLY = 0.5;
 /*
  * An event without effect is one of the importer's errors: they grow by this factor before they cause the next. They have a size of
  * their own, which has nothing to do with how far behind zero a contact is.
@@ -34,118 +29,30 @@ static const double AHEAD = 1e-11;
 static const double LATEST = 1e-9;
 static const double MOMENTS = 200.0;
 
-/* Relations and contacts. */
-static size_t watched(const lag_instance *instance)
+/* Flags of relations that have come to zero by round-off, as it is here: where the importer began it may have been less. */
+static void find_zeros(lag_instance *instance, double t)
 {
-    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
-}
-
-size_t lag_instance_indicator_count(const lag_fmu *fmu)
-{
-    size_t count = lag_instance_watched(fmu);
-    for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
-        count -= fmu->held_relations[i];
-    }
-    return count;
-}
-
-int lag_instance_is_held(const lag_instance *instance, size_t i)
-{
-    return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
-}
-
-/* Value that passes zero downward when the relation or contact changes. */
-static double value(const lag_instance *instance, size_t i)
-{
-    return lag_zero_crossing_value(&instance->run->crossings, i);
-}
-
-/* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
-double lag_instance_round_off(const lag_instance *instance, size_t i)
-{
-    return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
-}
-
-/* True if it changes where its value is zero: `>=` and `<=` that do not hold, `>` and `<` that do. */
-static int changes_at_zero(const lag_instance *instance, size_t i)
-{
-    const lag_model *model = instance->fmu->model;
-    const int holds = i < model->nindicator && instance->run->motion.w[instance->run->crossings.places.relation + i] != 0.0;
-    return i < model->nindicator && holds == (model->strict[i] != 0);
-}
-
-/* Value that passes zero downward where the importer is to have the event. */
-static double room(const lag_instance *instance, size_t i)
-{
-    const double noise = lag_instance_round_off(instance, i);
-    return value(instance, i) + (changes_at_zero(instance, i) ? -EARLY * noise : noise);
-}
-
-double lag_instance_side(const lag_instance *instance, size_t i)
-{
-    const lag_run *run = instance->run;
-    const size_t corner = lag_instance_first_corner(instance);
-    const int relation = i < instance->fmu->model->nindicator;
-    const int below = i >= corner && instance->side[i - corner] < 0.0;
-    return below || (relation && run->motion.w[run->crossings.places.relation + i] == 0.0) ? -1.0 : 1.0;
-}
-
-/* Values at a state. */
-static lag_status look(lag_instance *instance, double t, const double *x)
-{
-    const lag_status status = watched(instance) > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *rooms)
-{
-    const size_t count = watched(instance);
-    const lag_status status = look(instance, t, x);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        rooms[i] = lag_instance_is_held(instance, i) ? 1.0 : room(instance, i) + instance->latched[i];
-    }
-    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, rooms) : status;
-}
-
-lag_status lag_instance_indicators(lag_instance *instance, double *g)
-{
-    const lag_status status = lag_instance_know(instance, LAG_KNOWN_INDICATORS);
-    if (status == LAG_OK) {
-        memcpy(g, instance->g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
-    }
-    return status;
-}
-
-lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
-{
-    const size_t count = watched(instance);
-    if (instance->fmu->model->nindicator + instance->fmu->model->ncorner > 0) {
-        lag_noise_find(&instance->run->instants.noise, t, x);
-    }
-    lag_contacts_follow(&instance->run->instants.contacts, x);
-    const lag_status status = look(instance, t, x);
-    instance->known = 0;
-    lag_instance_forget_path(instance);
-    instance->held.latched_at = t;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->latched[i] = fmax(0.0, lag_instance_round_off(instance, i) - room(instance, i)) + instance->errors[i];
-    }
-    return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
-}
-
-lag_status lag_instance_release(lag_instance *instance)
-{
-    const size_t count = lag_instance_watched(instance->fmu);
-    const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
-    for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        if (room(instance, i) > 2.0 * lag_instance_round_off(instance, i) + instance->errors[i]) {
-            instance->latched[i] = instance->errors[i] = 0.0;
+    lag_noise_find(&instance->run->instants.noise, t, instance->x);
+    for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
+        const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
+        if (lag_instance_changes_at_zero(instance, i) && lag_instance_room(instance, i) < nearly) {
+            instance->run->crossings.changed[i] = 1.0;
         }
     }
-    if (status == LAG_OK && instance->fmu->model->ncorner > 0) {
-        lag_noise_follow(&instance->run->instants.noise, instance->x);
+}
+
+/*
+ * Relations stay in event mode what they have turned to early, by no more than they are before zero; those that do not change stay while they are behind
+ * zero by no more than their latches.
+ */
+static void hold(lag_instance *instance)
+{
+    for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
+        const int early = lag_instance_changes_at_zero(instance, i);
+        const int changed = instance->run->crossings.changed[i] != 0.0;
+        const double before = fmax(0.0, lag_instance_crossing_value(instance, i));
+        instance->run->instants.noise.least[i] = early && changed ? before : early || changed ? 0.0 : instance->latched[i];
     }
-    return status;
 }
 
 /*
@@ -154,15 +61,18 @@ lag_status lag_instance_release(lag_instance *instance)
  */
 static lag_status find(lag_instance *instance, double t, const double *located, int *any)
 {
-    const size_t count = watched(instance);
-    const lag_status status = look(instance, t, instance->x);
-    *any = 0;
+    const size_t count = lag_instance_crossing_count(instance);
+    const lag_status status = lag_instance_look_at_crossings(instance, t, instance->x);
+    double *changed = instance->run->crossings.changed;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
-        const int changed = room(instance, i) < nearly || (located != NULL && located[i] != 0.0);
-        instance->run->crossings.changed[i] = changed;
-        *any = *any || changed;
+        changed[i] = lag_instance_room(instance, i) < nearly || (located != NULL && located[i] != 0.0);
     }
+    if (status == LAG_OK && instance->fmu->model->nindicator > 0) {
+        find_zeros(instance, t);
+        hold(instance);
+    }
+    *any = status == LAG_OK && lag_any(count, changed);
     const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
     return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, t, instance->x, any) : status;
 }
@@ -222,7 +132,7 @@ static double flight(const lag_instance *instance)
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
         const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * lag_instance_round_off(instance, first + i);
-        const double behind = seen - value(instance, first + i);
+        const double behind = seen - lag_instance_crossing_value(instance, first + i);
         if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
             late = fmax(late, -behind / crossings->speed[i]);
         }
@@ -282,11 +192,11 @@ static int has_turned(const lag_instance *instance, size_t i)
  */
 static lag_status step_back(lag_instance *instance, int happened)
 {
-    const lag_status status = look(instance, instance->held.t, instance->x);
-    for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
-        const int bent = value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
+    const lag_status status = lag_instance_look_at_crossings(instance, instance->held.t, instance->x);
+    for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
+        const int bent = lag_instance_crossing_value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
         const int turned = happened && has_turned(instance, i);
-        if (!turned && (bent || room(instance, i) + instance->latched[i] < lag_instance_round_off(instance, i))) {
+        if (!turned && (bent || lag_instance_room(instance, i) + instance->latched[i] < lag_instance_round_off(instance, i))) {
             instance->errors[i] = FARTHER * fmax(instance->errors[i], least_error(instance, i));
         }
     }
@@ -323,6 +233,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
+        lag_fill(instance->fmu->model->nindicator, 0.0, run->instants.noise.least);
         status = is_idle(instance) ? step_back(instance, run->events > events) : LAG_OK;
         lag_instance_end_path(instance, any);
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;

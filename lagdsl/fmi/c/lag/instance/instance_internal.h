@@ -253,20 +253,32 @@ void lag_instance_leave_inputs(lag_instance *instance);
  */
 lag_status lag_instance_balance_inputs(lag_instance *instance);
 
-/* ---- event_mode.c ---- */
+/* ---- event_indicators.c ---- */
 
-/* Room of everything at x at time t. */
+/* Relations and contacts, in this order. */
+size_t lag_instance_crossing_count(const lag_instance *instance);
+/* Their values at x at time t; then value number `which`, which passes zero downward when the relation or contact changes. */
+lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, const double *x);
+double lag_instance_crossing_value(const lag_instance *instance, size_t which);
+/* Round-off of that, as far as it is known: the margin, more than zero. */
+double lag_instance_round_off(const lag_instance *instance, size_t which);
+/* 1: a relation that changes where its value is zero: `>=` or `<=` that does not hold, `>` or `<` that does. */
+int lag_instance_changes_at_zero(const lag_instance *instance, size_t which);
+/* The value with its margin, which passes zero where an importer is to have the event. */
+double lag_instance_room(const lag_instance *instance, size_t which);
+/* Room of everything at x at time t, as far as it is not latched. */
 lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room);
 /* 1: a relation that the motion does not change. */
 int lag_instance_is_held(const lag_instance *instance, size_t which);
 /* Sign of an indicator while nothing changes: 1, or -1 for relations that do not hold and corners that are below zero. */
 double lag_instance_side(const lag_instance *instance, size_t which);
-/* Round-off of its room, as far as it is known: the margin, more than zero. */
-double lag_instance_round_off(const lag_instance *instance, size_t which);
 /* A value that is behind zero now is no event until it goes further. */
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
 /* Releases values that are farther from zero than their margin; updates the magnitudes. */
 lag_status lag_instance_release(lag_instance *instance);
+
+/* ---- event_mode.c ---- */
+
 /*
  * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
  * is carried out; clocks tick.

@@ -165,14 +165,23 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
     return status;
 }
 
-/* Round-off of the relations, where one of those that have turned may be zero but for that. */
+/* True if relation i does not pass zero, and would turn, or has turned in this event, by a value that may be round-off. */
+static int is_in_doubt(const lag_event_iteration *iteration, const double *x, const double *turned, size_t i)
+{
+    const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
+    const double now = iteration->now[i];
+    const int turns = now != 0.0 && holds(iteration->motion->model, i, now) != truth && is_same(iteration, x);
+    return (turns || (turned != NULL && turned[i] != 0.0)) && !passing(iteration, i);
+}
+
+/* Round-off of the relations, where one of them may be zero but for that. */
 static void weigh(lag_event_iteration *iteration, double t, const double *x, const double *turned)
 {
-    int any = 0;
-    for (size_t i = 0; i < iteration->motion->model->nindicator && turned != NULL; ++i) {
-        any = any || (turned[i] != 0.0 && !passing(iteration, i));
+    size_t i = 0;
+    while (i < iteration->motion->model->nindicator && !is_in_doubt(iteration, x, turned, i)) {
+        ++i;
     }
-    if (any) {
+    if (i < iteration->motion->model->nindicator) {
         lag_noise_find(iteration->noise, t, x);
     }
 }
@@ -195,8 +204,8 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     }
     for (size_t i = 0; i < model->nindicator; ++i) {
         const int passes_zero = passing(iteration, i);
-        const int stays = turned != NULL && turned[i] != 0.0 && !passes_zero && fabs(iteration->now[i]) <= iteration->noise->sigma[i];
-        if (!stays) {
+        const int is_round_off = fabs(iteration->now[i]) <= iteration->noise->sigma[i];
+        if (!is_round_off || !is_in_doubt(iteration, x, turned, i)) {
             motion->w[iteration->places.relation + i] = holds(model, i, passes_zero ? iteration->then[i] : iteration->now[i]);
         }
     }

@@ -17,7 +17,7 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 4 * count_of(model) : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 4 * count_of(model) + model->nindicator : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -32,9 +32,11 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->value = lag_take(&memory, count_of(model));
     noise->other = lag_take(&memory, count_of(model));
     noise->opposite = lag_take(&memory, count_of(model));
-    noise->sigma = memory;
+    noise->sigma = lag_take(&memory, count_of(model));
+    noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
+    memset(noise->least, 0, model->nindicator * sizeof(double));
 }
 
 void lag_noise_follow(lag_noise *noise, const double *x)
@@ -113,7 +115,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
         return;
     }
     for (size_t i = 0; i < count_of(model); ++i) {
-        noise->sigma[i] = DBL_MIN;
+        noise->sigma[i] = i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
     }
     while (changes < 32 && ((lag_motion_size(model) + model->nu) >> changes) > 0) {
         ++changes;

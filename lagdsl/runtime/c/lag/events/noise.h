@@ -14,6 +14,7 @@ typedef struct lag_noise {
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
+    double *least;        /* (nindicator) what it is at least, where an importer has turned relations early; zero */
 } lag_noise;
 
 /* Doubles for it. */
