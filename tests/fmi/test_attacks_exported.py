@@ -45,19 +45,6 @@ SECONDS = 30  # of the processor, compilers left out
 # FMPy integrates with CVODE at this tolerance, from anew at up to a thousand events.
 TOLERANCE, NEAR = 1e-10, 1e-6
 
-# Beginnings of names of rows that are not exact by the kind of FMU, and why.
-SPOILED = {
-    "ModelExchange": {
-        "missed_events-teeth_by_mod": "they come and go between two looks of CVODE",
-        "missed_events-needle_of_a_wide_square": "it comes and goes between two looks of CVODE",
-        "missed_events-before_a_jump_of": "needles that end at a jump are lost",
-        "missed_events-behind_a_jump_of_1e-09": "some are lost with CVODE",
-        "missed_events-zeros_of_1e-09": "some are lost with CVODE",
-    },
-    "CoSimulation": {},
-}
-
-
 # States of an importer have no more digits: a gap of 5 mm between places at 7000 km, which closes at 1 cm/s, changes by
 # 16 roundings of both, the margin, in 5e-6 s; the steps of this importer round the place by 1e-8 m, that is 1e-6 s.
 ROUNDED = {"scales-relation_far_from_the_origin": 1e-5}
@@ -81,9 +68,8 @@ SOME = [f"{module[5:]}-{name}" for module, name in MODULES.items() if name is no
 PAIRS = chosen([(n, v) for n in ROWS for v in VERSIONS], [(n, VERSIONS[i % 2]) for i, n in enumerate(SOME)])
 
 
-# Our importer has no tables of inputs. Needles that end at a jump are lost in model exchange.
-LOST = "missed_events-before_a_jump_of"
-EXCHANGED = {name: row for name, row in ROWS.items() if not row.inputs and not name.startswith(LOST)}
+# Our importer has no tables of inputs.
+EXCHANGED = {name: row for name, row in ROWS.items() if not row.inputs}
 EXACT = [
     ("contacts_in_a_row-soft_stop_of_two", 2),
     ("scales-micrometres_beside_a_thousand_kilometres", 3),
@@ -92,6 +78,7 @@ EXACT = [
     ("crossings_at_bounds-time_and_place_at_once", 3),
     ("missed_events-needle_of_1e-09", 3),
     ("missed_events-behind_a_jump_of_1e-05", 2),
+    ("missed_events-before_a_jump_of_1e-09", 3),
     ("missed_events-bounces_of_0.2_by_a_clause", 2),
     ("missed_events-a_tooth_on_a_peak", 3),
     ("track_corners-constraint_that_moves", 2),
@@ -107,8 +94,6 @@ def test_models_made_to_go_wrong_as_fmus(name: str, version: int, tmp_path: Path
         return
     both = [("ModelExchange", TOLERANCE, ROUNDED.get(name, NEAR)), ("CoSimulation", row.tolerance, row.near)]
     for kind, tolerance, near in both[:1] if row.inputs else both:  # FMPy holds inputs over a step of co-simulation
-        if name.startswith(tuple(SPOILED[kind])):
-            continue
         ends, failure = in_bounded_time(partial(_ends, row, fmu, kind, tolerance), SECONDS)
         assert failure is None or row.refused, (kind, failure)
         for column, value in row.ends.items() if failure is None else ():

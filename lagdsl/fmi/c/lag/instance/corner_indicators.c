@@ -18,7 +18,7 @@ static const double CLEARLY = 0.6;
 static const double NEAR = 16.0;
 static const double FARTHER = 4.0;
 
-static double margin(const lag_instance *instance, size_t corner)
+double lag_instance_corner_margin(const lag_instance *instance, size_t corner)
 {
     const double sigma = instance->run->instants.noise.sigma[instance->fmu->model->nindicator + corner];
     const double allowed = PART * instance->held.tolerance / (UNITS * DBL_EPSILON);
@@ -45,7 +45,7 @@ lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const 
     const size_t count = instance->fmu->model->ncorner;
     const lag_status status = count > 0 ? look(instance, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[lag_instance_first_corner(instance) + i] = (instance->side[i] < 0.0 ? -1.0 : 1.0) * instance->far[i] + margin(instance, i);
+        room[lag_instance_first_corner(instance) + i] = (instance->side[i] < 0.0 ? -1.0 : 1.0) * instance->far[i] + lag_instance_corner_margin(instance, i);
     }
     return status;
 }
@@ -61,8 +61,8 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
         largest[i] = fmax(largest[i], fabs(instance->far[i]));
         if (instance->side[i] == 0.0) {
             instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;
-        } else if (behind > CLEARLY * margin(instance, i)) {
-            latched[i] = largest[i] <= NEAR * margin(instance, i) ? FARTHER * margin(instance, i) : 0.0;
+        } else if (behind > CLEARLY * lag_instance_corner_margin(instance, i)) {
+            latched[i] = largest[i] <= NEAR * lag_instance_corner_margin(instance, i) ? FARTHER * lag_instance_corner_margin(instance, i) : 0.0;
             largest[i] = 0.0;
             instance->side[i] = -instance->side[i];
         }

@@ -183,6 +183,8 @@ static inline size_t lag_instance_first_corner(const lag_instance *instance)
 
 /* Room of corners at x at time t. */
 lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const double *x, double *room);
+/* The room of a corner that has just come to it. */
+double lag_instance_corner_margin(const lag_instance *instance, size_t corner);
 /* An event at x at time t: corners that have been passed are on the other side from now on. */
 lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x);
 /* The state looked at last is on the path of the importer: magnitudes follow. */
