@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, sin
+from math import cos, sin, sqrt
 
 from attack.rows import Attack, check, model, rows
 
@@ -109,6 +109,40 @@ ROW = [
         {("one", "opened"): 1, ("two", "opened"): 0},
     ),
 ]
+
+
+def rocked(inertia: float, half: float, tilt: float) -> dict[str, float]:
+    """A plank of mass 1 falls from its tilt onto edges without rebound; g = 10, s is the integral of the angle.
+
+    Each blow keeps the momentum about the next edge: the rate changes by the ratio (I - b^2)/(I + b^2), and with it the time of
+    the next flight, whose integral is rate*time^2/6 with the sign of the tilt (Housner, Bull. Seism. Soc. Am. 53, 1963).
+    """
+    back = 10 * half / (inertia + half**2)
+    ratio = (inertia - half**2) / (inertia + half**2)
+    fall = sqrt(2 * tilt / back)
+    rate = ratio * back * fall
+    return {"s": tilt * fall * 2 / 3 - rate * (2 * rate / back) ** 2 / 6 / (1 + ratio**3), "a": 0.0, "y": 0.0}
+
+
+def rocks(inertia: float, half: float) -> str:
+    return model(
+        f"coordinate Real y(start = {0.1 * half!r}), a(start = 0.1); kinetic 1/2*der(y)^2 + 1/2*{inertia!r}*der(a)^2; "
+        f"potential 10*y; state Real s; contact left: y + {half!r}*a >= 0 with restitution = 0; "
+        f"contact right: y - {half!r}*a >= 0 with restitution = 0;",
+        "der(s) = a;",
+    )
+
+
+ROCKING = [
+    Attack(f"rocks_{ratio}", rocks(inertia, 0.5), 3.0, rocked(inertia, 0.5, 0.1))
+    for ratio in (0.1, 0.5, 0.8)
+    for inertia in (0.25 * (1 + ratio) / (1 - ratio),)
+]
+
+
+@rows(ROCKING)
+def test_rocking_planks_come_to_rest(row: Attack, engine: str) -> None:
+    check(row, engine)
 
 
 @rows(ROW)

@@ -161,7 +161,7 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
 /* ---- what stays ---- */
 
 /*
- * Accelerations of the gaps of contacts that struck, while they are open: rows of the constraints that they would be, with the
+ * Accelerations of the gaps of contacts that are open and flagged in `closing`: rows of the constraints that they would be, with the
  * accelerations that there are without them.
  */
 static void fly(lag_contacts *contacts, double t, const double *x)
@@ -171,8 +171,8 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     const lag_model *model = motion->model;
     lag_contacts_solve(contacts, t, x);
     memcpy(impact->opened, motion->w, model->nw * sizeof(double));
-    for (size_t k = 0; k < contacts->struck; ++k) {
-        impact->opened[contacts->places.contact + (size_t)contacts->order[k]] = 1.0;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        impact->opened[contacts->places.contact + i] += contacts->closing[i];
     }
     motion->at.w = impact->opened;
     const lag_status status = model->dynamics(&motion->at, impact->mass, impact->force, impact->jacobian, impact->residual);
@@ -185,6 +185,12 @@ static void fly(lag_contacts *contacts, double t, const double *x)
         }
         contacts->back[i] = status == LAG_OK ? acceleration : 0.0;
     }
+}
+
+/* True if a contact that flies so long and begins with its present speed does not get clear of its gap's round-off, or of a step. */
+static int is_lost(const lag_contacts *contacts, size_t i, double flight)
+{
+    return 0.125 * flight * contacts->speed[i] < lag_contacts_gap_noise(contacts, i) || flight < STEPS * contacts->flight;
 }
 
 /* True if a contact that struck stays closed; also sets the time at which it comes to rest. */
@@ -205,8 +211,7 @@ static int stays(lag_contacts *contacts, double t, size_t i)
     }
     const double flight = 2.0 * speed / -contacts->back[i];
     const double left = ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY;
-    const int flat = 0.125 * flight * speed < lag_contacts_gap_noise(contacts, i);
-    if (!flat && !(left < brief) && !(flight < NEXT * brief) && !(flight < STEPS * contacts->flight)) {
+    if (!is_lost(contacts, i, flight) && !(left < brief) && !(flight < NEXT * brief)) {
         return 0;
     }
     const double rest = t + fmin(left, flight / NEXT);
@@ -239,6 +244,26 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x)
     return hold;
 }
 
+/* Contacts that were closed and that blows at others open, as of a box that rocks, stay closed where their flights are lost. */
+static lag_status keep(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    for (size_t i = 0; i < count; ++i) {
+        contacts->closing[i] = contacts->before[i] != 0.0 && *flag(contacts, i) == 0.0;
+    }
+    if (contacts->struck == 0 || !lag_any(count, contacts->closing)) {
+        return LAG_OK;
+    }
+    const lag_status status = lag_contacts_look(contacts, t, x);
+    fly(contacts, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const int falls = contacts->closing[i] != 0.0 && contacts->speed[i] > 0.0 && contacts->back[i] < 0.0;
+        const int touches = contacts->gap[i] <= lag_contacts_touch(contacts, i);
+        *flag(contacts, i) = falls && touches && is_lost(contacts, i, 2.0 * contacts->speed[i] / -contacts->back[i]) ? 1.0 : *flag(contacts, i);
+    }
+    return status;
+}
+
 /* Contacts closed after impacts: those that were closed and those that struck, if they stay and do not pull. */
 static lag_status conclude(lag_contacts *contacts, double t, const double *x)
 {
@@ -249,6 +274,10 @@ static lag_status conclude(lag_contacts *contacts, double t, const double *x)
     lag_status status = lag_contacts_part(contacts, t, x);
     if (status == LAG_OK && contacts->struck > 0) {
         status = lag_contacts_look(contacts, t, x);
+        lag_fill(count, 0.0, contacts->closing);
+        for (size_t k = 0; k < contacts->struck; ++k) {
+            contacts->closing[(size_t)contacts->order[k]] = 1.0;
+        }
         fly(contacts, t, x);
     }
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
@@ -260,6 +289,7 @@ static lag_status conclude(lag_contacts *contacts, double t, const double *x)
         const size_t i = (size_t)contacts->order[k];
         *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
     }
+    status = status == LAG_OK ? keep(contacts, t, x) : status;
     if (status == LAG_OK) {
         lag_contacts_press(contacts, t, x, flag(contacts, 0));
     }
