@@ -99,7 +99,7 @@ ON_CONTACTS = [
     Attack(
         "bar_outside_its_legs",
         model(BAR + "potential if x + y + 1.5*p < 1 then 0 else 2.5;"),
-        1 / 3,
+        1 / 3 + 1e-6,
         {"der(x)": 3 + TILTED, "der(p)": 3 / 8 * TILTED},
     ),
 ]

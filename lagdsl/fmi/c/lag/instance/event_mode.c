@@ -29,15 +29,28 @@ static const double AHEAD = 1e-11;
 static const double LATEST = 1e-9;
 static const double MOMENTS = 200.0;
 
-/* Flags of relations that have come to zero by round-off, as it is here: where the importer began it may have been less. */
+/*
+ * Flags of relations that have come to zero, by the round-off that is here: where the importer began it may have been less, or more, as that of a
+ * square is. Then they are not there yet.
+ */
 static void find_zeros(lag_instance *instance, double t)
 {
-    lag_noise_find(&instance->run->instants.noise, t, instance->x);
-    for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
+    lag_run *run = instance->run;
+    const size_t count = instance->fmu->model->nindicator;
+    double *changed = run->crossings.changed;
+    double *coming = instance->room;
+    for (size_t i = 0; i < count; ++i) {
+        coming[i] = changed[i] != 0.0 && lag_instance_changes_at_zero(instance, i) && lag_instance_crossing_value(instance, i) > 0.0;
+        changed[i] = coming[i] != 0.0 ? 0.0 : changed[i];
+    }
+    lag_noise_find(&run->instants.noise, t, instance->x);
+    if (lag_any(count, coming)) {
+        lag_event_iteration_wait(&run->instants.iteration, t, instance->x, coming, AHEAD * run->instants.contacts.length);
+    }
+    for (size_t i = 0; i < count; ++i) {
         const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
-        if (lag_instance_changes_at_zero(instance, i) && lag_instance_room(instance, i) < nearly) {
-            instance->run->crossings.changed[i] = 1.0;
-        }
+        const int is_zero = lag_instance_changes_at_zero(instance, i) && lag_instance_room(instance, i) < nearly;
+        changed[i] = changed[i] != 0.0 || coming[i] != 0.0 || is_zero;
     }
 }
 

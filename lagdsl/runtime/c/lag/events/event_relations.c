@@ -335,13 +335,29 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     return status;
 }
 
+/* Relations at x at time t, and so long `ahead` by the rates. */
+static lag_status look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead)
+{
+    lag_event_iteration_move_on(iteration, t, x);
+    go(iteration, x, ahead);
+    const lag_status status = indicate(iteration, t + ahead, iteration->later, iteration->then);
+    return status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
+}
+
+void lag_event_iteration_wait(lag_event_iteration *iteration, double t, const double *x, double *turned, double ahead)
+{
+    const double *sigma = iteration->noise->sigma;
+    const lag_status status = look_ahead(iteration, t, x, ahead);
+    for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
+        const double fall = fabs(iteration->now[i]) - fabs(iteration->then[i]);
+        turned[i] = fabs(iteration->now[i]) > sigma[i] && fall > CLEAR * sigma[i] ? 0.0 : turned[i];
+    }
+}
+
 double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead)
 {
     double late = 0.0;
-    lag_event_iteration_move_on(iteration, t, x);
-    go(iteration, x, ahead);
-    lag_status status = indicate(iteration, t + ahead, iteration->later, iteration->then);
-    status = status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
+    const lag_status status = look_ahead(iteration, t, x, ahead);
     for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
         const double moved = iteration->then[i] - iteration->now[i];
         const int falls = turned[i] != 0.0 && moved * iteration->now[i] > 0.0 && fabs(moved) > CLEAR * iteration->noise->sigma[i];
@@ -357,10 +373,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     const double *truth = motion->w + iteration->places.relation;
     const double *stood = iteration->stood + iteration->places.relation;
     int any = 0;
-    lag_event_iteration_move_on(iteration, t, x);
-    go(iteration, x, iteration->moment);
-    lag_status status = indicate(iteration, t + iteration->moment, iteration->later, iteration->then);
-    status = status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
+    const lag_status status = look_ahead(iteration, t, x, iteration->moment);
     for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
         const double depth = fabs(iteration->now[i]);
         const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;
