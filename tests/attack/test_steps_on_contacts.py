@@ -99,8 +99,8 @@ ON_CONTACTS = [
     Attack(
         "bar_outside_its_legs",
         model(BAR + "potential if x + y + 1.5*p < 1 then 0 else 2.5;"),
-        1 / 3 + 1e-6,
-        {"der(x)": 3 + TILTED, "der(p)": 3 / 8 * TILTED},
+        1 / 3 + 1e-6,  # on the right leg, y = -p, its weight turns it back at 10/(1 + 1/3)
+        {"der(x)": 3 + TILTED, "der(p)": 3 / 8 * TILTED + 7.5e-6},
     ),
 ]
 
