@@ -107,6 +107,15 @@ def test_fixed_steps_pass_corners(step: float, text: str, a: float, b: float) ->
     assert moved(text, step) == pytest.approx((a, b), abs=4 * step**2)
 
 
+@pytest.mark.parametrize("step", [1e-3, 3e-3, 0.01])
+def test_fixed_steps_ride_on_a_ground_that_starts_and_stops(step: float) -> None:
+    body = "coordinate Real y; gravity = {0, -8, 0}; mass 1 at {0, y}; "
+    ground = "contact c: y >= limit(time - 0.6051, 0, 0.3) with restitution = 0;"
+    thrown = 1 - 0.9051  # with the speed 1 from the height 0.3
+    found = moved(bent(body + ground, a="y", b="der(y)"), step)
+    assert found == pytest.approx((0.3 + thrown - 4 * thrown**2, 1 - 8 * thrown), abs=10 * step)
+
+
 @pytest.mark.parametrize("step", [1e-3, 0.01])
 @pytest.mark.parametrize(
     "text",

@@ -342,6 +342,20 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 
 /* ---- what is continuous ---- */
 
+/* Gaps that are negative beyond an event, by what they change in the step of fixed length that has led there, have not jumped to that. */
+static lag_status have_jumped(lag_event_iteration *iteration, double t, const double *x, double *pierced)
+{
+    lag_contacts *contacts = iteration->contacts;
+    const size_t count = iteration->motion->model->ncontact;
+    lag_status status = lag_contacts_look(contacts, t, x);
+    memcpy(iteration->pulling, contacts->gap, count * sizeof(double));
+    status = status == LAG_OK ? lag_contacts_look(contacts, iteration->began, iteration->start) : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        pierced[i] = pierced[i] != 0.0 && !(fabs(iteration->pulling[i] - contacts->gap[i]) >= -iteration->pulling[i]);
+    }
+    return status == LAG_OK && lag_any(count, pierced) ? LAG_PENETRATION : status;
+}
+
 lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
 {
     const lag_model *model = iteration->motion->model;
@@ -349,6 +363,7 @@ lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, 
     const double *was = with_states(iteration, x, stood);
     double *pierced = iteration->guilty + iteration->places.contact;
     lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->stood, iteration->pulling, pierced);
+    status = status == LAG_PENETRATION && iteration->start != NULL ? have_jumped(iteration, t, x, pierced) : status;
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }
