@@ -77,6 +77,23 @@ BREAK_AWAY = [
         for limit in (1.5, 1.0)
     ),
     Attack(
+        "three_blocks_equal",
+        # all have (2 t - 3)/3, the top slips at 3.75 and has 3/2, the middle at 4.75 and has 5/2: differences of
+        # accelerations are round-off there
+        model(
+            "coordinate Real a, b, c; kinetic 1/2*(der(a)^2 + der(b)^2 + der(c)^2); "
+            "discrete Integer p(start = 0), q(start = 0), r(start = 0); force 2*time - 3*p + 4*q on a; "
+            "force -4*q + 1.5*r on b; force -1.5*r on c; constraint ground: (if p == 0 then der(a) else 0) = 0; "
+            "constraint middle: (if q == 0 then der(b) - der(a) else 0) = 0; "
+            "constraint top: (if r == 0 then der(c) - der(b) else 0) = 0;",
+            sticks("p", "der(a)", "ground", "3")
+            + sticks("q", "der(b) - der(a)", "middle", "4")
+            + sticks("r", "der(c) - der(b)", "top", "1.5"),
+        ),
+        6.0,
+        {"der(a)": 8.375, "der(b)": 6.8125, "der(c)": 5.0625},
+    ),
+    Attack(
         "two_discs_stick_at_once",
         model(
             "coordinate Real a(der(start = 4)), b, c(der(start = -4)); kinetic 1/2*(der(a)^2 + der(b)^2 + der(c)^2); "

@@ -1,10 +1,12 @@
-"""Steps of energy in place under `solver.step`: the motion has passed the place when a step of fixed length ends."""
+"""Steps of energy in place and corners under `solver.step`: a step of fixed length ends when they have been passed."""
 
 from __future__ import annotations
 
 from math import sqrt
+from zlib import crc32
 
 import pytest
+from fmpy.fmi1 import FMICallException
 
 from fmi.importing import slave
 from fmi.texts import exported_text
@@ -45,3 +47,86 @@ def test_fixed_steps_keep_the_energy_at_a_step_in_place(
             one.step(k / 10, 0.1)
         found = one.get("x", "v")
     assert found == pytest.approx([x, v], abs=3 * step)
+
+
+BEND = sqrt(0.5)
+ON = (
+    "coordinate Real x(start = -0.3037, der(start = 1)), y(start = {}); gravity = 0; mass 1 at {{x, y}}; "
+    "constraint c: y = {};"
+)
+DRIVEN = (
+    "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2 + der(x)*der(y)); constraint c: x = max(0, time - 0.5051);"
+)
+LOCKED = "coordinate Real x(der(start = 1)); discrete Boolean locked; kinetic 1/2*der(x)^2; constraint c: {} = 0;"
+LOCK = "when x > 0.5051 then locked = true; end when;"
+RAMP = (
+    "coordinate Real x(start = -0.8, der(start = 1)), y(start = 0.1, der(start = 0.5)); "
+    "kinetic 1/2*(der(x)^2 + der(y)^2); constraint c: y = limit((x + 1)/2, 0, 0.2511);"
+)
+CARRIED = "coordinate Real x; gravity = 0; mass 1 at {x + max(0, time - 0.5051), 0};"
+
+
+def bent(body: str, clauses: str = "", **outputs: str) -> str:
+    """A text that tells these quantities."""
+    told = " ".join(f"output Real {name} = {value};" for name, value in outputs.items())
+    free = 'annotation(units = "none", experiment(StopTime = 1));'
+    equation = f"\nequation\n  {clauses}" if clauses else ""
+    name = f"Bent{crc32((body + told).encode())}"
+    return f"model {name}\n  {body}\n  {told}\n  {free}{equation}\nend {name};\n"
+
+
+def moved(text: str, step: float) -> tuple[float, float]:
+    """a and b after 1 s."""
+    with slave(exported_text(text, 2)) as one:
+        one.initialize({"solver.step": step}, stop=1.0)
+        for k in range(10):
+            one.step(k / 10, 0.1)
+        a, b = one.get("a", "b")
+    return float(a), float(b)
+
+
+@pytest.mark.parametrize("step", [1e-3, 3e-3, 0.01])
+@pytest.mark.parametrize(
+    ("text", "a", "b"),
+    [
+        # speed 1 along the track, before and behind its corner
+        (bent(ON.format(0.3037, "abs(x)"), a="x", b="der(y)"), 0.6963, 1.0),
+        (bent(ON.format(0.9111, "3*abs(x)"), a="x", b="der(y)"), 0.6963, 3.0),
+        (bent(ON.format(0, "max(0, x)"), a="x", b="der(x)"), 0.6963 * BEND, BEND),
+        (bent(ON.format(0, "if x < 0 then 0 else x + x^2"), a="y - x - x^2", b="der(x)^2 + der(y)^2"), 0.0, 1.0),
+        (bent(RAMP, a="x", b="der(y)"), -0.4978 + 0.6978 * sqrt(1.25), 0.0),
+        # corners of time: the momentum of y is zero all the time, that of a mass on the drive, too
+        (bent(DRIVEN, a="x", b="y"), 0.4949, -0.4949 / 2),
+        (bent(CARRIED, a="x", b="der(x)"), -0.4949, -1.0),
+        # a clause closes a constraint where it is satisfied
+        (bent(LOCKED.format("(if locked then x - 0.5051 else 0)"), LOCK, a="x", b="der(x)"), 0.5051, 0.0),
+    ],
+    ids=["valley", "steep", "ramp", "bend", "level", "drive", "carried", "lock"],
+)  # fmt: skip
+def test_fixed_steps_pass_corners(step: float, text: str, a: float, b: float) -> None:
+    assert moved(text, step) == pytest.approx((a, b), abs=4 * step**2)
+
+
+@pytest.mark.parametrize("step", [1e-3, 3e-3, 0.01])
+def test_fixed_steps_ride_on_a_ground_that_starts_and_stops(step: float) -> None:
+    body = "coordinate Real y; gravity = {0, -8, 0}; mass 1 at {0, y}; "
+    ground = "contact c: y >= limit(time - 0.6051, 0, 0.3) with restitution = 0;"
+    thrown = 1 - 0.9051  # with the speed 1 from the height 0.3
+    found = moved(bent(body + ground, a="y", b="der(y)"), step)
+    assert found == pytest.approx((0.3 + thrown - 4 * thrown**2, 1 - 8 * thrown), abs=10 * step)
+
+
+@pytest.mark.parametrize("step", [1e-3, 0.01])
+@pytest.mark.parametrize(
+    "text",
+    [
+        bent(ON.format(0, "(if x > 0 then 0.0005 else 0)"), a="x", b="y"),
+        bent(ON.format(-0.3037, "x + (if x > 0 then 0.5 else 0)"), a="x", b="y"),
+        bent(DRIVEN.replace("max(0, time - 0.5051)", "if time > 0.5051 then 0.1 else 0"), a="x", b="x"),
+        bent(LOCKED.format("(if locked then x - 0.55 else 0)"), LOCK, a="x", b="x"),
+    ],
+    ids=["step", "shifted", "time", "lock"],
+)  # fmt: skip
+def test_fixed_steps_refuse_positions_that_jump(step: float, text: str) -> None:
+    with pytest.raises(FMICallException):
+        moved(text, step)

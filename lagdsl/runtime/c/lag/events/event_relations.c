@@ -1,5 +1,6 @@
 /* Relations in passes over clauses: as they stand, and what they are a moment later where they pass zero. */
 #include <math.h>
+#include <string.h>
 
 #include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
@@ -71,20 +72,17 @@ static void go(lag_event_iteration *iteration, const double *x, double time)
 }
 
 /*
- * An acceleration that passes zero here is the one in the middle of `lookahead`: where a body breaks away under a force that grows, round-off
- * alone gives it a sign.
+ * Accelerations are those in the middle of `lookahead`: where a body breaks away under a force that grows, round-off alone gives the one here,
+ * or its difference from that of what the body lies on, a sign.
  */
-static void leave_zero(lag_event_iteration *iteration, double t, const double *x)
+static void take_middle(lag_event_iteration *iteration, double t, const double *x)
 {
     lag_motion *motion = iteration->motion;
+    const size_t n = motion->model->nq;
     const double half = iteration->lookahead / 2.0;
     go(iteration, x, half);
-    if (motion->ode.rates(motion, t + half, iteration->later, iteration->middle) != LAG_OK) {
-        return;
-    }
-    for (size_t i = motion->model->nq; i < lag_motion_size(motion->model); ++i) {
-        const double middle = iteration->middle[i];
-        iteration->rate[i] = fabs(iteration->rate[i]) <= PASSING * fabs(middle) ? middle : iteration->rate[i];
+    if (motion->ode.rates(motion, t + half, iteration->later, iteration->middle) == LAG_OK) {
+        memcpy(iteration->rate + n, iteration->middle + n, (lag_motion_size(motion->model) - n) * sizeof(double));
     }
 }
 
@@ -92,7 +90,7 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
 {
     lag_motion *motion = iteration->motion;
     if (motion->ode.rates(motion, t, x, iteration->rate) == LAG_OK) {
-        leave_zero(iteration, t, x);
+        take_middle(iteration, t, x);
     } else {
         lag_fill(lag_motion_size(motion->model), 0.0, iteration->rate);
     }

@@ -1,5 +1,6 @@
 #include "lag/events/refraction.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -151,6 +152,19 @@ static void mirror(const lag_refraction *r, double g, double *x)
     }
 }
 
+/*
+ * Beyond the place, by g at x, a step of fixed length has gone with the rates of before: the motion has gone with those behind it, r->rate. `speed` and
+ * `pull` are the rates of g and of its rate, positive to the other side.
+ */
+static void go_on(const lag_refraction *r, double g, double speed, double pull, double *x)
+{
+    const size_t n = r->motion->model->nq;
+    const double start = sqrt(fmax(speed * speed - 2.0 * pull * fabs(g), 0.0));
+    const double since = fmin(2.0 * fabs(g) / fmax(fabs(speed + start), DBL_MIN), r->passed);
+    lag_axpy(n, since, r->rate + n, x);
+    lag_axpy(n, -since, x + n, x);
+}
+
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
 static void turn(lag_refraction *r, double t, const double *x, size_t which)
 {
@@ -252,6 +266,9 @@ lag_status lag_refraction_cross(
     }
     if (status == LAG_OK && *back && r->passed > 0.0) {
         mirror(r, g, x);
+    }
+    if (status == LAG_OK && *refracted && !*back && r->passed > 0.0) {
+        go_on(r, g, side.sense * speed, pull, x);
     }
     if (status == LAG_OK && *refracted) {
         memcpy(x + n, r->rate + n, n * sizeof(double));

@@ -1,4 +1,6 @@
 /* Steps of fixed length, at a bounded cost. */
+#include <string.h>
+
 #include "lag/fixed.h"
 #include "lag/run.h"
 
@@ -15,12 +17,17 @@ static lag_status follow_fixed(lag_run *run, double h)
     lag_instants_after(&run->instants, run->stepper.t, h);
     run->instants.contacts.flight = h;
     run->instants.refraction.passed = AGO * h;
+    run->instants.iteration.began = run->stepper.t_before;
+    run->instants.iteration.start = run->stepper.x_before;
     status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
     if (status == LAG_EVENT_PENDING) {
         status = lag_run_event(run, h, run->crossings.changed);
     }
-    run->instants.contacts.flight = run->instants.refraction.passed = 0.0;
-    return status == LAG_OK ? lag_run_ticks(run) : status;
+    run->instants.contacts.flight = 0.0;
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
+    run->instants.refraction.passed = 0.0;
+    run->instants.iteration.start = NULL;
+    return status;
 }
 
 /* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
@@ -44,6 +51,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     if (status != LAG_OK) {
         return status;
     }
+    memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
     if (status == LAG_OK) {
         s->t_before = s->t;
