@@ -106,6 +106,12 @@ static int passing(const lag_event_iteration *iteration, size_t i)
     return moved > 0.0 && fabs(iteration->now[i]) <= PASSING * moved;
 }
 
+/* True if relation i is zero itself after `lookahead`, as one that `limit` or `min` ends at its border: it does not pass zero. */
+static int ends_at_zero(const lag_event_iteration *iteration, size_t i)
+{
+    return iteration->then[i] == 0.0 && iteration->now[i] != 0.0;
+}
+
 /* True if relation i passes zero here, back to what it is not. */
 static int turns_back(const lag_event_iteration *iteration, size_t i)
 {
@@ -194,7 +200,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         weigh(iteration, t, x, turned);
     }
     for (size_t i = 0; i < model->nindicator; ++i) {
-        const int passes_zero = passing(iteration, i);
+        const int passes_zero = passing(iteration, i) || (turned != NULL && turned[i] != 0.0 && ends_at_zero(iteration, i));
         const int stays = turned != NULL && turned[i] != 0.0 && !passes_zero && fabs(iteration->now[i]) <= iteration->noise->sigma[i];
         if (!stays) {
             motion->w[iteration->places.relation + i] = holds(model, i, passes_zero ? iteration->then[i] : iteration->now[i]);
