@@ -42,6 +42,7 @@ class Attack:
     tolerance: float = 1e-10
     near: float = 1e-8
     interval: float | None = None
+    solver: str = "auto"
 
 
 def model(body: str, clauses: str = "", units: bool = False) -> str:
@@ -82,6 +83,7 @@ def _run(row: Attack, engine: str) -> tuple[str | None, Any]:
             interval=row.interval or row.stop / 10,
             inputs=row.inputs or None,
             parameters=row.parameters or None,
+            solver=row.solver,
         )
     except lagdsl.CompilationFailed as failed:
         return failed.diagnostics[0].code, str(failed)

@@ -135,6 +135,24 @@ TOUCHED = [
     Attack("input_touches", model(BLOCK + "input Real F; force F on x;", TOUCHES), 3.0, {"der(x)": 1.5}, inputs=GIVEN),
 ]
 
+# an input has a row at the instant at which the force touches the limit: what acts with it from then on decides
+AT_ROWS = [
+    Attack(
+        f"{n}_at_a_row_to_{after:g}",
+        model(BLOCK + f"force {RISES[n]} on x; input Real G; force G on {c};" + other, TOUCHES),
+        3.0,
+        {"der(x)": speed},
+        inputs={"G": ((0.0, 1.5, 1.5, 9.0), (0.0, 0.0, after, after))},
+    )
+    for n in ("min", "table")
+    for c, other, after, speed in (
+        ("y", "coordinate Real y; kinetic 1/2*der(y)^2;", 1.0, 1.5),
+        ("x", "", 0.5, 2.25),
+        ("x", "", -0.5, 0.0),
+        ("x", "", -7.0, -3.0),
+    )
+]
+
 LIFTED = (
     "coordinate Real y; gravity = {0, -10, 0}; mass 1 at {0, y}; contact floor: y >= 0 with restitution = 0; "
     "discrete Integer n(start = 0); "
@@ -180,7 +198,7 @@ def test_break_away(row: Attack, engine: str) -> None:
     check(row, engine)
 
 
-@rows(TOUCHED)
+@rows([*TOUCHED, *AT_ROWS])
 def test_touched_limits(row: Attack, engine: str) -> None:
     check(row, engine)
 

@@ -76,8 +76,15 @@ def at_whole_numbers(x: FlatExpression) -> FlatExpression:
     return flat.Binary("*", flat.Binary("-", flat.ONE, flat.Binary("*", flat.Number(2.0), odd)), arc)
 
 
-def at_borders(x: FlatExpression, borders: Sequence[float]) -> FlatExpression:
-    """The same for given numbers; straight outside of them."""
+def at_borders(x: FlatExpression, borders: Sequence[float]) -> list[FlatExpression]:
+    """The same for given numbers, by several distances: their signs are the bits of a Gray code of the interval, so
+    that no two intervals have the same signs. A step over a narrow one shows."""
+    count = len(borders)
+    return [_alternating(x, borders[(1 << k) - 1 :: 2 << k]) for k in range(count.bit_length())]
+
+
+def _alternating(x: FlatExpression, borders: Sequence[float]) -> FlatExpression:
+    """Parabolas between the borders, in turn above and below zero, with slopes of 1 there; straight outside."""
     pieces: list[FlatExpression] = [flat.Binary("-", flat.Number(borders[0]), x)]
     for k, (a, b) in enumerate(pairwise(borders)):
         sides = flat.Binary("-", x, flat.Number(a)), flat.Binary("-", x, flat.Number(b))

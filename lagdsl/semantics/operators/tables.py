@@ -77,8 +77,8 @@ def table(call: Application) -> Value:
         number = branch_number(call.ctx, call.scope, call.node, x, borders)
     expression = interpolation(x.expression, places, values, method, number)
     if borders and number is None:
-        distance = at_borders(x.expression, borders)
-        met(call.ctx, call.scope, call.node, expression, distance, x, sharp=method == "linear")
+        for distance in at_borders(x.expression, borders):
+            met(call.ctx, call.scope, call.node, expression, distance, x, sharp=method == "linear")
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))
 
 

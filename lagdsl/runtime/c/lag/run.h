@@ -112,6 +112,7 @@ typedef struct lag_half {
     int corner;          /* a corner is at its end */
     double t;            /* where that is; the end of the step where nothing happens */
     double length, next; /* of the step, as far as the method went; proposed for the next one */
+    double left;         /* relations wait for the ticks at t: the time scale of what happens there; 0: none do */
 } lag_half;
 
 struct lag_run {
@@ -140,6 +141,7 @@ struct lag_run {
     double *sign, *value, *crossed, *other; /* (indicators) */
     double *ticked;           /* (clocks) */
     double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
+    double *waiting;          /* (nindicator + ncontact) what waits for the ticks there */
     lag_half half;
     lag_clock *clock;         /* (clocks) */
     size_t row;               /* the next one */

@@ -163,13 +163,20 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
     return status;
 }
 
+/* True if relation i is what it is after `lookahead`: it passes zero, or has turned and is zero itself then, as one that `limit` or `min` ends. */
+static int is_later_one(const lag_event_iteration *iteration, const double *turned, size_t i)
+{
+    const int ends = iteration->then[i] == 0.0 && iteration->now[i] != 0.0;
+    return passing(iteration, i) || (ends && turned != NULL && turned[i] != 0.0);
+}
+
 /* True if relation i does not pass zero, and would turn, or has turned in this event, by a value that may be round-off. */
 static int is_in_doubt(const lag_event_iteration *iteration, const double *x, const double *turned, size_t i)
 {
     const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
     const double now = iteration->now[i];
     const int turns = now != 0.0 && holds(iteration->motion->model, i, now) != truth && is_same(iteration, x);
-    return (turns || (turned != NULL && turned[i] != 0.0)) && !passing(iteration, i);
+    return (turns || (turned != NULL && turned[i] != 0.0)) && !is_later_one(iteration, turned, i);
 }
 
 /* Round-off of the relations, where one of them may be zero but for that. */
@@ -201,10 +208,10 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         weigh(iteration, t, x, turned);
     }
     for (size_t i = 0; i < model->nindicator; ++i) {
-        const int passes_zero = passing(iteration, i);
+        const int is_later = is_later_one(iteration, turned, i);
         const int is_round_off = fabs(iteration->now[i]) <= iteration->noise->sigma[i];
         if (!is_round_off || !is_in_doubt(iteration, x, turned, i)) {
-            motion->w[iteration->places.relation + i] = holds(model, i, passes_zero ? iteration->then[i] : iteration->now[i]);
+            motion->w[iteration->places.relation + i] = holds(model, i, is_later ? iteration->then[i] : iteration->now[i]);
         }
     }
     return status;
@@ -263,11 +270,6 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
         }
     }
     return status;
-}
-
-lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x)
-{
-    return lag_event_iteration_ahead(iteration, t, x, NULL);
 }
 
 /*

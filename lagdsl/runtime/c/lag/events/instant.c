@@ -293,7 +293,7 @@ static lag_status turn_relations(lag_instants *instants, double t, const double 
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
     memcpy(iteration->before, instants->motion->w, model->nw * sizeof(double));
-    lag_status status = lag_event_iteration_turn(iteration, t, x);
+    lag_status status = lag_event_iteration_ahead(iteration, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (truth[i] != iteration->before[instants->places.relation + i]) {
             status = lag_event_iteration_tell(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);

@@ -79,6 +79,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     s->t = s->t_before = run->event_time = t;
     s->h = h;
     run->half.open = 0;
+    run->half.left = 0.0;
     run->look.rank = 0;
     return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
 }

@@ -1,5 +1,6 @@
 /* Corners of forces, energies and rates along the motion: steps end there, and begin anew behind them. */
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
@@ -131,30 +132,39 @@ static lag_status look_ahead(lag_run *run, double t, const double *x, const doub
     return look(run, t + after, run->point, far);
 }
 
-/*
- * A time, at most `most`, in which the corners flagged in `beside`, whose distances at x are in seen[0], go clearly against the round-off of x: twice
- * as far in twice the time. Distances there are in `far`.
- */
-static lag_status go_clearly(lag_run *run, double t, const double *x, const double *f, const double *beside, double most, double *after)
+/* So many of the corners flagged in `beside` do not go clearly from x in a time: twice as far in twice the time. */
+static lag_status count_unclear(lag_run *run, double t, const double *x, const double *f, double after, size_t *unclear)
 {
     lag_zero_crossing *crossings = &run->crossings;
     const double *here = crossings->seen[0];
-    lag_status status = LAG_OK;
-    int clear = 0;
-    *after = lookahead(run);
-    for (int k = 0; k < MOST_DOUBLINGS && status == LAG_OK && !clear; ++k) { /* a run without an end has no length */
-        status = look_ahead(run, t, x, f, 2.0 * *after, crossings->root);
-        status = status == LAG_OK ? look_ahead(run, t, x, f, *after, crossings->far) : status;
-        clear = 1;
-        for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-            const double moved = crossings->far[i] - here[i];
-            const double twice = crossings->root[i] - here[i];
-            clear = clear && (beside[i] == 0.0 || fabs(twice - 2.0 * moved) < STRAIGHT * fabs(moved));
-        }
-        clear = clear || 2.0 * *after > most;
-        *after *= clear ? 1.0 : 2.0;
+    lag_status status = look_ahead(run, t, x, f, 2.0 * after, crossings->root);
+    status = status == LAG_OK ? look_ahead(run, t, x, f, after, crossings->far) : status;
+    *unclear = 0;
+    for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+        const double moved = crossings->far[i] - here[i];
+        const double twice = crossings->root[i] - here[i];
+        *unclear += crossings->beside[i] != 0.0 && !(fabs(twice - 2.0 * moved) < STRAIGHT * fabs(moved));
     }
     return status;
+}
+
+/*
+ * A time, at most `most`, in which the corners flagged in `beside`, whose distances at x are in seen[0], go clearly against the round-off of x, but for
+ * those that never do, as a distance that jumps. Distances there are in `far`.
+ */
+static lag_status go_clearly(lag_run *run, double t, const double *x, const double *f, double most, double *after)
+{
+    size_t least = SIZE_MAX;
+    double longer = lookahead(run);
+    lag_status status = LAG_OK;
+    for (int k = 0; k < MOST_DOUBLINGS && status == LAG_OK && least > 0 && (k == 0 || longer <= most); ++k) { /* a run without an end has no length */
+        size_t unclear = 0;
+        status = count_unclear(run, t, x, f, longer, &unclear);
+        *after = unclear < least ? longer : *after;
+        least = unclear < least ? unclear : least;
+        longer *= 2.0;
+    }
+    return status == LAG_OK && least > 0 ? look_ahead(run, t, x, f, *after, run->crossings.far) : status;
 }
 
 /* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
@@ -171,7 +181,7 @@ static lag_status face(lag_run *run)
         crossings->beside[i] = is_beside;
     }
     if (lag_any(count, crossings->beside)) {
-        status = go_clearly(run, s->t_before, s->x_before, s->f_before, crossings->beside, LATER * run->instants.contacts.length, &after);
+        status = go_clearly(run, s->t_before, s->x_before, s->f_before, LATER * run->instants.contacts.length, &after);
     }
     for (size_t i = 0; i < count && after > 0.0 && status == LAG_OK; ++i) {
         if (crossings->beside[i] != 0.0 && crossings->far[i] != 0.0) {
@@ -275,9 +285,10 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
+/* As far before it as the step that ends there looks ahead, so that the run passes it (lag_run_pass_corner). */
 double lag_run_before_corner(const lag_run *run, double corner)
 {
-    return corner - lookahead(run);
+    return corner - TOGETHER * lag_scan_tolerance_at(corner, corner - run->stepper.t_before);
 }
 
 int lag_run_is_at_end(const lag_run *run, double corner)
@@ -297,7 +308,7 @@ static double time_to_pass(lag_run *run)
     for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
         crossings->beside[i] = fabs(crossings->seen[0][i]) <= BESIDE * fabs(crossings->far[i] - crossings->seen[0][i]);
     }
-    status = status == LAG_OK ? go_clearly(run, s->t, s->x, s->f, crossings->beside, LATER * length, &after) : status;
+    status = status == LAG_OK ? go_clearly(run, s->t, s->x, s->f, LATER * length, &after) : status;
     after = status == LAG_OK ? after : lookahead(run);
     return PASSED * (after > lookahead(run) ? PASSED * after : after); /* where the place is known to round-off only, so is the corner */
 }

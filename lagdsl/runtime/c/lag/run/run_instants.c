@@ -111,6 +111,11 @@ lag_status lag_run_ticks(lag_run *run)
     if (!lag_run_due(run, s->t)) {
         return LAG_OK;
     }
+    if (run->half.left > 0.0 && run->half.t == s->t) {
+        const double h = run->half.left;
+        run->half.left = 0.0;
+        return lag_run_event_and_ticks(run, h, run->waiting);
+    }
     lag_status status = lag_instants_quietly(&run->instants, s->t, s->x, &quiet);
     if (status == LAG_OK && quiet) {
         status = find_turned(run, &turned);

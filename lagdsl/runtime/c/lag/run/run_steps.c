@@ -235,7 +235,12 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     const double h = scale_of(run, half);
     const int due = t < stop && lag_run_due(run, t);
     int fired = 0;
-    const int own = half->own && !left_to_ticks(run, stop);
+    const int left = half->own && left_to_ticks(run, stop);
+    const int own = half->own && !left;
+    if (left) {
+        memcpy(run->waiting, run->pending, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+        run->half.left = h;
+    }
     *happened = own || due;
     lag_instants_after(&run->instants, t, h);
     lag_status status = LAG_OK;
@@ -259,6 +264,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     double other = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_run_instant(run)), &own, &other);
+    half->left = 0.0;
     half->length = s->t - t;
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {

@@ -11,6 +11,8 @@
 enum { HALVES = 60 };
 /* At least this part of the other is no round-off. */
 static const double ALIKE = 1e-6;
+/* A value that is so many times as far from zero just before its root as on a straight line jumps there. */
+static const double STEEP = 16.0;
 
 lag_status lag_scan_look(lag_run *run, double t)
 {
@@ -36,9 +38,11 @@ static double value_of(void *context, double t)
  */
 static double refine(change *one, double a, double fa, double b, double root, double tolerance)
 {
+    const double before = value_of(one, fmax(a, root - tolerance));
     const double value = value_of(one, root);
     const double better = root - value * (root - a) / (value - fa);
-    const int jumps = fabs(value) > ALIKE * fabs(fa) || fabs(better - root) > tolerance;
+    const int is_steep = fabs(before) * (root - a) > STEEP * fabs(fa) * tolerance;
+    const int jumps = fabs(value) > ALIKE * fabs(fa) || fabs(better - root) > tolerance || is_steep;
     return jumps ? fmin(b, root + LAG_SCAN_TOGETHER * tolerance) : better;
 }
 

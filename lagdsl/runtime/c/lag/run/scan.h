@@ -19,10 +19,16 @@ static const double LAG_SCAN_TOGETHER = 8.0;
 /* A piece is no longer than this part of the experiment. */
 static const double LAG_SCAN_LONGEST = 0.02;
 
+/* That of a step of length h to time t; of the last one. */
+static inline double lag_scan_tolerance_at(double t, double h)
+{
+    return LAG_SCAN_ULPS * DBL_EPSILON * fmax(fabs(t), h);
+}
+
 static inline double lag_scan_tolerance(const lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    return LAG_SCAN_ULPS * DBL_EPSILON * fmax(fabs(s->t), s->t - s->t_before);
+    return lag_scan_tolerance_at(s->t, s->t - s->t_before);
 }
 
 /* The alert at a time within the last step. */

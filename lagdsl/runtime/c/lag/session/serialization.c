@@ -153,6 +153,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->half.t);
     RECORD(run->half.length);
     RECORD(run->half.next);
+    RECORD(run->half.left);
     for (size_t i = 0; i < LAG_CHANGES; ++i) {
         RECORD(run->change[i].t);
         RECORD(run->change[i].implicit);
