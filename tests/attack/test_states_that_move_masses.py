@@ -9,6 +9,7 @@ from attack.rows import Attack, check, model, rows
 from choice import spread
 
 import lagdsl
+from lagdsl.simulate.failure import SimulationFailed
 
 FOLLOWING = [
     Attack(
@@ -358,6 +359,22 @@ def test_certificates_and_derivations_of_states(name: str) -> None:
     found = attacked.verify()
     assert [(line.name, line.figure) for line in found.lines if line.verdict == "failed"] == []
     assert any(line.name == "power balance" and line.verdict == "held" for line in found.lines)
+
+
+@pytest.mark.parametrize(("clause", "told"), [("time >= 1", "`p`, `time >= 1`"), ("sample(1, 5)", "`p`")])
+def test_states_that_would_move_masses_are_named(clause: str, told: str) -> None:
+    """By the clause that sets them, and not by its condition; what sets other states is not told."""
+    text = model(
+        "coordinate Real x; state Real p, far; gravity = 0; mass 1 at {x + p, 0};",
+        "der(p) = 0; der(far) = 0;\n"
+        f"when time >= 2 then reinit(far, 1); elsewhen {clause} then reinit(p, 2); end when;",
+    )
+    with pytest.raises(SimulationFailed) as failure:
+        lagdsl.compile(text).simulate(stop=3.0)
+    (diagnostic,) = failure.value.diagnostics
+    assert diagnostic.code == "E0836"
+    assert f"jumps with {told} at t = 1 s" in diagnostic.message
+    assert text[diagnostic.labels[0].span.start :].startswith("reinit(p, 2)")
 
 
 @rows([*FOLLOWING, *SET, *STARTED, *TORN, *VECTORS])
