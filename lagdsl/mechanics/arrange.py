@@ -19,6 +19,7 @@ from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
+from lagdsl.program.passes.speeds import with_speeds
 from lagdsl.program.program import Block, Function, Program
 
 # From so many coordinates on, M is not written out; the second number is for equations without constraints that
@@ -64,7 +65,8 @@ def _program(equations: Equations, *, dense: bool) -> Program:
         + corner_functions(equations.lowering, flat)
         + way_functions(equations.lowering, flat)
     )
-    return with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
+    program = Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions)
+    return with_speeds(flat, with_components(program))
 
 
 def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
