@@ -204,7 +204,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
             if status == Status.WAY_JUMP:
-                changing = _moving(course, changing, fault, u)
+                changing = _displacing(course, changing, fault, u)
             items = [entry.item for entry in changing if entry.item is not None]
             names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
@@ -219,7 +219,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             assert_never(status)
 
 
-def _moving(course: Course, changing: Sequence[Entry], fault: Fault, u: Floats) -> list[Entry]:
+def _displacing(course: Course, changing: Sequence[Entry], fault: Fault, u: Floats) -> list[Entry]:
     """What places a mass elsewhere: states that have what a clause sets them to; what else changes, no conditions."""
     flat = course.flat
     evaluator = evaluator_at(flat, course.layout, fault.t, fault.x, u, course.run.p)
