@@ -12,14 +12,15 @@ from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 
-MOVING = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.RELEASE, Group.QDD, Group.LAMBDA)
+MOVING = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.RELEASE, Group.QDD, Group.LAMBDA, Group.DIRECTION_Z)
 
 
 class TimeDerivative(Tangent):
     """d/dt of nodes. Parameters, discretes and release rates are held.
 
-    `rate(symbol)` gives the derivative of states, inputs, accelerations and multipliers, or raises where there is none.
-    With `bias` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
+    `rate(symbol)` gives the derivative of states, their rates, inputs, accelerations and multipliers, or raises where
+    there is none. With `bias` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on
+    them.
     """
 
     def __init__(self, graph: Graph, rate: Callable[[int], int], *, bias: bool = False) -> None:

@@ -12,13 +12,14 @@ from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
-from lagdsl.mechanics.lowering.acceleration import needs_accelerations, refuse_accelerations
+from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations, refuse_accelerations
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.solve import solve
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
+from lagdsl.program.passes.speeds import with_speeds
 from lagdsl.program.program import Block, Function, Program
 
 # From so many coordinates on, M is not written out; the second number is for equations without constraints that
@@ -64,7 +65,8 @@ def _program(equations: Equations, *, dense: bool) -> Program:
         + corner_functions(equations.lowering, flat)
         + way_functions(equations.lowering, flat)
     )
-    return with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
+    program = Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions)
+    return with_speeds(flat, with_components(program))
 
 
 def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
@@ -113,7 +115,8 @@ def _refuse_places_of_rates(equations: Equations, phi: Sequence[int]) -> None:
     present = set(graph.live(phi)) if equations.flat.states else set()
     for state, symbol in zip(equations.flat.states, equations.symbols.z, strict=True):
         if symbol in present and graph.depends(lowering.scalar(state.derivative), Group.QD):
-            raise needs_accelerations(state.spans, f"what a constraint on `{state.name}` asks for")
+            what = f"what a constraint on `{state.name}` asks for"
+            raise needs_accelerations(state.spans, what, help=as_coordinate(state.name))
 
 
 def _refuse_accelerating_states(equations: Equations, forces: Sequence[int]) -> None:

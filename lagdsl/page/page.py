@@ -63,7 +63,8 @@ def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None
     """The head of a page that begins with this motion."""
     engine, t = made.prepared.engine, made.span[0]
     defaults = engine.evaluate("start", t, made.p)[3]
-    u = signals(made.prepared.compilation.flat, defaults, wishes.inputs, made.span, Sink()).at(t)
+    flat = made.prepared.compilation.flat
+    u = signals(flat, defaults, wishes.inputs, made.span, Sink(), speeds=engine.layout.speeds).at(t)
     return head_of(
         made.prepared.own,
         made.prepared.living,

@@ -54,6 +54,7 @@ class Layout:
     `kinematics`, where the program has them.
     `components` (nq + nz,) are the connected components of what the equations couple, see
     `program/passes/components.py`; where it is empty, everything counts as coupled.
+    `speeds` flags inputs that prescribe a speed, see `program/passes/speeds.py`; where it is empty, none is known to.
     """
 
     coordinates: tuple[Slot, ...]
@@ -75,6 +76,7 @@ class Layout:
     frames: tuple[str, ...] = ()
     points: tuple[str, ...] = ()
     components: tuple[int, ...] = ()
+    speeds: tuple[bool, ...] = ()
 
     def size(self, group: Group) -> int:
         """Length of the argument array of `group`."""

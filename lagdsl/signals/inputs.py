@@ -63,9 +63,16 @@ class Signals:
 
 
 def signals(
-    flat: FlatModel, defaults: Floats, inputs: Mapping[str, Signal], span: tuple[float, float], sink: Sink
+    flat: FlatModel,
+    defaults: Floats,
+    inputs: Mapping[str, Signal],
+    span: tuple[float, float],
+    sink: Sink,
+    *,
+    speeds: Sequence[bool] = (),
 ) -> Signals:
-    """Every input of the model: given ones, derivatives of given tables and constants, defaults.
+    """Every input of the model: given ones, derivatives of given tables and constants, defaults. Tables of inputs that
+    prescribe `speeds` may jump.
 
     Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
     derivative the model needs and nobody gave (E0818), a table that has not as many derivatives (E0846) or jumps where
@@ -80,13 +87,15 @@ def signals(
             sink.report("E0819", None, help=help, name=name, known=", ".join(names) or "none")
     functions: list[_Function] = []
     breaks: set[float] = set()
+    jumping = [name for name, flag in zip(names, speeds, strict=False) if flag]
     for item, default in zip(flat.inputs, defaults.tolist(), strict=True):
         source, order = _source(item.name, inputs)
         if source is None:
             functions.append(_Constant(default))
             continue
         needed = order + _derivatives_left(item.name, names, inputs)
-        functions.append(_function(item, source, inputs[source], (order, needed), span, breaks, sink))
+        found = _function(item, source, inputs[source], (order, needed), span, breaks, sink, source in jumping)
+        functions.append(found)
     _check_given_together(names, inputs, sink)
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
 
@@ -164,6 +173,7 @@ def _function(
     span: tuple[float, float],
     breaks: set[float],
     sink: Sink,
+    may_jump: bool,
 ) -> _Function:
     """One input from the signal given for `source`; `orders` are the derivative it is of that, and the highest that is
     taken of it."""
@@ -186,7 +196,7 @@ def _function(
             return _Constant(0.0)
         if held and item.base == "Real":
             times, values = np.repeat(times, 2)[1:], np.repeat(values, 2)[:-1]
-        return _of_table(item, source, (times, values), orders, breaks, sink)
+        return _of_table(item, source, (times, values), orders, breaks, sink, may_jump)
     try:
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
@@ -199,7 +209,13 @@ def _function(
 
 
 def _of_table(
-    item: Input, source: str, table: tuple[Floats, Floats], orders: tuple[int, int], breaks: set[float], sink: Sink
+    item: Input,
+    source: str,
+    table: tuple[Floats, Floats],
+    orders: tuple[int, int],
+    breaks: set[float],
+    sink: Sink,
+    may_jump: bool,
 ) -> _Function:
     """Steps for what is counted; straight lines, also where their slope is taken once; monotone cubics where two
     derivatives are taken. So the highest derivative jumps at rows, and the one before it does not."""
@@ -214,7 +230,7 @@ def _of_table(
     kept = np.append(True, (np.diff(times) > 0.0) | (np.diff(values) != 0.0))
     times, values = times[kept], values[kept]  # a row may stand twice for a jump in another column
     jumps = np.flatnonzero(np.diff(times) == 0.0)
-    if len(jumps):
+    if len(jumps) and not may_jump:
         sink.report("E0847", None, name=source, time=times[jumps[0]])
         return _Constant(0.0)
     if needed > _MOST_DERIVATIVES:
@@ -225,10 +241,11 @@ def _of_table(
         return _Constant(float(values[0]) if order == 0 else 0.0)
     breaks.update(times[1:-1].tolist())
     if needed == 1:
-        slopes = np.diff(values) / np.diff(times)
         if order == 0:
             return SignalTable(SignalKind.LINES, times, values)
-        return SignalTable(SignalKind.STEPS, times, np.append(slopes, slopes[-1]))
+        pieces = np.diff(times) > 0.0
+        slopes = np.diff(values)[pieces] / np.diff(times)[pieces]
+        return SignalTable(SignalKind.STEPS, np.append(times[:-1][pieces], times[-1]), np.append(slopes, slopes[-1]))
     if order == 2:
         sink.report("N0848", None, name=source, derivative=item.name)
     return _cubics(times, values, order)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, assert_never
 
+import numpy as np
+
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.evaluate import NotEvaluable
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Check, Contact, Reset, entries
+from lagdsl.flat.events import Branch, Check, Contact, Entry, Reset, entries
+from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
 from lagdsl.numerics.rank import Floats
@@ -14,11 +19,13 @@ from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.runtime.run_view import Fault, RunView
 from lagdsl.runtime.structures import Status
-from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
+from lagdsl.simulate.state_words import component_name, evaluator_at, state_text, time_text, zero_norm
 from lagdsl.structure.names import located, place
 
 # Steps are at least so many units in the last place of time.
 _LEAST_STEP = 16.0 * 2.0**-52
+# Of the inertias: with less, accelerations are known to half of their digits at most.
+_NEARLY_CANCELLED = 1e-8
 _EventStatus: TypeAlias = Literal[
     Status.EVENT_ITERATION_FAILED,
     Status.CHATTER,
@@ -61,7 +68,8 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             return _report_not_finite(course, fault, u, sink)
         case Status.STEP_TOO_SMALL:
             name = component_name(flat, fault.which)
-            return _told(course, "E0809", fault, None, sink, name=name, step=f"{_LEAST_STEP * course.last:.1g}")
+            step, more = f"{_LEAST_STEP * course.last:.1g}", _cancelling_note(course, fault)
+            return _told(course, "E0809", fault, None, sink, *more, name=name, step=step)
         case Status.PROJECTION_FAILED:
             row = _row(flat, fault.which)
             name, residual = layout.constraints[fault.which].name, f"{fault.value:.3g}"
@@ -85,7 +93,7 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.POSITION_JUMP
             | Status.WAY_JUMP
         ):
-            code, item, text = _of_event(course, status, fault)
+            code, item, text = _of_event(course, status, fault, u)
             return _told(course, code, fault, item, sink, text=text)
         case (
             Status.OK
@@ -101,8 +109,10 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             assert_never(status)
 
 
-def _told(course: Course, code: str, fault: Fault, item: Item | None, sink: Sink, **arguments: Any) -> str | None:
-    notes = (f"state: {state_text(course.flat, fault.x)}",)
+def _told(
+    course: Course, code: str, fault: Fault, item: Item | None, sink: Sink, *more: str, **arguments: Any
+) -> str | None:
+    notes = (f"state: {state_text(course.flat, fault.x)}", *more)
     span = item.spans[0] if item is not None and item.spans else None
     sink.report(code, span, notes=notes, time=time_text(fault.t), **arguments)
     name = arguments.get("name")
@@ -116,7 +126,7 @@ def _row(flat: FlatModel, row: int) -> Constraint:
 def _report_not_finite(course: Course, fault: Fault, u: Floats, sink: Sink) -> str:
     """E0813 or E0808: at this state there are no accelerations."""
     flat, time = course.flat, time_text(fault.t)
-    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.p)
+    norm = zero_norm(flat, evaluator_at(flat, course.layout, fault.t, fault.x, u, course.run.p))
     if norm is not None:
         item, element = norm
         sink.report("E0813", item.spans[0] if item.spans else None, time=time, element=element)
@@ -167,7 +177,23 @@ def _power_note(course: Course, fault: Fault) -> str:
     return f"largest power: {value:.3g} W by the {kind} along `{name}`"
 
 
-def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, Item, str]:
+def _cancelling_note(course: Course, fault: Fault) -> tuple[str, ...]:
+    """The coordinates whose inertias nearly cancel in a common motion, each measured by its own; none with constraints,
+    where such a motion may be held."""
+    coordinates = course.layout.coordinates
+    n = len(coordinates)
+    mass = course.run.evaluate("mass_matrix", fault.t, fault.x, n * n).reshape(n, n)
+    own = np.sqrt(np.maximum(np.diag(mass), 0.0))
+    if n == 0 or course.layout.constraints or not (np.isfinite(mass).all() and own.all()):
+        return ()
+    sizes, motions = np.linalg.eigh(mass / np.outer(own, own))
+    if not sizes[0] < _NEARLY_CANCELLED:
+        return ()
+    names = [f"`{slot.name}`" for slot, part in zip(coordinates, motions[:, 0], strict=True) if abs(part) > 0.1]
+    return (f"the inertias of {', '.join(names)} cancel in a common motion, but for a part of {sizes[0]:.1g}",)
+
+
+def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> tuple[str, Item, str]:
     """Code, place and name of the clause that failed at an instant."""
     flat = course.flat
     actions = [action for branch in branches(flat) for action in branch.actions]
@@ -177,6 +203,8 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, 
         case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
+            if status == Status.WAY_JUMP:
+                changing = _displacing(course, changing, fault, u)
             items = [entry.item for entry in changing if entry.item is not None]
             names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
@@ -189,3 +217,21 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, 
             return "E0835", _row(flat, fault.which), f"`{course.layout.constraints[fault.which].name}`"
         case _:
             assert_never(status)
+
+
+def _displacing(course: Course, changing: Sequence[Entry], fault: Fault, u: Floats) -> list[Entry]:
+    """What places a mass elsewhere: states that have what a clause sets them to; what else changes, no conditions."""
+    flat = course.flat
+    evaluator = evaluator_at(flat, course.layout, fault.t, fault.x, u, course.run.p)
+    own = [entry.item for entry in changing if isinstance(entry.item, Branch)]
+    found: dict[str, Reset] = {}
+    for action in (action for branch in own or branches(flat) for action in branch.actions):
+        if isinstance(action, Reset) and not action.rate:
+            try:
+                is_there = evaluator.scalar(action.value) == evaluator.scalar(Variable(action.name))
+            except NotEvaluable:
+                is_there = True
+            if is_there:
+                found.setdefault(action.name, action)
+    others = [entry for entry in changing if not isinstance(entry.item, Branch)]
+    return [Entry(name, "variable", action) for name, action in found.items()] + others or list(changing)

@@ -68,7 +68,7 @@ def simulate(
         own.raise_if_errors()
         check_clocks(flat, values, (t0, end), max_steps, own)
         defaults = engine.evaluate("start", t0, parameters)[3]
-        given = signals(flat, defaults, inputs or {}, (t0, end), own)
+        given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
         report_missing(flat, inputs or {}, own)
     asked = Asked(

@@ -46,8 +46,8 @@ def state_values(flat: FlatModel, x: Floats) -> dict[str, float]:
     return {component_name(flat, index): float(value) for index, value in enumerate(x)}
 
 
-def zero_norm(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p: Floats) -> tuple[Item, str] | None:
-    """The first norm of the model that is zero at this state, with the item it stands in."""
+def evaluator_at(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p: Floats) -> Evaluator:
+    """Values of expressions at a state, for words."""
     n = len(flat.coordinates)
     names = [c.name for c in flat.coordinates]
     variables = dict(zip(names, x[:n].tolist(), strict=True))
@@ -55,7 +55,11 @@ def zero_norm(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p
     variables |= dict(zip([i.name for i in flat.inputs], u.tolist(), strict=True))
     variables |= dict(zip([s.name for s in layout.parameters], p.tolist(), strict=True))
     moment = Values(variables={**variables, "time": t}, rates=dict(zip(names, x[n : 2 * n].tolist(), strict=True)))
-    evaluator = Evaluator(flat, moment)
+    return Evaluator(flat, moment)
+
+
+def zero_norm(flat: FlatModel, evaluator: Evaluator) -> tuple[Item, str] | None:
+    """The first norm of the model that is zero at this state, with the item it stands in."""
     for item in (*flat.named, *flat.energies, *flat.loads, *flat.constraints):
         for norm in (part for part in records(item) if isinstance(part, Norm)):
             try:

@@ -122,7 +122,7 @@ class Ensemble:
         t0, sink = flat.experiment.start_time, Sink()
         with np.errstate(all="ignore"):
             q, _, _, u = engine.evaluate_many("start", t0, p)
-        inputs = signals(flat, u[0], options.inputs, (t0, options.stop), sink)
+        inputs = signals(flat, u[0], options.inputs, (t0, options.stop), sink, speeds=engine.layout.speeds)
         places = places_of(flat)
         if sink.has_errors or inputs.tables is None or not all(name in places for name in tasks[0].start):
             return None

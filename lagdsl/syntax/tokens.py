@@ -22,7 +22,7 @@ from lagdsl.syntax.vocabulary import pattern, soft_terminals, vocabulary
 END_OF_TEXT = "$END"
 
 _STRANGE = re.compile(
-    r"[“„«”][^“”„«»\n]*[”“»]|‘[^‘’\n]*’|\\[A-Za-z]+(?:\{[^{}\n]*\}|\\[A-Za-z]+)*|&&|\|\||\|[^|\n;]+\||[!~]=|(?<![\w)\]'])'[^'\n]*'|['′’´]+|%[A-Za-z]\w*|°(?:C|/[a-z]+)|[^\W\x00-\x7f]\w*|[\s\S]"
+    r"[“„«”][^“”„«»\n]*[”“»]|‘[^‘’\n]*’|\\[A-Za-z]+(?:\{[^{}\n]*\}|\\[A-Za-z]+)*|&&|\|\||\|[^|\n;]+\||[!~]=|(?<![\w)\]'])'[^'\n]*'|['′’´]+|%[A-Za-z]\w*|°(?:[CF]|/[a-z]+)|[^\W\x00-\x7f]\w*|[\s\S]"
 )
 
 

@@ -160,6 +160,8 @@ _FULL_NAMES = {
     "newton": "N", "joule": "J", "watt": "W", "pascal": "Pa", "volt": "V", "amp": "A", "ampere": "A", "ohm": "Ohm",
     "celsius": "degC", "farad": "F", "henry": "H", "tesla": "T", "weber": "Wb", "coulomb": "C",
 }  # fmt: skip
+# Known units with another zero: nothing that stands in their place means the same.
+_OTHER_SCALES = ("degF", "Fahrenheit", "fahrenheit")
 _PREFIXES = {"micro": "u", "milli": "m", "mili": "m", "centi": "c", "kilo": "k", "mega": "M"}
 # Masses, lengths, times, rates and angles have a plural; with forces and powers the `s` is the second.
 _COUNTED = tuple(dimension(**exponents) for exponents in ({"kg": 1}, {"m": 1}, {"s": 1}, {"s": -1}, {}))
@@ -168,6 +170,8 @@ _COUNTED = tuple(dimension(**exponents) for exponents in ({"kg": 1}, {"m": 1}, {
 def _repaired(text: str, start: int, end: int) -> str | None:
     """The text with the unknown name replaced by its usual spelling, by a product of known names, or by the nearest."""
     name = text[start:end]
+    if name in _OTHER_SCALES:
+        return None
     known = (_SPELLINGS.get(name), _of_full_name(name), _same_but_case(name), _of_plural(name), _without_double(name))
     for replacement in (*known, _as_product(name), nearest(name, UNITS)):
         if replacement is not None:

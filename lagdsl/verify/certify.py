@@ -38,7 +38,7 @@ def certify(compilation: Compilation, source: SourceFile | None = None, *, fmu: 
         lines += engines(program, states, tape)
         lines.append(solutions(program, tape, states))
         lines.append(tangents(program, tape, states))
-        lines.append(power(program, states))
+        lines.append(power(compilation, states))
     else:
         says = f"{STATES} random states about the start"
         lines.append(Line(name="random states", says=says, note="no regular state was found near the start"))

@@ -9,7 +9,10 @@ import numpy as np
 
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.flat.model import FlatModel
+from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
+from lagdsl.mechanics.lagrange.lagrangian import energies
+from lagdsl.pipeline import Compilation
 from lagdsl.program.functions import ALONG_MANY, SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.engine import Engine, EngineName
@@ -105,10 +108,15 @@ def tangents(program: Program, engine: Engine, states: Arrays) -> Line:
     return Line(name="tangents", says=says, figure=part, limit=_DERIVED)
 
 
-def power(program: Program, states: Arrays) -> Line:
-    """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with the Jacobi integral h = qd . dL/dqd - L (Goldstein 2.7);
-    inputs are held but for those whose derivatives are inputs, too: their motion, and that of states, is part of
-    dL/dt."""
+def power(compilation: Compilation, states: Arrays) -> Line:
+    """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with the Jacobi integral h = qd . dL/dqd - L (Goldstein 2.7).
+
+    In L(q, qd, t) states z are functions of time, whatever their equations read: dL/dt at fixed q and qd holds
+    dL/dz zd + dL/dzd zdd, with zd and zdd as they are along the motion. So are inputs whose derivatives are inputs;
+    others are held.
+    """
+    program, graph = compilation.program, compilation.equations.graph
+    given = energies(compilation.equations.lowering.with_held_states(compilation.flat), compilation.flat).lagrangian
     part, names = 0.0, [slot.name for slot in program.layout.inputs]
     follows = [(k, names.index(f"der({name})")) for k, name in enumerate(names) if f"der({name})" in names]
     for i in range(0, len(states[Group.TIME]), 5):
@@ -118,7 +126,8 @@ def power(program: Program, states: Arrays) -> Line:
         u = state[Group.U].astype(complex)
         for k, rate_of in follows:
             u[k] += 1j * _STEP * state[Group.U][rate_of]
-        (zd,) = values(program, "state_derivative", state | {Group.QDD: qdd, Group.LAMBDA: lam})
+        solved = {Group.QDD: qdd, Group.LAMBDA: lam}
+        (zd,) = values(program, "state_derivative", state | solved)
         later = state | {
             Group.TIME: state[Group.TIME] + 1j * _STEP,
             Group.Z: state[Group.Z] + 1j * _STEP * zd,
@@ -129,8 +138,8 @@ def power(program: Program, states: Arrays) -> Line:
             Group.QD: qd + 1j * _STEP * qdd,
         }
         rate = values(program, "energies", moving)[3].imag / _STEP
-        jacobi, momenta = values(program, "energies", later)[3], values(program, "momenta", later)[0]
-        explicit = (momenta @ qd - jacobi).imag / _STEP
+        (moving_zd,) = values(program, "state_derivative", moving | solved)
+        explicit = np.imag(evaluate(graph, [given], later | {Group.DIRECTION_Z: moving_zd})[0]) / _STEP
         load, dissipated = values(program, "power", state)
         _, jacobian = values(program, "velocity_constraint", state)
         terms = np.concatenate([load, -dissipated, lam * (jacobian @ qd), [-explicit]])
@@ -138,7 +147,7 @@ def power(program: Program, states: Arrays) -> Line:
         swing = np.sum(np.abs(momentum * qd)) * np.max(np.abs(qd), initial=0.0)
         size = max(np.sum(np.abs(terms)), np.sum(np.abs(momentum * qdd)), swing, abs(rate))
         part = max(part, float(abs(rate - np.sum(terms)) / size) if size > 0.0 else 0.0)
-    says = "the energy changes by the power of loads, dissipation, moving constraints and the time"
+    says = "the energy changes by the power of loads, dissipation, moving constraints, states, inputs and the time"
     return Line(name="power balance", says=says, figure=part, limit=_SOLVED)
 
 

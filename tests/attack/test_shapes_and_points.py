@@ -163,8 +163,6 @@ def test_points_are_not_amounts(value: str) -> None:
     check(row, FIRST)
 
 
-@pytest.mark.parametrize("smooth", [1, 2])
-def test_a_jump_has_no_derivative(smooth: int) -> None:
-    text = model(TURNED if smooth == 1 else MOVED)
+def test_a_jump_of_a_position_has_no_derivative() -> None:
     jump = ((0.0, 1.0, 1.0, 2.0), (0.0, 0.0, 1.0, 1.0))
-    check(Attack("jump", text, 2.0, {"a": -1.0}, inputs={"w" if smooth == 1 else "s": jump}, refused=("E0847",)), FIRST)
+    check(Attack("jump", model(MOVED), 2.0, {"a": -1.0}, inputs={"s": jump}, refused=("E0847",)), FIRST)

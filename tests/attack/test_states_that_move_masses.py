@@ -6,8 +6,10 @@ from math import cos, exp, sin, sqrt
 
 import pytest
 from attack.rows import Attack, check, model, rows
+from choice import spread
 
 import lagdsl
+from lagdsl.simulate.failure import SimulationFailed
 
 FOLLOWING = [
     Attack(
@@ -91,6 +93,17 @@ FOLLOWING = [
         ),
         3.0,
         {"der(x)": exp(-1.0)},
+        refused=("E0308",),
+    ),
+    Attack(
+        # the momentum at held p2 = der(der(p)) is der(x) + p2, and der(p2) follows der(der(x)): 2 der(der(x)) = -x
+        "second_rate_of_a_state_in_a_kinetic_energy",
+        model(
+            "coordinate Real x(start = 1); state Real p; kinetic 1/2*(der(x) + der(der(p)))^2; potential x^2/2;",
+            "der(p) = x;",
+        ),
+        1.0,
+        {"x": cos(sqrt(0.5))},
         refused=("E0308",),
     ),
     Attack(
@@ -302,14 +315,66 @@ VECTORS = [
 ]
 
 
-@pytest.mark.parametrize("name", ["edge_that_follows_a_place", "rate_that_a_state_has"])
+# States whose rates follow coordinates and stand in energies: what they do, and how fast they do it, has power.
+DOING = {
+    "place_and_time": model(
+        "coordinate Real x(start = 1, der(start = 0.5)), y; state Real p(start = 0.3), q; gravity = {0, -9.81}; "
+        "mass 1 at {x + p, y + q}; kinetic 1/2*(der(x)^2 + der(y)^2); potential 4*x^2 + 7*y^2 + x*y*p; "
+        "force {-3*der(x), 2} at {x + p, y};",
+        "der(p) = x*y - p; der(q) = sin(time)*x - q;",
+    ),
+    "moving_constraint": model(
+        "coordinate Real x(start = 1), y; state Real p(start = 0.3); gravity = {0, -9.81}; mass 1 at {x + p, y}; "
+        "kinetic 1/2*der(x)^2; constraint c: y = sin(x) + p*time;",
+        "der(p) = x - p;",
+    ),
+    "magnetic_field": model(
+        "coordinate Real x(start = 1), y; state Real B(start = 0.3); kinetic 1/2*(der(x)^2 + der(y)^2); "
+        "lagrangian B/2*(x*der(y) - y*der(x)) + 0.1*der(B)*x; potential x^2 + 2*y^2;",
+        "der(B) = x*y - B;",
+    ),
+    "input": model(
+        "coordinate Real x(start = 1); input Real u(smooth = 1, start = 0.7); state Real p; gravity = 0; "
+        "mass 1 at {x + p, 0}; kinetic 1/2*der(x)^2; potential x^2;",
+        "der(p) = x*u - p;",
+    ),
+    "rate_that_a_state_has": model(
+        "coordinate Real x(der(start = 1)); state Real z(start = 1), w; kinetic 1/2*(1 + der(z)^2)*der(x)^2;",
+        "der(z) = w; der(w) = -4*z;",
+    ),
+    "second_rate_that_states_have": model(
+        "coordinate Real x(start = 1); state Real p(start = 0.3), q(start = 0.2); kinetic 1/2*der(x)^2; "
+        "potential x^2/2 + x*der(der(p));",
+        "der(p) = sin(time)*q - p; der(q) = -p;",
+    ),
+}
+CERTIFIED = {row.name: row.text for row in (*FOLLOWING, STARTED[1]) if not row.refused} | DOING
+
+
+@pytest.mark.parametrize("name", spread(CERTIFIED, 8))
 def test_certificates_and_derivations_of_states(name: str) -> None:
     """Derivations count rows with states; the power of what states do is part of the balance."""
-    moved = "coordinate Real x(der(start = 1)); state Real z(start = 1), w; kinetic 1/2*(1 + der(z)^2)*der(x)^2;"
-    rate = model(moved, "der(z) = w; der(w) = -4*z;")
-    attacked = lagdsl.compile(next((row.text for row in FOLLOWING if row.name == name), rate))
+    attacked = lagdsl.compile(CERTIFIED[name])
     assert "Lagrange" in str(attacked.derive())
-    assert attacked.verify().holds
+    found = attacked.verify()
+    assert [(line.name, line.figure) for line in found.lines if line.verdict == "failed"] == []
+    assert any(line.name == "power balance" and line.verdict == "held" for line in found.lines)
+
+
+@pytest.mark.parametrize(("clause", "told"), [("time >= 1", "`p`, `time >= 1`"), ("sample(1, 5)", "`p`")])
+def test_states_that_would_move_masses_are_named(clause: str, told: str) -> None:
+    """By the clause that sets them, and not by its condition; what sets other states is not told."""
+    text = model(
+        "coordinate Real x; state Real p, far; gravity = 0; mass 1 at {x + p, 0};",
+        "der(p) = 0; der(far) = 0;\n"
+        f"when time >= 2 then reinit(far, 1); elsewhen {clause} then reinit(p, 2); end when;",
+    )
+    with pytest.raises(SimulationFailed) as failure:
+        lagdsl.compile(text).simulate(stop=3.0)
+    (diagnostic,) = failure.value.diagnostics
+    assert diagnostic.code == "E0836"
+    assert f"jumps with {told} at t = 1 s" in diagnostic.message
+    assert text[diagnostic.labels[0].span.start :].startswith("reinit(p, 2)")
 
 
 @rows([*FOLLOWING, *SET, *STARTED, *TORN, *VECTORS])

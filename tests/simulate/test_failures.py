@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from simulate.hand import FourBar, Hand, Pendulum, constraint, coordinate, flat_model, four_bar, length, span
 
+import lagdsl
 from lagdsl.flat.expression import Binary, Derivative, Norm, Number, PointReference, Variable, Vector
 from lagdsl.flat.model import EnergyTerm, Experiment, Point
 from lagdsl.simulate.failure import SimulationFailed
@@ -120,6 +121,32 @@ def test_too_many_steps() -> None:
     failed = failure(Pendulum(flat_model([coordinate("a", 1.0)])), stop=1000.0, max_steps=20)
     assert failed.diagnostic.code == "E0812" and "its limit of 20 steps" in str(failed)
     assert len(failed.trajectory) > 0
+
+
+COILS = (
+    "coordinate Real a, b; kinetic 0.5e-3*(der(a)^2 + der(b)^2) + (1 - 1e-10)*1e-3*der(a)*der(b); "
+    "dissipation 1/2*der(a)^2 + der(b)^2; force 10*cos(314*time) on a;"
+)
+
+
+@pytest.mark.parametrize(
+    ("items", "told"),
+    [
+        (COILS, True),
+        ("coordinate Real a(start = 1); kinetic 1/2*der(a)^2; potential -a^4;", False),
+        ("state Real z(start = 1); equation der(z) = z^2;", False),
+    ],
+)
+def test_inertias_that_nearly_cancel_are_told(items: str, told: bool) -> None:
+    """Two coils; and what leaves all bounds in finite time."""
+    with pytest.raises(SimulationFailed) as failed:
+        text = f'model M annotation(units = "none"); {items} end M;'
+        lagdsl.compile(text).simulate(stop=0.1 if told else 2.0, solver="radau")
+    (diagnostic,) = failed.value.diagnostics
+    assert diagnostic.code == "E0809"
+    assert (
+        any("`a`, `b` cancel in a common motion, but for a part of 1e-10" in note for note in diagnostic.notes) == told
+    )
 
 
 class Walled(FourBar):

@@ -137,7 +137,6 @@ def test_a_row_that_stands_twice_for_another_column_counts_once() -> None:
 @pytest.mark.parametrize(
     ("text", "inputs", "code"),
     [
-        (SPEED, {"w": ([0, 2, 2, 4], [0, 0, 1, 1])}, "E0847"),
         (ANGLE, {"w": ([0, 2, 2, 4], [0, 0, 1, 1])}, "E0847"),
         (ANGLE.replace("smooth = 2", "smooth = 3"), {"w": TRAPEZOID}, "E0846"),
         (SPEED, {"der(w)": 1.0}, "E0849"),

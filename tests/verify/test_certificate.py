@@ -12,9 +12,12 @@ import pytest
 from choice import ALL, chosen, spread
 from click.testing import CliRunner
 from models.corpus import MODELS, compiled, path_of
+from named_models import compiled as from_text
 
 import lagdsl
 from lagdsl.cli.main import lag
+from lagdsl.mechanics.lagrange import lagrange
+from lagdsl.mechanics.lagrange.through_states import ThroughStates
 from lagdsl.pipeline import Compilation
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.c_engine import CEngine
@@ -80,6 +83,16 @@ def dropped_load(_: pytest.MonkeyPatch) -> Compilation:
     return replace(compilation, flat=replace(compilation.flat, loads=()))
 
 
+def states_not_held(patch: pytest.MonkeyPatch) -> Compilation:
+    """Forces by which a carriage that follows its passenger would be moved by it."""
+    none = ThroughStates([0], [0])
+    patch.setattr(lagrange, "through_states", lambda *_: none)
+    return from_text(
+        "model Carriage coordinate Length x(start = 1 m); state Length p; mass 1 kg at {x + p, 0 m};"
+        "kinetic 1/2*(1 kg)*der(x)^2; equation der(p) = x/(1 s); end Carriage;"
+    )
+
+
 def drifting(patch: pytest.MonkeyPatch) -> Compilation:
     sound = motion_module.simulate
 
@@ -93,8 +106,6 @@ def drifting(patch: pytest.MonkeyPatch) -> Compilation:
 
 def false_claim(_: pytest.MonkeyPatch) -> Compilation:
     text = path_of(NAME).read_text().replace("  constraint wire", "  invariant x_stays: x;\n  constraint wire")
-    from named_models import compiled as from_text
-
     return from_text(text)
 
 
@@ -136,6 +147,7 @@ FAULTS = {
     "a dropped load": (dropped_load, "two derivations"),
     "a wrong tangent": (in_method(TapeEngine, "jacobian"), "tangents"),
     "a wrong solution": (in_method(TapeEngine, "solve"), "solution"),
+    "states that are not held": (states_not_held, "power balance"),
     "constraints that drift": (drifting, "constraints"),
     "an invariant that is none": (false_claim, "motion"),
     "a motion that gains energy": (gaining, "conserved energy()"),

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+FAHRENHEIT = "degrees Fahrenheit are not known: a temperature is `(F - 32)/1.8` in degC, a difference `F/1.8` in K"
+
 _HELP = {
     "&&": "write `and`",
     "&": "write `and`",
@@ -52,6 +54,7 @@ _HELP = {
     "¾": "write `0.75`",
     "°": "write the unit `deg`",
     "°C": "write the unit `degC`",
+    "°F": FAHRENHEIT,
     "∂": "the derivative by time is `der(x)`; the compiler forms all others itself",
     "∞": "write `inf`",
     "π": "write `pi`",
@@ -100,7 +103,7 @@ def character_help(text: str, before: str) -> str:
         return f"write `abs({match[1].strip()})` for the amount of a number, `norm(v)` for that of a vector"
     if match := _PERCENT.fullmatch(text):
         return f"write `{match[1]}`"
-    if text[0] == "°" and text != "°C" and (number := _NUMBER_BEFORE.search(before)):
+    if text[0] == "°" and text not in ("°C", "°F") and (number := _NUMBER_BEFORE.search(before)):
         return f"write the unit `deg{text[1:]}`: `{number[1]} deg{text[1:]}`"
     if text == "'" and _NUMBER_BEFORE.search(before):
         return "digits are not grouped: write the number without marks"

@@ -48,8 +48,8 @@ ROWS: dict[str, Row] = {
     "E0809": error(
         "the simulation cannot continue at t = {time} s: the step size falls below {step} s because of `{name}`",
         None,
-        "the motion is unbounded or not smooth there; a relation in a force or a tolerance below round-off can be "
-        "the cause",
+        "the motion is unbounded or not smooth there; a relation in a force, a tolerance below round-off, or inertias "
+        "that nearly cancel (lessen what couples them) can be the cause",
     ),
     "E0810": error(
         "assertion failed at t = {time} s: {text}",
@@ -186,7 +186,8 @@ ROWS: dict[str, Row] = {
     "E0836": error(
         "the position of a mass jumps with {text} at t = {time} s",
         label="positions cannot jump",
-        help="write branches that meet, `if x < a then 0 m else x - a`, or a steep ramp, `limit(k*(x - a), 0 m, h)`",
+        help="write branches that meet, `if x < a then 0 m else x - a`, a steep ramp, `limit(k*(x - a), 0 m, h)`, "
+        "or a rate, `der(p) = (goal - p)/tau`, in place of a value that is set",
     ),
     "E0837": error(
         "no initial equation determines the free parameter `{name}`",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from lagdsl.diagnostics.catalog.characters import FAHRENHEIT
 from lagdsl.diagnostics.catalog.habits import is_called
 from lagdsl.diagnostics.catalog.row import Row, error, note
 
@@ -155,6 +156,9 @@ _FOREIGN_UNITS = {
 _ANNOTATION = "delete it: an annotation stands by itself in its class, `annotation(experiment(StopTime = 5));`"
 
 
+_FAHRENHEIT = re.compile(r"(?<![A-Za-z])(?:degF|[Ff]ahrenheit)(?![A-Za-z])")
+
+
 def foreign_unit(number: str, word: str) -> str | None:
     """The quantity in a unit of the language for a number with another one: `98.0665 N` for `10 kp`."""
     if word not in _FOREIGN_UNITS or len(number) > _LONGEST:
@@ -165,6 +169,8 @@ def foreign_unit(number: str, word: str) -> str | None:
 
 def unit_help(suggestion: str | None, number: str, word: str) -> str:
     """Help of E0105."""
+    if _FAHRENHEIT.search(word):
+        return FAHRENHEIT
     if word == "do":
         return "write `loop` behind a range, `then` behind a condition"
     if word == "annotation":

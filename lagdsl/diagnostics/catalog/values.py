@@ -222,6 +222,11 @@ ROWS: dict[str, Row] = {
         label="not with the value that the initial equations give it",
         help="write the relation as an initial equation, or give the start a value of its own",
     ),
+    "E0354": error(
+        "`der({name})` cannot depend on an acceleration",
+        label="a blow would let `{name}` jump",
+        help="integrate it: not `der(a) = -k*a + k*der(v)`, but `der(w) = -k*a` with a state w, and `a = w + k*v`",
+    ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(
         "the {which} must be known while compiling",

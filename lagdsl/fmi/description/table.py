@@ -10,7 +10,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.fmi.variables.variables import Kind, Table, Version
-from lagdsl.graph.operation import Group
+from lagdsl.program.passes.speeds import speeds
 
 _KINDS: dict[Kind, str] = {"me": "LAG_MODEL_EXCHANGE", "cs": "LAG_CO_SIMULATION"}
 
@@ -135,18 +135,12 @@ def _input_rates(flat: FlatModel) -> list[str]:
 
 def _continuous_inputs(table: Table) -> list[str]:
     """Flags of inputs with derivatives that may not jump: all but those that prescribe a speed."""
-    inputs, program = table.flat.inputs, table.program
+    inputs = table.flat.inputs
     followed = {item.derivative_of for item in inputs}
     if followed == {None}:
         return []
-    levels = [program.function(name) for name in ("velocity_constraint", "momenta") if program.has(name)]
-    moving = set(program.graph.live(node for level in levels for block in level.results for node in block.elements))
-    flags = []
-    for index, item in enumerate(inputs):
-        twice = item.smooth > 1
-        speed = program.graph.symbol(Group.U, index) in moving and not twice
-        flags.append(item.name in followed and not speed)
-    return _flags(flags)
+    may_jump = speeds(table.flat, table.program)
+    return _flags([item.name in followed and not jumps for item, jumps in zip(inputs, may_jump, strict=True)])
 
 
 def _numbers(values: Sequence[float]) -> list[str]:

@@ -13,7 +13,7 @@ from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.lagrange.lagrangian import energies
-from lagdsl.mechanics.lowering.acceleration import needs_accelerations
+from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.record import record
@@ -48,7 +48,8 @@ def through_states(lowering: Lowering, flat: FlatModel, directions: Directions) 
         if symbol not in by_rate:
             continue
         if graph.depends(rate, Group.QD, Group.RELEASE_RATE):
-            raise needs_accelerations(state.spans, f"what `der({state.name})` carries")
+            what = f"what `der({state.name})` carries"
+            raise needs_accelerations(state.spans, what, help=as_coordinate(state.name))
         _refuse_jumps(lowering, flat, state, rate)
     sums: list[dict[int, int]] = []
     for group, weights in ((directions.position_group, by_rate), (directions.rate_group, lost)):
@@ -72,7 +73,7 @@ def _refuse_jumps(lowering: Lowering, flat: FlatModel, state: State, rate: int) 
         if lowering.symbols.previous[relation.name] in present and graph.depends(difference, Group.Q):
             sink = Sink()
             what = f"a rate `der({state.name})` that changes with `{relation.name}` and carries a mass"
-            hint = f"declare `{state.name}` as a coordinate and write `constraint der({state.name}) = ...;`"
+            hint = as_coordinate(state.name)
             sink.report("E0311", relation.spans[0] if relation.spans else None, what=what, hint=hint)
             raise CompilationFailed(sink.diagnostics)
 

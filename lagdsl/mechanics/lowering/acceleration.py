@@ -16,7 +16,12 @@ def refuse_accelerations(graph: Graph, nodes: Iterable[int], spans: Spans, what:
         raise needs_accelerations(spans, what)
 
 
-def needs_accelerations(spans: Spans, what: str) -> CompilationFailed:
+def needs_accelerations(spans: Spans, what: str, *, help: str | None = None) -> CompilationFailed:
     sink = Sink()
-    sink.report("E0308", spans[0] if spans else None, what=what)
+    sink.report("E0308", spans[0] if spans else None, what=what, help=help)
     return CompilationFailed(sink.diagnostics)
+
+
+def as_coordinate(state: str) -> str:
+    """The way out for a state that cannot be a function of time: the same rate by a constraint."""
+    return f"declare `{state}` as a coordinate and write `constraint der({state}) = ...;`"

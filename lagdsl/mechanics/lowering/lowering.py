@@ -21,7 +21,7 @@ from lagdsl.mechanics.kinematics import vectors
 from lagdsl.mechanics.kinematics.body_frame_vectors import OwnVectors
 from lagdsl.mechanics.kinematics.poses import Poses, Release
 from lagdsl.mechanics.kinematics.vectors import Vector
-from lagdsl.mechanics.lowering.acceleration import needs_accelerations
+from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations
 from lagdsl.mechanics.lowering.operations import binary, function
 from lagdsl.mechanics.lowering.symbols import Symbols
 from lagdsl.mechanics.lowering.values import Value, Values
@@ -291,6 +291,18 @@ class _HeldStates(Lowering):
     """Rates of states are symbols, DIRECTION_Z, in the place of their equations."""
 
     def _rate_of_symbol(self, symbol: int) -> int:
-        if self.graph.group(symbol) is Group.Z:
-            return self.graph.symbol(Group.DIRECTION_Z, self.graph.b[symbol])
+        graph, index = self.graph, self.graph.b[symbol]
+        if graph.group(symbol) is Group.Z:
+            return graph.symbol(Group.DIRECTION_Z, index)
+        if graph.group(symbol) is Group.DIRECTION_Z:
+            return self._second_rate(self._items.states[index])
         return super()._rate_of_symbol(symbol)
+
+    def _second_rate(self, state: State) -> int:
+        """By the rates of states; E0308 where coordinates have a part in it, which would not be held."""
+        found = self.rate.of(self.scalar(state.derivative))
+        if self.graph.depends(found, Group.Q, Group.QD, Group.RELEASE, Group.RELEASE_RATE):
+            raise needs_accelerations(
+                self.place, f"what `der(der({state.name}))` carries", help=as_coordinate(state.name)
+            )
+        return found

@@ -217,9 +217,11 @@ def _derivative(ctx: Context, symbol: Symbol, indices: Indices | None, shape: tu
     dimension = _dimension(symbol) / ctx.conventions.dimension(TIME)
     expected = Expected(f"`der({symbol.short})`", dimension, shape, code="E0415")
     found = conform(ctx, binding.scope, binding.node, value, expected)
-    if found is not None and found.order >= Order.ACCELERATION:
-        code = "E0308" if found.order == Order.ACCELERATION else "E0324"
-        ctx.sink.report(code, binding.node.span, what=f"`der({symbol.short})`")
+    if found is not None and found.order == Order.ACCELERATION:
+        ctx.sink.report("E0354", binding.node.span, name=symbol.short)
+        return None
+    if found is not None and found.order > Order.ACCELERATION:
+        ctx.sink.report("E0324", binding.node.span, what=f"`der({symbol.short})`")
         return None
     return found
 

@@ -107,7 +107,8 @@ def _solution(program: Program, states: Arrays) -> Arrays:
 
 def _after_impacts(equations: Equations, program: Program, states: Arrays) -> list[tuple[Arrays, NDArray[np.intp]]]:
     """States after an impulse along each gap that can collide and each constraint that can appear: J' of the row,
-    balanced over the mechanism so that what stays closed moves on its constraints."""
+    balanced over the mechanism so that what stays closed moves on its constraints. A row that is closed and opens is
+    given a rate instead of being left out: M may be regular with it only."""
     gaps, appearing = _gaps(equations), _rows_of_some_times(equations.flat)
     if not gaps and not appearing:
         return []
@@ -121,17 +122,19 @@ def _after_impacts(equations: Equations, program: Program, states: Arrays) -> li
     for slope in np.moveaxis(slopes, 1, 0):
         qd = np.array(states[Group.QD])
         for i in range(count):
-            kept = [k for k in independent_rows(program, rows[i]) if _is_independent(rows[i][k], slope[i])]
-            system = saddle_point(mass[i], rows[i][kept])
-            qd[i] += np.linalg.solve(system, np.concatenate([slope[i], np.zeros(len(kept))]))[:n]
+            kept = rows[i][independent_rows(program, rows[i])]
+            own = np.array([_opening(row, slope[i]) for row in kept])
+            impulse = np.where(np.any(own), 0.0, slope[i])
+            qd[i] += np.linalg.solve(saddle_point(mass[i], kept), np.concatenate([impulse, own]))[:n]
         after.append((states | {Group.QD: qd}, np.arange(count)))
     return after
 
 
-def _is_independent(row: Floats, slope: Floats) -> bool:
-    """Does a row hold something else than the gap itself, which opens again?"""
-    along = abs(float(row @ slope))
-    return along < (1.0 - 1e-12) * float(np.linalg.norm(row) * np.linalg.norm(slope))
+def _opening(row: Floats, slope: Floats) -> float:
+    """Change of the rate of a row: 0 where it stays closed, of the size of the row where it is the gap itself."""
+    size = float(np.linalg.norm(row))
+    is_gap = abs(float(row @ slope)) > (1.0 - 1e-12) * size * float(np.linalg.norm(slope))
+    return size if is_gap else 0.0
 
 
 def _rows_of_some_times(flat: FlatModel) -> list[int]:

@@ -142,6 +142,7 @@ struct lag_run {
     double *ticked;           /* (clocks) */
     double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
     double *waiting;          /* (nindicator + ncontact) what waits for the ticks there */
+    double *u_before;         /* (nu) the inputs before a jump */
     lag_half half;
     lag_clock *clock;         /* (clocks) */
     size_t row;               /* the next one */
@@ -210,7 +211,10 @@ lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
-/* Inputs may have jumped at the present time, to which lag_run_to() led with those before: relations that are other now. */
+/*
+ * Inputs may have jumped at the present time, to which lag_run_to() led with those before: the blow of a speed that they prescribe, and
+ * relations that are other now.
+ */
 lag_status lag_run_jump(lag_run *run);
 
 /* Carries out the events of the end, once, when no further call follows: ticks that are due, then `terminal()`. */

@@ -21,7 +21,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
-           2 * (model->nindicator + model->ncontact) + model->np + 1;
+           2 * (model->nindicator + model->ncontact) + model->np + model->nu + 1;
 }
 
 /* Doubles of which nothing is remembered. */
@@ -154,6 +154,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->ticked = lag_take(&memory, options->clocks);
     run->pending = lag_take(&memory, model->nindicator + model->ncontact);
     run->waiting = lag_take(&memory, model->nindicator + model->ncontact);
+    run->u_before = lag_take(&memory, model->nu);
     return run;
 }
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 
 static int has_instants(const lag_run *run)
@@ -141,25 +142,65 @@ static lag_status find_changed(lag_run *run, int *any)
     return status == LAG_OK && !*any ? lag_event_iteration_conditions(&run->instants.iteration, run->stepper.t, run->stepper.x, any) : status;
 }
 
-lag_status lag_run_jump(lag_run *run)
+/*
+ * Inputs that jump now and prescribe a speed: rates follow the momenta with the inputs before, contacts open or strike; 1 in *blown then. It
+ * is tried first, as the row before is told with the rates before.
+ */
+static lag_status blow(lag_run *run, int *blown)
+{
+    lag_motion *motion = &run->motion;
+    lag_stepper *s = &run->stepper;
+    const size_t n = motion->model->nq;
+    const size_t size = lag_motion_size(motion->model);
+    if (motion->inputs == NULL) {
+        return LAG_OK;
+    }
+    motion->inputs(motion->context, s->t, 1, run->u_before);
+    motion->inputs(motion->context, s->t, 0, motion->u);
+    if (lag_same(motion->model->nu, run->u_before, motion->u)) {
+        return LAG_OK;
+    }
+    memcpy(run->point, s->x, size * sizeof(double));
+    lag_status status = lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 0);
+    *blown = !lag_same(n, run->point + n, s->x + n);
+    if (status != LAG_OK || !*blown) {
+        return status;
+    }
+    memcpy(s->x, run->point, size * sizeof(double));
+    motion->until = s->t;
+    status = tell(run, LAG_BEFORE);
+    motion->until = (double)INFINITY;
+    ++run->events;
+    return status == LAG_OK ? over(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
+}
+
+/* Relations that the inputs of now have turned. */
+static lag_status follow_inputs(lag_run *run, int blown, int *any)
 {
     const lag_model *model = run->motion.model;
     lag_stepper *s = &run->stepper;
-    int any = 0;
-    run->motion.until = (double)INFINITY;
-    lag_status status = has_instants(run) ? find_changed(run, &any) : LAG_OK;
-    if (!any || status != LAG_OK) {
+    lag_status status = find_changed(run, any);
+    if (!*any || status != LAG_OK) {
         return status;
     }
     memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
-    run->motion.until = s->t; /* the row before has the inputs before */
+    run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
     status = tell(run, LAG_BEFORE);
     run->motion.until = (double)INFINITY;
     ++run->events;
-    if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0));
+    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0)) : status;
+}
+
+lag_status lag_run_jump(lag_run *run)
+{
+    int blown = 0;
+    int any = 0;
+    run->motion.until = (double)INFINITY;
+    lag_status status = blow(run, &blown);
+    if (status == LAG_OK && has_instants(run)) {
+        status = follow_inputs(run, blown, &any);
     }
-    return status == LAG_OK ? lag_run_watch(run, s->t, s->x) : status;
+    return status == LAG_OK && (blown || any) ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
 lag_status lag_run_end(lag_run *run)
