@@ -9,7 +9,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Program
 
-# What would miss the jump of a value whose derivative it reads.
+# Functions that would miss the jump of a value whose derivative they read.
 _READING = ("power", "energies", "momenta", "velocity_constraint", "state_derivative", "indicator", "contact")
 
 

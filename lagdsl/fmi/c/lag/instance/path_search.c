@@ -124,7 +124,7 @@ static lag_status look_at_jump(const lag_path_step *in, size_t i, double a, doub
     return status;
 }
 
-/* What the looks at the shortest piece do not show the shape of may jump. */
+/* Numbers whose shape the looks at the shortest piece do not show may jump. */
 static lag_status look_at_jumps(const lag_path_step *in, double a, double w, int *passed)
 {
     lag_status status = LAG_OK;

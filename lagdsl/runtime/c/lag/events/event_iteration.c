@@ -300,7 +300,7 @@ static double offset(const lag_event_iteration *iteration, double distance, size
     return TORN + fabs(distance - lag_projection_distance(iteration->projection, iteration->began, iteration->start, row));
 }
 
-/* LAG_POSITION_JUMP: a constraint that discretes switch asks for other positions. Those beyond an event are moved onto the constraints. */
+/* LAG_POSITION_JUMP: a constraint that discretes switch asks for other positions. Positions beyond an event are moved onto the constraints. */
 static lag_status hold_positions(const lag_event_iteration *iteration, double t, double *x)
 {
     const lag_model *model = iteration->motion->model;
