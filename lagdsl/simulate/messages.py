@@ -220,7 +220,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
 
 
 def _displacing(course: Course, changing: Sequence[Entry], fault: Fault, u: Floats) -> list[Entry]:
-    """Entries that place a mass elsewhere: states that have the value that a clause sets; of the others no conditions."""
+    """Entries that place a mass elsewhere: states with the value that a clause sets; of the others no conditions."""
     flat = course.flat
     evaluator = evaluator_at(flat, course.layout, fault.t, fault.x, u, course.run.p)
     own = [entry.item for entry in changing if isinstance(entry.item, Branch)]
