@@ -114,8 +114,9 @@ ROW = [
 def rocked(inertia: float, half: float, tilt: float) -> dict[str, float]:
     """A plank of mass 1 falls from its tilt onto edges without rebound; g = 10, s is the integral of the angle.
 
-    Each blow keeps the momentum about the next edge: the rate changes by the ratio (I - b^2)/(I + b^2), and with it the time of
-    the next flight, whose integral is rate*time^2/6 with the sign of the tilt (Housner, Bull. Seism. Soc. Am. 53, 1963).
+    Each blow keeps the momentum about the next edge: the rate changes by the ratio (I - b^2)/(I + b^2), and with it the
+    time of the next flight, whose integral is rate*time^2/6 with the sign of the tilt (Housner, Bull. Seism. Soc. Am.
+    53, 1963).
     """
     back = 10 * half / (inertia + half**2)
     ratio = (inertia - half**2) / (inertia + half**2)

@@ -63,6 +63,20 @@ NEEDLES = [
     counter(
         "needles_side_by_side", 1.0, "{abs(phi - 23) < 1e-5, abs(phi - 23.00001) < 1e-7}", 2, 100.0, tolerance=1e-6
     ),
+    *(
+        Attack(
+            f"wide_square_{name}_behind_an_event",  # at 10 the square has another round-off than at its zero
+            model(
+                TURNING.format("1.0") + "discrete Integer k(start = 0); discrete Real at(start = 0);",
+                "when phi > 10 then k = 1; end when; "
+                f"when (phi - 23)^2 {sign} 1e-16 then n = pre(n) + 1; at = time; end when;",
+            ),
+            100.0,
+            {"n": 1, "at": 23 - 1e-8},
+            tolerance=1e-6,
+        )
+        for name, sign in (("less", "<"), ("touched", "<="))
+    ),
     counter("needle_of_a_wide_square", 1.0, "(phi - 23)^2 < 1e-16", 1, 100.0, tolerance=1e-6),
     # narrower than round-off can tell: it may be missed, and the run goes on
     Attack(

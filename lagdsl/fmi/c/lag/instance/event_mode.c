@@ -28,6 +28,20 @@ static const double LATE = 1e-13;
 static const double AHEAD = 1e-11;
 static const double LATEST = 1e-9;
 static const double MOMENTS = 200.0;
+/* A relation moves clearly if it does so by this many round-offs. */
+static const double CLEAR = 16.0;
+
+/* Relations flagged in `coming` that are not zero yet, but go there, wait: their flags become zero. */
+static void wait_for_zeros(lag_instance *instance, double t, double *coming)
+{
+    lag_event_iteration *iteration = &instance->run->instants.iteration;
+    const double *sigma = iteration->noise->sigma;
+    const lag_status status = lag_event_iteration_look_ahead(iteration, t, instance->x, AHEAD * instance->run->instants.contacts.length);
+    for (size_t i = 0; i < instance->fmu->model->nindicator && status == LAG_OK; ++i) {
+        const double fall = fabs(iteration->now[i]) - fabs(iteration->then[i]);
+        coming[i] = fabs(iteration->now[i]) > sigma[i] && fall > CLEAR * sigma[i] ? 0.0 : coming[i];
+    }
+}
 
 /*
  * Flags of relations that have come to zero, by the round-off that is here: where the importer began it may have been less, or more, as that of a
@@ -45,7 +59,7 @@ static void find_zeros(lag_instance *instance, double t)
     }
     lag_noise_find(&run->instants.noise, t, instance->x);
     if (lag_any(count, coming)) {
-        lag_event_iteration_wait(&run->instants.iteration, t, instance->x, coming, AHEAD * run->instants.contacts.length);
+        wait_for_zeros(instance, t, coming);
     }
     for (size_t i = 0; i < count; ++i) {
         const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
@@ -54,17 +68,12 @@ static void find_zeros(lag_instance *instance, double t)
     }
 }
 
-/*
- * Relations stay in event mode what they have turned to early, by no more than they are before zero; those that do not change stay while they are behind
- * zero by no more than their latches.
- */
+/* Relations that do not change stay in event mode while they are behind zero by no more than their latches. */
 static void hold(lag_instance *instance)
 {
     for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
-        const int early = lag_instance_changes_at_zero(instance, i);
-        const int changed = instance->run->crossings.changed[i] != 0.0;
-        const double before = fmax(0.0, lag_instance_crossing_value(instance, i));
-        instance->run->instants.noise.least[i] = early && changed ? before : early || changed ? 0.0 : instance->latched[i];
+        const int changes = instance->run->crossings.changed[i] != 0.0 || lag_instance_changes_at_zero(instance, i);
+        instance->run->instants.noise.least[i] = changes ? 0.0 : instance->latched[i];
     }
 }
 
@@ -153,13 +162,29 @@ static double flight(const lag_instance *instance)
     return fmin(instance->held.span, ROUGH * late);
 }
 
+/*
+ * Time since the relations that have changed, and lie behind zero, have passed it, by their rates; zero for those that come back, or move by no more than
+ * round-off.
+ */
+static double since_zero(lag_instance *instance, double t)
+{
+    lag_event_iteration *iteration = &instance->run->instants.iteration;
+    const double ahead = AHEAD * instance->run->instants.contacts.length;
+    double late = 0.0;
+    const lag_status status = lag_event_iteration_look_ahead(iteration, t, instance->x, ahead);
+    for (size_t i = 0; i < instance->fmu->model->nindicator && status == LAG_OK; ++i) {
+        const double moved = iteration->then[i] - iteration->now[i];
+        const int falls = instance->run->crossings.changed[i] != 0.0 && moved * iteration->now[i] > 0.0;
+        late = falls && fabs(moved) > CLEAR * iteration->noise->sigma[i] ? fmax(late, ahead * (iteration->now[i] / moved)) : late;
+    }
+    return late;
+}
+
 /* An event may be carried out so long after its zero. */
 static double lateness(lag_instance *instance, double t)
 {
-    lag_run *run = instance->run;
-    const double length = run->instants.contacts.length;
-    const double late = lag_event_iteration_lateness(&run->instants.iteration, t, instance->x, run->crossings.changed, AHEAD * length);
-    return fmin(LATEST * length, fmax(LATE * length, MOMENTS * late));
+    const double length = instance->run->instants.contacts.length;
+    return fmin(LATEST * length, fmax(LATE * length, MOMENTS * since_zero(instance, t)));
 }
 
 /* Length of the step that led here: the run's, the importer's. */

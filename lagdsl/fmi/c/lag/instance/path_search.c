@@ -134,6 +134,14 @@ static lag_status look_at_jumps(const lag_path_step *in, double a, double w, int
     return status;
 }
 
+/* True if number i is a relation that may have changed at the last look: only its margin keeps it from that. */
+static int is_within_margin(const lag_path_step *in, size_t i)
+{
+    const lag_instance *instance = in->instance;
+    const int has_margin = i < instance->fmu->model->nindicator && !lag_instance_changes_at_zero(instance, i);
+    return has_margin && instance->room[i] < 2.0 * lag_instance_round_off(instance, i);
+}
+
 /* Looks for a minimum of number i below zero between looks k - 2 and k of the piece of length w behind a. */
 static lag_status look_at_minimum(const lag_path_step *in, size_t i, int k, double a, double w, int *passed)
 {
@@ -151,6 +159,11 @@ static lag_status look_at_minimum(const lag_path_step *in, size_t i, int k, doub
     }
     for (int again = 0; again < AGAIN && status == LAG_OK && !*passed && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         status = look(in, a + u * w, in->instance->room, passed);
+        if (status == LAG_OK && !*passed && is_within_margin(in, i)) {
+            const double h = *in->tip.t - *in->base.t;
+            lag_noise_reduce(&in->instance->run->instants.noise, *in->base.t + (a + u * w) * h, in->instance->point, i);
+            status = look(in, a + u * w, in->instance->room, passed);
+        }
         const double value = in->instance->room[i];
         error = fmax(fabs(value - height), LAG_CLEARER * error);
         lag_minimum_narrow(&at, u, value);

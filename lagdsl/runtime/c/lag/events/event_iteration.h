@@ -110,14 +110,8 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length);
 
-/* After lag_noise_find: those flagged in `turned` that are not zero yet but go there within `ahead` wait: their flags become zero. */
-void lag_event_iteration_wait(lag_event_iteration *iteration, double t, const double *x, double *turned, double ahead);
-
-/*
- * Time since the relations flagged in `turned`, which lie behind zero, have passed it, by their rates over the time `ahead` from here; zero for those
- * that come back, or move by no more than round-off.
- */
-double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead);
+/* Relations at x at time t, into `now`, and so long `ahead` by the rates, into `then`. */
+lag_status lag_event_iteration_look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead);
 
 /* Tells that something happened. */
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);

@@ -171,24 +171,43 @@ static int is_later_one(const lag_event_iteration *iteration, const double *turn
 }
 
 /* True if relation i does not pass zero, and would turn, or has turned in this event, by a value that may be round-off. */
-static int is_in_doubt(const lag_event_iteration *iteration, const double *x, const double *turned, size_t i)
+static int is_in_doubt(const lag_event_iteration *iteration, const double *turned, size_t i)
 {
     const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
     const double now = iteration->now[i];
-    const int turns = now != 0.0 && holds(iteration->motion->model, i, now) != truth && is_same(iteration, x);
+    const int turns = now != 0.0 && holds(iteration->motion->model, i, now) != truth;
     return (turns || (turned != NULL && turned[i] != 0.0)) && !is_later_one(iteration, turned, i);
 }
 
-/* Round-off of the relations, where one of them may be zero but for that. */
+/* Round-off of the relations, and their values before the event into `half`, where one of them may be zero but for that. */
 static void weigh(lag_event_iteration *iteration, double t, const double *x, const double *turned)
 {
+    const size_t count = iteration->motion->model->nindicator;
     size_t i = 0;
-    while (i < iteration->motion->model->nindicator && !is_in_doubt(iteration, x, turned, i)) {
+    while (i < count && !is_in_doubt(iteration, turned, i)) {
         ++i;
     }
-    if (i < iteration->motion->model->nindicator) {
+    if (i < count) {
         lag_noise_find(iteration->noise, t, x);
+        lag_fill(count, (double)INFINITY, iteration->half);
+        iteration->motion->at.w = iteration->stood;
+        (void)indicate(iteration, t, iteration->from, iteration->half);
+        iteration->motion->at.w = iteration->motion->w;
     }
+}
+
+/*
+ * True if relation i stays what it is: its value is round-off and was so before the event, or it has turned in it and lies where it was found, which a
+ * projection may have moved before zero.
+ */
+static int stays(const lag_event_iteration *iteration, const double *turned, size_t i)
+{
+    const double sigma = iteration->noise->sigma[i];
+    const double now = iteration->now[i];
+    const double was = iteration->half[i];
+    const int has_turned = turned != NULL && turned[i] != 0.0;
+    const int is_round_off = fabs(now) <= sigma && (has_turned || fabs(was) <= sigma);
+    return is_in_doubt(iteration, turned, i) && (is_round_off || (has_turned && fabs(now - was) <= sigma));
 }
 
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned)
@@ -209,8 +228,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     }
     for (size_t i = 0; i < model->nindicator; ++i) {
         const int is_later = is_later_one(iteration, turned, i);
-        const int is_round_off = fabs(iteration->now[i]) <= iteration->noise->sigma[i];
-        if (!is_round_off || !is_in_doubt(iteration, x, turned, i)) {
+        if (!stays(iteration, turned, i)) {
             motion->w[iteration->places.relation + i] = holds(model, i, is_later ? iteration->then[i] : iteration->now[i]);
         }
     }
@@ -335,35 +353,12 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     return status;
 }
 
-/* Relations at x at time t, and so long `ahead` by the rates. */
-static lag_status look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead)
+lag_status lag_event_iteration_look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead)
 {
     lag_event_iteration_move_on(iteration, t, x);
     go(iteration, x, ahead);
     const lag_status status = indicate(iteration, t + ahead, iteration->later, iteration->then);
     return status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
-}
-
-void lag_event_iteration_wait(lag_event_iteration *iteration, double t, const double *x, double *turned, double ahead)
-{
-    const double *sigma = iteration->noise->sigma;
-    const lag_status status = look_ahead(iteration, t, x, ahead);
-    for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
-        const double fall = fabs(iteration->now[i]) - fabs(iteration->then[i]);
-        turned[i] = fabs(iteration->now[i]) > sigma[i] && fall > CLEAR * sigma[i] ? 0.0 : turned[i];
-    }
-}
-
-double lag_event_iteration_lateness(lag_event_iteration *iteration, double t, const double *x, const double *turned, double ahead)
-{
-    double late = 0.0;
-    const lag_status status = look_ahead(iteration, t, x, ahead);
-    for (size_t i = 0; i < iteration->motion->model->nindicator && status == LAG_OK; ++i) {
-        const double moved = iteration->then[i] - iteration->now[i];
-        const int falls = turned[i] != 0.0 && moved * iteration->now[i] > 0.0 && fabs(moved) > CLEAR * iteration->noise->sigma[i];
-        late = falls ? fmax(late, ahead * (iteration->now[i] / moved)) : late;
-    }
-    return late;
 }
 
 /* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
@@ -373,7 +368,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     const double *truth = motion->w + iteration->places.relation;
     const double *stood = iteration->stood + iteration->places.relation;
     int any = 0;
-    const lag_status status = look_ahead(iteration, t, x, iteration->moment);
+    const lag_status status = lag_event_iteration_look_ahead(iteration, t, x, iteration->moment);
     for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
         const double depth = fabs(iteration->now[i]);
         const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;

@@ -17,7 +17,7 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 4 * count_of(model) + model->nindicator : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -32,6 +32,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->value = lag_take(&memory, count_of(model));
     noise->other = lag_take(&memory, count_of(model));
     noise->opposite = lag_take(&memory, count_of(model));
+    noise->kept = lag_take(&memory, count_of(model));
     noise->sigma = lag_take(&memory, count_of(model));
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
@@ -129,6 +130,15 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }
+}
+
+void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which)
+{
+    const size_t bytes = count_of(noise->motion->model) * sizeof(double);
+    memcpy(noise->kept, noise->sigma, bytes);
+    lag_noise_find(noise, t, x);
+    noise->kept[which] = fmin(noise->kept[which], noise->sigma[which]);
+    memcpy(noise->sigma, noise->kept, bytes);
 }
 
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)

@@ -12,7 +12,7 @@ typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
     double *point, *u;    /* (2 nq + nz) (nu) */
-    double *value, *other, *opposite; /* (nindicator + ncorner) */
+    double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
     double *least;        /* (nindicator) what it is at least, where an importer has turned relations early; zero */
 } lag_noise;
@@ -27,6 +27,9 @@ void lag_noise_follow(lag_noise *noise, const double *x);
 
 /* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
+
+/* sigma of indicator `which` alone, if it is less at x at time t than it was found before, as that of a square is at its zero. */
+void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which);
 
 /* The size of coordinate j, or of rate j - nq. */
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);
