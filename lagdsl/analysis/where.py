@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from lagdsl.analysis.discretes import refuse_pierced
 from lagdsl.analysis.held import report_held
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
@@ -78,13 +79,15 @@ def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) ->
 
 
 def point(system: System, where: Where, sink: Sink) -> Point:
-    """The consistent state, or the equilibrium near it. Raises CompilationFailed."""
+    """The consistent state, or the equilibrium near it. Raises CompilationFailed: E0834 inside of a contact."""
     if where.trim:
         found = _equilibrium(system, where, sink)
         if found is None:
             raise failed(sink.diagnostics)
         return found.point
-    return _state(system, where, where.start, sink)
+    found_state = _state(system, where, where.start, sink)
+    refuse_pierced(system, found_state)
+    return found_state
 
 
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:

@@ -47,6 +47,14 @@ def test_an_open_contact_is_not_there() -> None:
     assert np.unique(found.round(12)) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize("ask", ["linearize", "modes"])
+def test_inside_of_a_contact_there_is_no_small_motion(ask: str) -> None:
+    with pytest.raises(CompilationFailed) as raised:
+        getattr(pressed(), ask)(q={"x": -0.01})
+    assert [found.code for found in raised.value.diagnostics] == ["E0834"]
+    assert "`stop`" in str(raised.value)
+
+
 def test_the_equilibrium_presses_on_the_stop() -> None:
     """From an open contact: without the stop x would come to rest beyond it."""
     model = pressed(x="0.1 m")

@@ -1,7 +1,8 @@
 /*
- * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error of the unit round-off eps, so
- * g is known to about eps |dg/dx x|: only what enters g counts, in its own units. Numbers are states, inputs and the time. The derivatives are differences along changes of all
- * numbers at once, with signs such that no two numbers change alike in all of them. Gradients, where a step needs them, take a difference for each number.
+ * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error
+ * of the unit round-off eps, so g is known to about eps |dg/dx x|: only what enters g counts, in its own units. Numbers are states, inputs and the
+ * time. The derivatives are differences along changes of all numbers at once, with signs such that no two numbers change alike in all of them.
+ * Gradients, where a step needs them, take a difference for each number.
  */
 #ifndef LAG_NOISE_H
 #define LAG_NOISE_H
