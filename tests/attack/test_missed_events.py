@@ -32,6 +32,18 @@ COUNTERS = [
     counter(
         "slow_then_fast", 31.0, "sin(phi*phi) > 0.3", floor(((31.0 * 2) ** 2 - 0.3046926540153975) / (2 * pi)) + 1, 2.0
     ),
+    # looks are to be as dense as the events have become, whatever length was right at first
+    *(
+        counter(
+            f"faster_{rate:g}_at_{tolerance:g}",
+            rate,
+            "sin(phi*phi) > 0.3",
+            floor(((rate * stop) ** 2 - 0.3046926540153975) / (2 * pi)) + 1,
+            stop,
+            tolerance=tolerance,
+        )
+        for rate, stop, tolerance in ((20.0, 2.0, 1e-9), (31.0, 2.0, 7e-10), (47.0, 1.5, 1e-8), (47.0, 1.5, 1e-11))
+    ),
     counter("two_teeth", 20 * pi, "sin(phi) > 0.5 and sin(phi) < 0.6", 400, 20.0, tolerance=1e-6),
     counter("either_of_two", 20 * pi, "{sin(phi) > 0.9, cos(phi) > 0.9}", 400, 20.0, tolerance=1e-6),
     counter("teeth_by_mod", 20 * pi, "mod(phi, 2*pi) > 6.28", 200, 20.0, tolerance=1e-6),

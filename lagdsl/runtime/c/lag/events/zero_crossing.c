@@ -11,7 +11,7 @@ static const double CLEARLY = 1e6;
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = model->nindicator + model->ncontact + model->ncorner;
-    return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (4 + LAG_LOOKS) * count;
+    return 2 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (4 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
@@ -26,6 +26,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->band = lag_take(&memory, count);
     crossings->root = lag_take(&memory, count);
     crossings->found = lag_take(&memory, count);
+    crossings->when = lag_take(&memory, model->nindicator);
     for (size_t k = 0; k < LAG_LOOKS; ++k) {
         crossings->seen[k] = lag_take(&memory, count);
     }
@@ -38,7 +39,9 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->beside = lag_take(&memory, model->ncorner);
     crossings->laws = memory;
     crossings->span = crossings->reach = 0.0;
+    crossings->limit = (double)INFINITY;
     memset(crossings->band, 0, count * sizeof(double));
+    lag_fill(model->nindicator, -(double)INFINITY, crossings->when);
 }
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)

@@ -25,7 +25,9 @@ typedef struct lag_zero_crossing {
     double *band;                  /* the same: how far below zero values may be */
     double *seen[LAG_LOOKS];       /* the same: values, for those who look for the time */
     double *root, *found;          /* the same */
+    double *when;                  /* (nindicator) time of the last change that was found */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
+    double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_zero_crossing;
 
 /* Doubles for it. */

@@ -18,6 +18,10 @@ static const double BEGINNING = 0.01;
 static const double LAST_STRETCH = 1.2;
 /* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
 static const double CUT = 0.01;
+/* Behind a change pieces are no longer than so many times the time since the last change of the same relation: looks do not step over two. */
+static const double INTERVALS = 3.0;
+/* Changes that follow each other within this part of the experiment crowd: nothing is gained by looking at each of them. */
+static const double CROWDED = 1e-6;
 /* Values below so many times their round-off have no shape. */
 static const double SHAPELESS = 1e3;
 
@@ -255,6 +259,20 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
     return LAG_OK;
 }
 
+/* Limits the next piece behind relations that were found to change at t: gaps stay negative until they are found. */
+static void limit_behind(lag_run *run, double t)
+{
+    lag_zero_crossing *crossings = &run->crossings;
+    for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
+        if (crossings->changed[i] != 0.0) {
+            const double interval = t - crossings->when[i];
+            const int is_crowded = !(interval > CROWDED * run->instants.contacts.length);
+            crossings->limit = is_crowded ? crossings->limit : fmin(crossings->limit, INTERVALS * interval);
+            crossings->when[i] = t;
+        }
+    }
+}
+
 lag_status lag_run_happening(lag_run *run, double *t)
 {
     const lag_stepper *s = &run->stepper;
@@ -268,6 +286,10 @@ lag_status lag_run_happening(lag_run *run, double *t)
     on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
     on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
     on.reach = fmin(on.reach, on.longest);
+    const double begun = on.reach;
+    on.reach = fmin(begun, fmax(crossings->limit, on.shortest));
+    const double limited = on.reach;
+    crossings->limit = (double)INFINITY;
     lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
     if (status == LAG_OK) {
         status = lag_zero_crossing_begin(crossings, on.a, run->point);
@@ -275,7 +297,10 @@ lag_status lag_run_happening(lag_run *run, double *t)
     if (status == LAG_OK) {
         status = scan_pieces(run, &on, t);
     }
-    crossings->reach = on.reach;
+    crossings->reach = on.reach < limited ? on.reach : fmax(on.reach, begun);
+    if (status == LAG_EVENT_PENDING) {
+        limit_behind(run, *t);
+    }
     if (status == LAG_EVENT_PENDING && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
         *t = s->t;
     }
