@@ -115,5 +115,5 @@ def test_every_action_removes_its_diagnostic(name: str) -> None:
 
 def test_every_action_on_texts_with_faults_removes_its_diagnostic() -> None:
     """Not where there are so many faults (N0199) that the next one takes the place of one that is repaired."""
-    paths = spread([path for path in sorted(REJECTED.glob("*.lag")) if path.stem != "N0199"], 40)
+    paths = spread([path for path in sorted(REJECTED.glob("*.lag")) if path.stem != "N0199"], 80)
     assert sum(_actions_remove_their_diagnostics(path, path.read_text(encoding="utf-8")) for path in paths) > 1
