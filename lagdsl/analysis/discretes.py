@@ -23,6 +23,8 @@ def discretes_at(system: System, point: Point) -> Floats:
 
 def refuse_pierced(system: System, point: Point) -> None:
     """E0834, as CompilationFailed, for contacts whose gap is negative: no motion begins there."""
+    if not system.flat.events.contacts:
+        return
     state = (point.q, point.qd, point.z)
     known = entries(system.flat.events)
     pierced = standing(system.flat, system.engine, point.t, state, point.u, point.p).pierced

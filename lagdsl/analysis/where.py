@@ -85,9 +85,9 @@ def point(system: System, where: Where, sink: Sink) -> Point:
         if found is None:
             raise failed(sink.diagnostics)
         return found.point
-    found_state = _state(system, where, where.start, sink)
-    refuse_pierced(system, found_state)
-    return found_state
+    state = _state(system, where, where.start, sink)
+    refuse_pierced(system, state)
+    return state
 
 
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:

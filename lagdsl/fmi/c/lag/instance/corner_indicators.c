@@ -58,11 +58,12 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
     double *latched = instance->latched + lag_instance_first_corner(instance);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double behind = -instance->side[i] * instance->far[i];
+        const double margin = lag_instance_corner_margin(instance, i);
         largest[i] = fmax(largest[i], fabs(instance->far[i]));
         if (instance->side[i] == 0.0) {
             instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;
-        } else if (behind > CLEARLY * lag_instance_corner_margin(instance, i)) {
-            latched[i] = largest[i] <= NEAR * lag_instance_corner_margin(instance, i) ? FARTHER * lag_instance_corner_margin(instance, i) : 0.0;
+        } else if (behind > CLEARLY * margin) {
+            latched[i] = largest[i] <= NEAR * margin ? FARTHER * margin : 0.0;
             largest[i] = 0.0;
             instance->side[i] = -instance->side[i];
         }

@@ -28,8 +28,6 @@ static const double LATE = 1e-13;
 static const double AHEAD = 1e-11;
 static const double LATEST = 1e-9;
 static const double MOMENTS = 200.0;
-/* A relation moves clearly if it does so by this many round-offs. */
-static const double CLEAR = 16.0;
 
 /* Relations flagged in `coming` that are not zero yet, but go there, wait: their flags become zero. */
 static void wait_for_zeros(lag_instance *instance, double t, double *coming)
@@ -39,7 +37,7 @@ static void wait_for_zeros(lag_instance *instance, double t, double *coming)
     const lag_status status = lag_event_iteration_look_ahead(iteration, t, instance->x, AHEAD * instance->run->instants.contacts.length);
     for (size_t i = 0; i < instance->fmu->model->nindicator && status == LAG_OK; ++i) {
         const double fall = fabs(iteration->now[i]) - fabs(iteration->then[i]);
-        coming[i] = fabs(iteration->now[i]) > sigma[i] && fall > CLEAR * sigma[i] ? 0.0 : coming[i];
+        coming[i] = fabs(iteration->now[i]) > sigma[i] && fall > LAG_MOVES_CLEARLY * sigma[i] ? 0.0 : coming[i];
     }
 }
 
@@ -175,7 +173,7 @@ static double since_zero(lag_instance *instance, double t)
     for (size_t i = 0; i < instance->fmu->model->nindicator && status == LAG_OK; ++i) {
         const double moved = iteration->then[i] - iteration->now[i];
         const int falls = instance->run->crossings.changed[i] != 0.0 && moved * iteration->now[i] > 0.0;
-        late = falls && fabs(moved) > CLEAR * iteration->noise->sigma[i] ? fmax(late, ahead * (iteration->now[i] / moved)) : late;
+        late = falls && fabs(moved) > LAG_MOVES_CLEARLY * iteration->noise->sigma[i] ? fmax(late, ahead * (iteration->now[i] / moved)) : late;
     }
     return late;
 }

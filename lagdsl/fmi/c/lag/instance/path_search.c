@@ -38,6 +38,11 @@ void lag_path_set_inputs(const lag_path_step *in, double s, double h)
     }
 }
 
+static double time_at(const lag_path_step *in, double s)
+{
+    return *in->base.t + s * (*in->tip.t - *in->base.t);
+}
+
 /* Room at part s of the step, into `room`; *passed: 1 if something has changed there. */
 static lag_status look(const lag_path_step *in, double s, double *room, int *passed)
 {
@@ -47,7 +52,7 @@ static lag_status look(const lag_path_step *in, double s, double *room, int *pas
         instance->point[i] = cubic(s, h, in->base.x[i], in->base.f[i], in->tip.x[i], in->tip.f[i]);
     }
     lag_path_set_inputs(in, s, h);
-    const lag_status status = lag_instance_look(instance, *in->base.t + s * h, instance->point, room);
+    const lag_status status = lag_instance_look(instance, time_at(in, s), instance->point, room);
     for (size_t i = 0; i < count_of(in) && status == LAG_OK; ++i) {
         const int changes = room[i] < 0.0 && in->base.passed[i] == 0.0;
         in->tip.passed[i] = changes ? 1.0 : in->tip.passed[i];
@@ -160,8 +165,7 @@ static lag_status look_at_minimum(const lag_path_step *in, size_t i, int k, doub
     for (int again = 0; again < AGAIN && status == LAG_OK && !*passed && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         status = look(in, a + u * w, in->instance->room, passed);
         if (status == LAG_OK && !*passed && is_within_margin(in, i)) {
-            const double h = *in->tip.t - *in->base.t;
-            lag_noise_reduce(&in->instance->run->instants.noise, *in->base.t + (a + u * w) * h, in->instance->point, i);
+            lag_noise_reduce(&in->instance->run->instants.noise, time_at(in, a + u * w), in->instance->point, i);
             status = look(in, a + u * w, in->instance->room, passed);
         }
         const double value = in->instance->room[i];

@@ -161,7 +161,7 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
 /* ---- what stays ---- */
 
 /*
- * Accelerations of the gaps of contacts that are open and flagged in `closing`: rows of the constraints that they would be, with the
+ * Accelerations of the gaps of contacts flagged in `closing`, while they are open: rows of the constraints that they would be, with the
  * accelerations that there are without them.
  */
 static void fly(lag_contacts *contacts, double t, const double *x)
@@ -172,7 +172,8 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     lag_contacts_solve(contacts, t, x);
     memcpy(impact->opened, motion->w, model->nw * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
-        impact->opened[contacts->places.contact + i] += contacts->closing[i];
+        double *opened = impact->opened + contacts->places.contact + i;
+        *opened = contacts->closing[i] != 0.0 ? 1.0 : *opened;
     }
     motion->at.w = impact->opened;
     const lag_status status = model->dynamics(&motion->at, impact->mass, impact->force, impact->jacobian, impact->residual);

@@ -343,7 +343,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 /* ---- what is continuous ---- */
 
 /* Gaps that are negative beyond an event, by what they change in the step of fixed length that has led there, have not jumped to that. */
-static lag_status have_jumped(lag_event_iteration *iteration, double t, const double *x, double *pierced)
+static lag_status judge_pierced(lag_event_iteration *iteration, double t, const double *x, double *pierced)
 {
     lag_contacts *contacts = iteration->contacts;
     const size_t count = iteration->motion->model->ncontact;
@@ -363,7 +363,7 @@ lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, 
     const double *was = with_states(iteration, x, stood);
     double *pierced = iteration->guilty + iteration->places.contact;
     lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->stood, iteration->pulling, pierced);
-    status = status == LAG_PENETRATION && iteration->start != NULL ? have_jumped(iteration, t, x, pierced) : status;
+    status = status == LAG_PENETRATION && iteration->start != NULL ? judge_pierced(iteration, t, x, pierced) : status;
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }

@@ -11,6 +11,9 @@
 #include "lag/equations/projection.h"
 #include "lag/events/timed.h"
 
+/* A relation moves clearly if it does so by this many round-offs. */
+static const double LAG_MOVES_CLEARLY = 16.0;
+
 typedef struct lag_event_iteration {
     lag_motion *motion;
     lag_contacts *contacts;

@@ -17,8 +17,6 @@ enum { SERIES = 2 };
 static const double DEEP = 16.0;
 static const double LOW = 1e4;
 static const double SHORT = 1e-3;
-/* A relation moves clearly if it does so by this many round-offs. */
-static const double CLEAR = 16.0;
 /* A relation that starts at zero shows within this part of the experiment where it goes. */
 static const double SOON = 1e-4;
 /* Factor from one look ahead to the next. */
@@ -256,7 +254,7 @@ static void look_further(lag_event_iteration *iteration, double t, const double 
         }
         for (size_t i = 0; i < model->nindicator; ++i) {
             const int waits = fabs(iteration->now[i]) <= sigma[i] && iteration->soon[i] == 0.0;
-            if (waits && fabs(iteration->then[i] - iteration->now[i]) > CLEAR * sigma[i]) {
+            if (waits && fabs(iteration->then[i] - iteration->now[i]) > LAG_MOVES_CLEARLY * sigma[i]) {
                 iteration->soon[i] = iteration->then[i];
                 --left;
             }

@@ -110,9 +110,9 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     unsigned changes = 1;
-    lag_motion_look(noise->motion, t, x);
+    const lag_status status = evaluate(noise->motion, t, x, noise->value);
     lag_noise_follow(noise, x);
-    if (evaluate(noise->motion, t, x, noise->value) != LAG_OK) {
+    if (status != LAG_OK) {
         return;
     }
     for (size_t i = 0; i < count_of(model); ++i) {

@@ -15,7 +15,7 @@ typedef struct lag_noise {
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
-    double *least;        /* (nindicator) what it is at least, where an importer has turned relations early; zero */
+    double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
 } lag_noise;
 
 /* Doubles for it. */
