@@ -33,6 +33,7 @@ MODULES = {
     "test_machines_with_events": None,
     "test_methods_and_tolerances": None,
     "test_missed_events": "teeth",
+    "test_relations_at_rest": None,
     "test_scales": "beside_an_odometer_at_1e+07",
     "test_shapes_and_points": "minus_celsius",
     "test_starts": "discrete_mass_at_the_start",
@@ -54,10 +55,17 @@ ROUNDED = {"scales-relation_far_from_the_origin": 1e-5}
 
 
 def _rows() -> dict[str, Attack]:
+    """Of rows that differ in their tolerance only, which an importer chooses, the first."""
     found: dict[str, Attack] = {}
     for module in MODULES:
         tables = [v for v in vars(import_module(f"attack.{module}")).values() if isinstance(v, list)]
-        found |= {f"{module[5:]}-{row.name}": row for rows in tables for row in rows if isinstance(row, Attack)}
+        alike = {
+            repr((row.text, row.inputs, row.stop)): row
+            for rows in tables
+            for row in reversed(rows)
+            if isinstance(row, Attack)
+        }
+        found |= {f"{module[5:]}-{row.name}": row for row in alike.values()}
     return found
 
 

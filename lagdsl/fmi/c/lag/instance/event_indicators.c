@@ -6,12 +6,20 @@
  */
 #include "lag/instance/instance_internal.h"
 
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* A relation that changes at zero does so early by this part of its round-off. */
 static const double EARLY = 0.5;
+/*
+ * A relation rests if it moves by no more than tolerance times speed times time. What its acceleration makes of the time T of the motion's changes is
+ * more after tolerance*T, and its jerk after tolerance^(1/2)*T: this power of the tolerance lies between them.
+ */
+static const double BRIEF = 0.75;
 
 size_t lag_instance_crossing_count(const lag_instance *instance)
 {
@@ -90,6 +98,52 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return status;
 }
 
+static double resting(const lag_instance *instance, size_t which)
+{
+    return which < instance->fmu->model->nindicator ? instance->resting[which] : 0.0;
+}
+
+/* So short a time that a motion with these rates is a parabola in it as far as it is known, and so long that accelerations show. */
+static double brief(const lag_instance *instance, const double *rate)
+{
+    const lag_run *run = instance->run;
+    const size_t n = run->motion.model->nq;
+    double scale = run->instants.contacts.length;
+    for (size_t j = 0; j < n; ++j) {
+        const double speed = run->instants.noise.peak[n + j];
+        scale = speed > 0.0 && fabs(rate[n + j]) * scale > speed ? speed / fabs(rate[n + j]) : scale;
+    }
+    return pow(run->crossings.tolerance, BRIEF) * scale;
+}
+
+/* Relations that have turned and stay at zero, as far as the motion is known. They are shown to change when they leave that. */
+static lag_status find_resting(lag_instance *instance, double t, const double *x)
+{
+    lag_run *run = instance->run;
+    lag_zero_crossing *crossings = &run->crossings;
+    const lag_model *model = instance->fmu->model;
+    double *rate = instance->tangent;
+    lag_status status = lag_zero_crossing_begin(crossings, t, x);
+    for (size_t i = 0; i < model->nindicator; ++i) {
+        const int hovers = crossings->hovers[i] != 0.0 && !lag_instance_is_held(instance, i);
+        instance->resting[i] = hovers ? lag_zero_crossing_known(crossings, i) : 0.0;
+    }
+    if (status != LAG_OK || !lag_any(model->nindicator, instance->resting) || run->motion.ode.rates(&run->motion, t, x, rate) != LAG_OK) {
+        lag_fill(model->nindicator, 0.0, instance->resting);
+        return status;
+    }
+    const double ahead = brief(instance, rate);
+    memcpy(instance->point, x, lag_motion_size(model) * sizeof(double));
+    lag_axpy(lag_motion_size(model), ahead, rate, instance->point);
+    lag_axpy(model->nq, 0.5 * ahead * ahead, rate + model->nq, instance->point);
+    lag_zero_crossing_creep(crossings, t, x, ahead);
+    status = lag_zero_crossing_look(crossings, t + ahead, instance->point);
+    for (size_t i = 0; i < model->nindicator; ++i) {
+        instance->resting[i] = lag_zero_crossing_rests(crossings, i) ? instance->resting[i] : 0.0;
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
 {
     const size_t count = lag_instance_crossing_count(instance);
@@ -97,12 +151,14 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
         lag_noise_find(&instance->run->instants.noise, t, x);
     }
     lag_contacts_follow(&instance->run->instants.contacts, x);
-    const lag_status status = lag_instance_look_at_crossings(instance, t, x);
+    lag_status status = instance->fmu->model->nindicator > 0 ? find_resting(instance, t, x) : LAG_OK;
+    status = status == LAG_OK ? lag_instance_look_at_crossings(instance, t, x) : status;
     instance->known = 0;
     lag_instance_forget_path(instance);
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->latched[i] = fmax(0.0, lag_instance_round_off(instance, i) - lag_instance_room(instance, i)) + instance->errors[i];
+        const double behind = fmax(0.0, lag_instance_round_off(instance, i) - lag_instance_room(instance, i));
+        instance->latched[i] = behind + instance->errors[i] + resting(instance, i);
     }
     return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
 }
@@ -112,7 +168,7 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        if (lag_instance_room(instance, i) > 2.0 * lag_instance_round_off(instance, i) + instance->errors[i]) {
+        if (lag_instance_room(instance, i) > 2.0 * lag_instance_round_off(instance, i) + instance->errors[i] + resting(instance, i)) {
             instance->latched[i] = instance->errors[i] = 0.0;
         }
     }

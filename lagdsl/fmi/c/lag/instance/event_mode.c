@@ -71,7 +71,10 @@ static void hold(lag_instance *instance)
 {
     for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
         const int changes = instance->run->crossings.changed[i] != 0.0 || lag_instance_changes_at_zero(instance, i);
-        instance->run->instants.noise.least[i] = changes ? 0.0 : instance->latched[i];
+        const double behind = fmax(0.0, -lag_instance_crossing_value(instance, i));
+        const double rest = instance->resting[i] - fmin(instance->resting[i], behind);
+        instance->run->crossings.hovers[i] = instance->resting[i] > 0.0;
+        instance->run->crossings.band[i] = changes ? 0.0 : instance->latched[i] - rest;
     }
 }
 
@@ -269,7 +272,6 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
-        lag_fill(instance->fmu->model->nindicator, 0.0, run->instants.noise.least);
         status = is_idle(instance) ? step_back(instance, run->events > events) : LAG_OK;
         lag_instance_end_path(instance, any);
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;

@@ -39,7 +39,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 3 * lag_instance_watched(fmu) +
-           2 * model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
+           model->nindicator + 2 * model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -108,6 +108,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->largest = lag_take(&memory, model->ncorner);
     instance->latched = lag_take(&memory, watched);
     instance->errors = lag_take(&memory, watched);
+    instance->resting = lag_take(&memory, model->nindicator);
     instance->shown = lag_take(&memory, watched);
     instance->side = lag_take(&memory, model->ncorner);
     instance->base = lag_take(&memory, lag_instance_node(fmu));

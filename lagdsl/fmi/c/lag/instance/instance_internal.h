@@ -86,6 +86,7 @@ struct lag_instance {
     double *largest;        /* (ncorner) magnitudes of distances of corners seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
     double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
+    double *resting;        /* (relations) those that rest at zero at the last event are known to this only; zero: it moves */
     double *shown;          /* (relations, contacts, corners) a change was shown at this time, and nowhere behind it, since the path began */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */

@@ -99,7 +99,7 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
 static int passing(const lag_event_iteration *iteration, size_t i)
 {
     const double moved = fabs(iteration->then[i] - iteration->now[i]);
-    return moved > 0.0 && fabs(iteration->now[i]) <= PASSING * moved;
+    return moved > iteration->noise->least[i] && fabs(iteration->now[i]) <= PASSING * moved;
 }
 
 /* True if relation i passes zero here, back to what it is not. */
@@ -161,11 +161,18 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
     return status;
 }
 
-/* True if relation i is what it is after `lookahead`: it passes zero, or has turned and is zero itself then, as one that `limit` or `min` ends. */
+/*
+ * True if relation i is what it is after `lookahead`: it passes zero, or is what it has turned to where it ends at zero itself, as `limit` and `min` do. One
+ * that has turned in this event and does not move by more than round-off from then on has not passed it.
+ */
 static int is_later_one(const lag_event_iteration *iteration, const double *turned, size_t i)
 {
-    const int ends = iteration->then[i] == 0.0 && iteration->now[i] != 0.0;
-    return passing(iteration, i) || (ends && turned != NULL && turned[i] != 0.0);
+    const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
+    const int has_turned = turned != NULL && turned[i] != 0.0;
+    const int is_zero = iteration->then[i] == 0.0 && iteration->now[i] != 0.0;
+    const int ends = is_zero && holds(iteration->motion->model, i, 0.0) == truth;
+    const int rests = has_turned && fabs(iteration->then[i] - iteration->now[i]) <= iteration->noise->sigma[i];
+    return (passing(iteration, i) && !rests) || (ends && has_turned);
 }
 
 /* True if relation i does not pass zero, and would turn, or has turned in this event, by a value that may be round-off. */
@@ -173,7 +180,8 @@ static int is_in_doubt(const lag_event_iteration *iteration, const double *turne
 {
     const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
     const double now = iteration->now[i];
-    const int turns = now != 0.0 && holds(iteration->motion->model, i, now) != truth;
+    const int may_turn = now != 0.0 || iteration->noise->least[i] > 0.0;
+    const int turns = may_turn && holds(iteration->motion->model, i, now) != truth;
     return (turns || (turned != NULL && turned[i] != 0.0)) && !is_later_one(iteration, turned, i);
 }
 
@@ -182,7 +190,7 @@ static void weigh(lag_event_iteration *iteration, double t, const double *x, con
 {
     const size_t count = iteration->motion->model->nindicator;
     size_t i = 0;
-    while (i < count && !is_in_doubt(iteration, turned, i)) {
+    while (i < count && !is_in_doubt(iteration, turned, i) && !(turned != NULL && turned[i] != 0.0 && turns_back(iteration, i))) {
         ++i;
     }
     if (i < count) {

@@ -17,7 +17,7 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
+    return count_of(model) > 0 ? 2 * model->nq + 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -27,6 +27,8 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
     noise->peak = lag_take(&memory, size + inputs);
+    noise->recent = lag_take(&memory, size > 0 ? model->nq : 0);
+    noise->extra = lag_take(&memory, size > 0 ? model->nq : 0);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
     noise->value = lag_take(&memory, count_of(model));
@@ -36,6 +38,8 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->sigma = lag_take(&memory, count_of(model));
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
+    memset(noise->recent, 0, (size > 0 ? model->nq : 0) * sizeof(double));
+    memset(noise->extra, 0, (size > 0 ? model->nq : 0) * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
     memset(noise->least, 0, model->nindicator * sizeof(double));
 }
@@ -49,6 +53,15 @@ void lag_noise_follow(lag_noise *noise, const double *x)
         const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
         noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
     }
+    for (size_t j = 0; j < model->nq && count > 0; ++j) {
+        noise->recent[j] = fmax(noise->recent[j], fabs(x[model->nq + j]));
+    }
+}
+
+void lag_noise_begin(lag_noise *noise)
+{
+    const lag_model *model = noise->motion->model;
+    lag_fill(count_of(model) > 0 ? model->nq : 0, 0.0, noise->recent);
 }
 
 /* Bit k of the number of an entry tells its sign in change k. */
@@ -72,7 +85,8 @@ static lag_status evaluate(lag_motion *motion, double t, const double *x, double
 /* Number i after change k, or after the opposite one (`sign` -1). */
 static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
 {
-    const double by = sign * CHANGE * noise->peak[i];
+    const double extra = i < noise->motion->model->nq ? noise->extra[i] : 0.0;
+    const double by = sign * (CHANGE * noise->peak[i] + extra);
     return same_sign(i, k) ? number + by : number - by;
 }
 
@@ -139,6 +153,27 @@ void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which)
     lag_noise_find(noise, t, x);
     noise->kept[which] = fmin(noise->kept[which], noise->sigma[which]);
     memcpy(noise->sigma, noise->kept, bytes);
+}
+
+void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep)
+{
+    const size_t n = noise->motion->model->nq;
+    const size_t count = count_of(noise->motion->model);
+    memcpy(noise->kept, noise->sigma, count * sizeof(double));
+    for (size_t j = 0; j < n; ++j) {
+        noise->extra[j] = span * (part * noise->peak[n + j] + tolerance * noise->recent[j]);
+    }
+    lag_noise_find(noise, t, x);
+    memset(noise->extra, 0, n * sizeof(double));
+    for (size_t i = 0; i < count && span > 0.0; ++i) {
+        creep[i] = noise->sigma[i] / span;
+    }
+    memcpy(noise->sigma, noise->kept, count * sizeof(double));
+}
+
+double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)
+{
+    return tolerance / CHANGE * noise->sigma[which];
 }
 
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)

@@ -12,6 +12,8 @@
 typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
+    double *recent;       /* (nq) that of each rate since the last event */
+    double *extra;        /* (nq) coordinates change by this beside their round-off; zero but in lag_noise_creep */
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
@@ -26,11 +28,23 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 /* The motion passed through x, with the inputs that it has. */
 void lag_noise_follow(lag_noise *noise, const double *x);
 
+/* An event has changed the rates. */
+void lag_noise_begin(lag_noise *noise);
+
 /* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
 
 /* sigma of indicator `which` alone, if it is less at x at time t than it was found before, as that of a square is at its zero. */
 void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which);
+
+/*
+ * Rates of indicators and distances into `creep` (nindicator + ncorner) [1/s], by what they do in `span` [s] if the rates of coordinates are off by `part`
+ * of the largest ones and by `tolerance` as a part of the largest ones since the last event.
+ */
+void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep);
+
+/* How well indicator `which` is known if the numbers are known to a relative tolerance; after lag_noise_find. */
+double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);
 
 /* The size of coordinate j, or of rate j - nq. */
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);

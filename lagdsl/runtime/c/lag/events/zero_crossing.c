@@ -1,5 +1,6 @@
 #include "lag/events/zero_crossing.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -7,11 +8,13 @@
 
 /* A value beyond this many times its last known round-off is clear of round-off. */
 static const double CLEARLY = 1e6;
+/* The round-off of accelerations adds up in rates to this part of the largest ones, though constraints hold them. */
+static const double CREEPING = 1e-12;
 
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = model->nindicator + model->ncontact + model->ncorner;
-    return 2 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (4 + LAG_LOOKS) * count;
+    return 4 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 4 * model->ncorner + (7 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
@@ -23,10 +26,15 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->contacts = contacts;
     crossings->noise = noise;
     crossings->changed = lag_take(&memory, count);
+    crossings->depth = lag_take(&memory, count);
     crossings->band = lag_take(&memory, count);
+    crossings->start = lag_take(&memory, count);
+    crossings->moved = lag_take(&memory, count);
+    crossings->creep = lag_take(&memory, model->nindicator + model->ncorner);
     crossings->root = lag_take(&memory, count);
     crossings->found = lag_take(&memory, count);
     crossings->when = lag_take(&memory, model->nindicator);
+    crossings->hovers = lag_take(&memory, model->nindicator);
     for (size_t k = 0; k < LAG_LOOKS; ++k) {
         crossings->seen[k] = lag_take(&memory, count);
     }
@@ -40,7 +48,13 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->laws = memory;
     crossings->span = crossings->reach = 0.0;
     crossings->limit = (double)INFINITY;
+    crossings->locating = 0;
+    crossings->since = crossings->tolerance = 0.0;
+    memset(crossings->depth, 0, count * sizeof(double));
     memset(crossings->band, 0, count * sizeof(double));
+    memset(crossings->hovers, 0, model->nindicator * sizeof(double));
+    memset(crossings->start, 0, count * sizeof(double));
+    memset(crossings->moved, 0, count * sizeof(double));
     lag_fill(model->nindicator, -(double)INFINITY, crossings->when);
 }
 
@@ -69,15 +83,35 @@ double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
     return is_closed(crossings, which - count) ? motion->lam[motion->model->contact_rows[which - count]] : crossings->gap[which - count];
 }
 
+/* The place of a relation or corner in lag_noise. */
+static size_t place_of(const lag_zero_crossing *crossings, size_t which)
+{
+    return which < crossings->motion->model->nindicator ? which : which - crossings->motion->model->ncontact;
+}
+
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
 {
     const size_t count = crossings->motion->model->nindicator;
-    const size_t contacts = crossings->motion->model->ncontact;
-    if (which < count || which >= count + contacts) {
-        return crossings->noise->sigma[which < count ? which : which - contacts];
+    if (lag_zero_crossing_has_noise(crossings, which)) {
+        return crossings->noise->sigma[place_of(crossings, which)];
     }
     return is_closed(crossings, which - count) ? lag_contacts_force_noise(crossings->contacts, which - count)
                                            : lag_contacts_gap_noise(crossings->contacts, which - count);
+}
+
+double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
+{
+    return lag_noise_known(crossings->noise, place_of(crossings, which), crossings->tolerance);
+}
+
+/* So far below zero value `which` may be. */
+static double least_of(const lag_zero_crossing *crossings, size_t which)
+{
+    const double depth = crossings->depth[which];
+    if (!crossings->locating) {
+        return crossings->band[which];
+    }
+    return depth > 0.0 ? depth : fmin(crossings->band[which], lag_zero_crossing_noise(crossings, which));
 }
 
 /* A relation that stood at zero when it was looked at first changes as soon as its truth does, others where they leave their bands. */
@@ -89,7 +123,7 @@ static lag_status relations(lag_zero_crossing *crossings)
         const double g = crossings->g[i];
         const int truth = g > 0.0 || (g == 0.0 && model->strict[i] == 0);
         const int differs = truth != (crossings->motion->w[crossings->places.relation + i] != 0.0);
-        crossings->changed[i] = differs && (!(crossings->band[i] > 0.0) || -lag_zero_crossing_value(crossings, i) > crossings->band[i]);
+        crossings->changed[i] = differs && (!(crossings->band[i] > 0.0) || -lag_zero_crossing_value(crossings, i) > least_of(crossings, i));
     }
     return status;
 }
@@ -123,7 +157,7 @@ static lag_status corners(lag_zero_crossing *crossings)
     double solved = 0.0;
     const lag_status status = crossings->motion->model->corner(&crossings->motion->at, crossings->far, &solved);
     for (size_t i = first; i < first + crossings->corners; ++i) {
-        crossings->changed[i] = -lag_zero_crossing_value(crossings, i) > crossings->band[i];
+        crossings->changed[i] = -lag_zero_crossing_value(crossings, i) > least_of(crossings, i);
     }
     return status;
 }
@@ -170,13 +204,21 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
     if (count == 0) {
         return LAG_OK;
     }
+    crossings->since = t;
+    memset(crossings->band, 0, count * sizeof(double));
+    memset(crossings->creep, 0, (count - contacts) * sizeof(double));
     lag_noise_follow(crossings->noise, x);
     lag_contacts_follow(crossings->contacts, x);
     const lag_status status = lag_zero_crossing_look(crossings, t, x);
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double value = lag_zero_crossing_value(crossings, i);
         const size_t contact = i - crossings->motion->model->nindicator;
-        crossings->band[i] = value < 0.0 ? -value : 0.0;
+        crossings->depth[i] = crossings->band[i] = fmax(-value, crossings->changed[i] != 0.0 ? DBL_MIN : 0.0);
+        crossings->start[i] = value;
+        crossings->moved[i] = 0.0;
+        if (i < crossings->motion->model->nindicator && !(fabs(value) <= lag_zero_crossing_known(crossings, i))) {
+            crossings->hovers[i] = 0.0;
+        }
         if (i >= crossings->motion->model->nindicator && contact < contacts && is_closed(crossings, contact) && isfinite(value)) {
             crossings->contacts->force[contact] = fmax(crossings->contacts->force[contact], fabs(value));
         }
@@ -197,24 +239,61 @@ static int ends_at_zero(const lag_zero_crossing *crossings, size_t which, const 
     return from != NULL && lag_zero_crossing_value(crossings, which) == 0.0 && from[which] > CLEARLY * noise;
 }
 
+/* True if a relation or corner has changed, by what may be round-off or creep. */
+static int is_unclear(const lag_zero_crossing *crossings, size_t which)
+{
+    const double sigma = lag_zero_crossing_noise(crossings, which);
+    const double most = fmax(CLEARLY * sigma, lag_zero_crossing_known(crossings, which));
+    const int is_clear = -lag_zero_crossing_value(crossings, which) > crossings->depth[which] + most && sigma > 0.0;
+    return crossings->changed[which] != 0.0 && !is_clear;
+}
+
+void lag_zero_crossing_creep(lag_zero_crossing *crossings, double t, const double *x, double span)
+{
+    lag_noise_creep(crossings->noise, t, x, CREEPING, crossings->tolerance, span, crossings->creep);
+}
+
+/* So far a relation or corner at rest may have crept since the step began. */
+static double crept(const lag_zero_crossing *crossings, size_t which)
+{
+    return crossings->creep[place_of(crossings, which)] * (crossings->motion->at.t - crossings->since);
+}
+
+int lag_zero_crossing_rests(const lag_zero_crossing *crossings, size_t which)
+{
+    const double value = lag_zero_crossing_value(crossings, which);
+    const double moved = fmax(crossings->moved[which], fabs(value - crossings->start[which]));
+    const int hovers = which >= crossings->motion->model->nindicator || crossings->hovers[which] != 0.0;
+    return hovers && moved <= crept(crossings, which) + lag_zero_crossing_noise(crossings, which) &&
+        fabs(crossings->start[which]) <= lag_zero_crossing_known(crossings, which);
+}
+
+/* So far below zero a value is round-off, or, if it rests at zero, its creep, as far as the motion is known. */
+static double most_of(const lag_zero_crossing *crossings, size_t which)
+{
+    const double depth = crossings->depth[which];
+    const double known = lag_zero_crossing_known(crossings, which);
+    const double rest = lag_zero_crossing_rests(crossings, which) ? fmin(known, depth + crept(crossings, which)) : 0.0;
+    return fmax(depth + lag_zero_crossing_noise(crossings, which), rest);
+}
+
 int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x, const double *from)
 {
     const size_t count = lag_zero_crossing_count(crossings);
     int unclear = 0;
     for (size_t i = 0; i < count; ++i) {
-        const double sigma = lag_zero_crossing_has_noise(crossings, i) ? lag_zero_crossing_noise(crossings, i) : 0.0;
-        const int clear = -lag_zero_crossing_value(crossings, i) > CLEARLY * sigma && sigma > 0.0;
-        unclear = unclear || (lag_zero_crossing_has_noise(crossings, i) && crossings->changed[i] != 0.0 && !clear);
+        unclear = unclear || (lag_zero_crossing_has_noise(crossings, i) && is_unclear(crossings, i));
     }
     if (!unclear) {
         return 0;
     }
     lag_noise_find(crossings->noise, t, x);
+    lag_zero_crossing_creep(crossings, t, x, t - crossings->since);
     for (size_t i = 0; i < count; ++i) {
-        const int is_round_off = -lag_zero_crossing_value(crossings, i) <= lag_zero_crossing_noise(crossings, i);
         const int has_changed = lag_zero_crossing_has_noise(crossings, i) && crossings->changed[i] != 0.0;
-        if (has_changed && is_round_off && !ends_at_zero(crossings, i, from)) {
-            crossings->band[i] = fmax(crossings->band[i], lag_zero_crossing_noise(crossings, i));
+        const double most = has_changed ? most_of(crossings, i) : 0.0;
+        if (has_changed && -lag_zero_crossing_value(crossings, i) <= most && !ends_at_zero(crossings, i, from)) {
+            crossings->band[i] = fmax(crossings->band[i], most);
         }
     }
     return 1;

@@ -22,9 +22,16 @@ typedef struct lag_zero_crossing {
     size_t corners;                /* ncorner where corners are looked at, else 0 */
     int solved;                    /* they read accelerations or multipliers */
     double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */
-    double *band;                  /* the same: how far below zero values may be */
+    double *depth;                 /* the same: how far below zero values were where they began, though nothing had changed */
+    double *band;                  /* the same: how far below zero they may be: their depth, round-off, and the creep of what rests */
+    double *start, *moved;         /* the same: values where they began, and their largest difference from that since */
+    double *creep;                 /* (nindicator + ncorner) so fast they may creep at rest; zero: nobody has asked since the step began */
+    double tolerance;              /* of the motion, relative */
+    double *hovers;                /* (nindicator) flags: it has turned, and has been no farther from zero since than the motion is known */
+    int locating;                  /* values change as soon as they leave their depth and round-off: what crept before they were seen does not count */
     double *seen[LAG_LOOKS];       /* the same: values, for those who look for the time */
     double *root, *found;          /* the same */
+    double since;                  /* time at which the step began */
     double *when;                  /* (nindicator) time of the last change that was found */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
@@ -47,7 +54,16 @@ double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
 /* True if lag/events/noise.h finds that round-off: contacts have bounds of their own. */
 int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
 
-/* A step begins at x at time t. */
+/* So fast relations and corners at rest may creep, by what they do at x at time t in `span` [s]. */
+void lag_zero_crossing_creep(lag_zero_crossing *crossings, double t, const double *x, double span);
+
+/* True if a relation that hovers, or a corner, has rested at zero from where the step began to the last look, but for round-off and creep. */
+int lag_zero_crossing_rests(const lag_zero_crossing *crossings, size_t which);
+
+/* A value nearer to zero than this is zero, as far as the motion is known. */
+double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which);
+
+/* A step begins at x at time t, or an event has ended there. */
 lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const double *x);
 
 /* LAG_EVENT_PENDING if something happens at x at time t or happened before, with the discretes of `motion`. */

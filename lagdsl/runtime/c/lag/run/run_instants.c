@@ -16,14 +16,78 @@ static lag_status tell(lag_run *run, lag_event_kind what)
     return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
 }
 
-/* An event that came to a good end is told. */
-static lag_status over(lag_run *run, lag_status status)
+/* Bands of relations that lie behind zero now, by no more than round-off beyond where they lay before. */
+static void find_bands(lag_run *run)
 {
+    lag_zero_crossing *crossings = &run->crossings;
+    const size_t bytes = (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double);
+    memcpy(crossings->root, crossings->changed, bytes);
+    if (lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) == LAG_EVENT_PENDING) {
+        (void)lag_zero_crossing_widen(crossings, run->stepper.t, run->stepper.x, NULL);
+    }
+    memcpy(crossings->changed, crossings->root, bytes);
+}
+
+/* Round-off of relations is no less than their bands in an event that does not change them: one that it does not move stays what it is. */
+static void hold(lag_run *run, const double *changed)
+{
+    const lag_zero_crossing *crossings = &run->crossings;
+    lag_noise *noise = crossings->noise;
+    const size_t count = run->motion.model->nindicator;
+    if (count > 0) {
+        find_bands(run);
+    }
+    if (!lag_any(count, crossings->band)) {
+        return;
+    }
+    lag_noise_find(noise, run->stepper.t, run->stepper.x);
+    for (size_t i = 0; i < count; ++i) {
+        const int stays = changed == NULL || changed[i] == 0.0;
+        noise->least[i] = stays && crossings->band[i] > 0.0 ? crossings->band[i] + noise->sigma[i] : 0.0;
+    }
+}
+
+static void release(lag_run *run)
+{
+    lag_noise *noise = run->crossings.noise;
+    const size_t count = run->motion.model->nindicator;
+    if (lag_any(count, noise->least)) {
+        lag_fill(count, 0.0, noise->least);
+        lag_noise_find(noise, run->stepper.t, run->stepper.x);
+    }
+}
+
+/* An event begins. */
+static lag_status begin(lag_run *run, const double *changed)
+{
+    ++run->events;
+    hold(run, changed);
+    return tell(run, LAG_BEFORE);
+}
+
+/* An event that came to a good end is told. */
+static lag_status end(lag_run *run, lag_status status)
+{
+    release(run);
     if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
     }
     const lag_status told = tell(run, LAG_AFTER);
     return told == LAG_OK ? status : told;
+}
+
+/* The same for one that has turned the relations: as they lie now, they have not changed. */
+static lag_status over(lag_run *run, lag_status status)
+{
+    const double *before = run->instants.w_before + run->crossings.places.relation;
+    const double *truth = run->motion.w + run->crossings.places.relation;
+    for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
+        run->crossings.hovers[i] = truth[i] != before[i] ? 1.0 : run->crossings.hovers[i];
+    }
+    lag_noise_begin(run->crossings.noise);
+    const int is_good = status == LAG_OK || status == LAG_STOPPED;
+    const lag_status seen = is_good ? lag_zero_crossing_begin(&run->crossings, run->stepper.t, run->stepper.x) : LAG_OK;
+    return end(run, seen == LAG_OK ? status : seen);
 }
 
 lag_status lag_run_enter(lag_run *run)
@@ -59,8 +123,7 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
     if (status == LAG_OK && !ticks && any && !lag_any(count, run->crossings.changed)) {
         return LAG_OK;
     }
-    ++run->events;
-    status = status == LAG_OK ? tell(run, LAG_BEFORE) : status;
+    status = status == LAG_OK ? begin(run, run->crossings.changed) : status;
     if (status == LAG_OK) {
         status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, ticks));
     }
@@ -130,8 +193,7 @@ lag_status lag_run_ticks(lag_run *run)
     if (turned) {
         lag_instants_take_back(&run->instants, s->x);
     }
-    ++run->events;
-    status = tell(run, LAG_BEFORE);
+    status = begin(run, NULL);
     return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, s->t, s->x)) : status;
 }
 
@@ -168,10 +230,9 @@ static lag_status blow(lag_run *run, int *blown)
     }
     memcpy(s->x, run->point, size * sizeof(double));
     motion->until = s->t;
-    status = tell(run, LAG_BEFORE);
+    status = begin(run, NULL);
     motion->until = (double)INFINITY;
-    ++run->events;
-    return status == LAG_OK ? over(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
+    return status == LAG_OK ? end(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
 }
 
 /* Relations that the inputs of now have turned. */
@@ -185,9 +246,8 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     }
     memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
-    status = tell(run, LAG_BEFORE);
+    status = begin(run, run->pending);
     run->motion.until = (double)INFINITY;
-    ++run->events;
     return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0)) : status;
 }
 
@@ -210,7 +270,7 @@ lag_status lag_run_end(lag_run *run)
     if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
         return status;
     }
-    return over(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x));
+    return end(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x));
 }
 
 lag_status lag_run_back(lag_run *run, double t)

@@ -43,7 +43,9 @@ static size_t count_of(const lag_run *run)
 static void remember(lag_run *run, int k)
 {
     for (size_t i = 0; i < count_of(run); ++i) {
-        run->crossings.seen[k][i] = lag_zero_crossing_value(&run->crossings, i);
+        const double value = lag_zero_crossing_value(&run->crossings, i);
+        run->crossings.seen[k][i] = value;
+        run->crossings.moved[i] = fmax(run->crossings.moved[i], fabs(value - run->crossings.start[i]));
     }
 }
 
@@ -122,6 +124,15 @@ static double difference_of(lag_run *run, size_t i)
     return lag_look_error(values, &run->crossings.found[i]);
 }
 
+/* Round-off of value i, found where it is not known yet. */
+static double noise_of(lag_run *run, size_t i)
+{
+    if (lag_zero_crossing_has_noise(&run->crossings, i) && !(lag_zero_crossing_noise(&run->crossings, i) > 0.0)) {
+        lag_noise_find(run->crossings.noise, run->stepper.t_before, run->stepper.x_before);
+    }
+    return lag_zero_crossing_noise(&run->crossings, i);
+}
+
 /* The same as a part of its largest value; zero where that is round-off. */
 static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
@@ -131,10 +142,7 @@ static double doubt_of(lag_run *run, const piece *in, size_t i)
     if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
     }
-    if (lag_zero_crossing_has_noise(&run->crossings, i) && !(lag_zero_crossing_noise(&run->crossings, i) > 0.0)) {
-        lag_noise_find(run->crossings.noise, run->stepper.t_before, run->stepper.x_before);
-    }
-    return most > SHAPELESS * lag_zero_crossing_noise(&run->crossings, i) ? difference / most : 0.0;
+    return most > SHAPELESS * noise_of(run, i) ? difference / most : 0.0;
 }
 
 static double largest_doubt(lag_run *run, const piece *in)
@@ -208,7 +216,17 @@ static lag_status find_first(lag_run *run, piece *in, lag_status status, double 
     return status;
 }
 
-/* A value that changes within round-off of time behind the end changes at the end; gaps and forces that were round-off do not. */
+/* True if value i comes to its end from where it was no round-off: relations and corners, which may be slow, since the step began. */
+static int was_clear(lag_run *run, size_t i)
+{
+    const double before = run->crossings.seen[LAST - 1][i];
+    if (lag_zero_crossing_has_noise(&run->crossings, i)) {
+        return before > 0.0 && noise_of(run, i) > 0.0 && !lag_zero_crossing_rests(&run->crossings, i);
+    }
+    return before > lag_zero_crossing_noise(&run->crossings, i);
+}
+
+/* A value that changes within round-off of time behind the end changes at the end. */
 static lag_status look_at_end(lag_run *run, const piece *in)
 {
     const double h = in->b - place_of(in, LAST - 1);
@@ -217,9 +235,7 @@ static lag_status look_at_end(lag_run *run, const piece *in)
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = run->crossings.seen[LAST][i];
         const double rate = (value - run->crossings.seen[LAST - 1][i]) / h;
-        const double noise = lag_zero_crossing_has_noise(&run->crossings, i) ? 0.0 : lag_zero_crossing_noise(&run->crossings, i);
-        const int was_clear = run->crossings.seen[LAST - 1][i] > noise;
-        run->crossings.changed[i] = rate < 0.0 && was_clear && value <= -rate * soon;
+        run->crossings.changed[i] = rate < 0.0 && value <= -rate * soon && was_clear(run, i);
         any = any || run->crossings.changed[i] != 0.0;
     }
     return any ? LAG_EVENT_PENDING : LAG_OK;

@@ -30,12 +30,13 @@ static lag_status restart(lag_run *run, const lag_method *method, double span)
     return lag_stepper_begin(s, method, span);
 }
 
-/* Back onto the constraints after a step. LAG_PROJECTION_FAILED: it was too long. */
+/* Back onto the constraints after a step, exactly where they may hold a relation at its zero. LAG_PROJECTION_FAILED: it was too long. */
 static lag_status settle(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int moved = 0;
-    lag_status status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    const int hovers = lag_any(run->motion.model->nindicator, run->crossings.hovers);
+    lag_status status = (hovers ? lag_projection_exact : lag_projection_apply)(&run->projection, s->t, s->x, &moved);
     if (status == LAG_OK && moved) {
         status = lag_stepper_correct(s);
     }

@@ -92,6 +92,7 @@ double lag_scan_earliest(lag_run *run, double a, double b)
     const double tolerance = lag_scan_tolerance(run);
     double *root = run->crossings.root;
     double first = b;
+    run->crossings.locating = 1;
     memcpy(root, run->crossings.changed, count * sizeof(double));
     for (size_t i = 0; i < count; ++i) {
         change one = {run, i};
@@ -106,6 +107,7 @@ double lag_scan_earliest(lag_run *run, double a, double b)
             }
         }
     }
+    run->crossings.locating = 0;
     for (size_t i = 0; i < count; ++i) {
         run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
     }

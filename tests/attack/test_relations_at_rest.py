@@ -1,0 +1,153 @@
+"""A relation that a lock holds at its own zero has turned once, whatever round-off and the method's error do there."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import cos, sin, sqrt
+
+import numpy as np
+from attack.rows import Attack, check, model, rows
+from scipy.integrate import solve_ivp
+
+UNTIL = "locked = true; n = pre(n) + 1; elsewhen time > {opened} then locked = false; end when;"
+LOCK = """discrete Boolean locked(start = false); discrete Integer n(start = 0);
+constraint k: (if locked then {rate} else 0) = 0;
+"""
+TOLERANCES = (1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3)
+
+
+def near(tolerance: float) -> float:
+    """So close is an end at a tolerance: methods bound the error of a step, not that of the motion."""
+    return max(1e-8, 1e3 * tolerance)
+
+
+# ---- a slider-crank: crank 0.3 and 0.2 kg.m2, rod 1 without mass, piston 3 kg, torque 1 N.m ----
+
+SLIDER_CRANK = """import Lag.Planar.*;
+Revolute main(q(start = 1, der(start = 2), fixed = true)), big, wrist;
+BodyShape crank(r = {0.3, 0}, com = {0, 0}, m = 1, Izz = 0.2);
+FixedTranslation rod(r = {1, 0});
+Prismatic guide(s(start = 1)); Body piston(m = 3);
+connect(world, main, crank, big, rod, wrist, guide.frame_b, piston); connect(world, guide.frame_a);
+torque 1 on main.q; gravity = 0;
+"""
+
+
+def _stroke(q: float) -> tuple[float, float, float]:
+    """Place of the piston s(q) = r cos q + sqrt(1 - r^2 sin^2 q), and its first and second derivative."""
+    r = 0.3
+    root = sqrt(1 - (r * sin(q)) ** 2)
+    slope = -(r**2) * sin(q) * cos(q) / root
+    bend = -(r**2) * cos(2 * q) / root - (r**2 * sin(q) * cos(q)) ** 2 / root**3
+    return r * cos(q) + root, -r * sin(q) + slope, -r * cos(q) + bend
+
+
+def _crank(t: float, x: np.ndarray) -> list[float]:
+    """J q'' + J' q'^2/2 = 1 with J = 0.2 + 3 s'(q)^2."""
+    _, first, second = _stroke(x[0])
+    return [x[1], (1 - 3 * first * second * x[1] ** 2) / (0.2 + 3 * first**2)]
+
+
+@cache
+def _crank_angle(after: float) -> float:
+    """So long after a start from rest at q = 2."""
+    return float(solve_ivp(_crank, (0, after), [2.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-13).y[0, -1])
+
+
+def _cranks(rate: str, opened: float) -> list[Attack]:
+    text = model(SLIDER_CRANK + LOCK.format(rate=rate), "when main.q > 2 then " + UNTIL.format(opened=opened))
+    return [
+        Attack(
+            f"crank_by_{rate[4:-1]}_until_{opened:g}_at_{tolerance:g}",
+            text,
+            opened + 0.5,
+            {"main.q": _crank_angle(0.5), "n": 1.0},
+            {("main.q > 2", "true"): 1, ("main.q > 2", "false"): 0},
+            tolerance=tolerance,
+            near=near(tolerance),
+        )
+        for tolerance in TOLERANCES
+    ]
+
+
+CRANKS = [row for rate in ("der(guide.s)", "der(main.q)") for opened in (3.0, 40.0) for row in _cranks(rate, opened)]
+
+
+@rows(CRANKS)
+def test_a_machine_that_a_lock_holds_rests_at_the_zero_of_its_relation(row: Attack, engine: str) -> None:
+    check(row, engine)
+
+
+# ---- three links of length 1, masses 1, 2, 1, of which a lock holds the height of the end ----
+
+PENDULUM = """
+coordinate Real a(start = 0.2, der(start = 2)), b(start = 1), c(start = 0.3);
+Real h = cos(a) + cos(b) + cos(c);
+point p = {sin(a), -cos(a)}; point r = p + {sin(b), -cos(b)}; point s = r + {sin(c), -cos(c)};
+mass 1 at p; mass 2 at r; mass 1 at s; gravity = {0, -9.81};
+"""
+BELOW = np.array([4.0, 3.0, 1.0])  # mass that a link carries
+SHARED = np.minimum.outer(BELOW, BELOW)
+
+
+def _rates(x: np.ndarray, held: bool) -> np.ndarray:
+    """M q'' = f, or with the multiplier of (h)' = 0."""
+    q, v = x[:3], x[3:]
+    difference = q[:, None] - q
+    mass = SHARED * np.cos(difference)
+    force = -(SHARED * np.sin(difference)) @ v**2 - 9.81 * BELOW * np.sin(q)
+    if not held:
+        return np.concatenate([v, np.linalg.solve(mass, force)])
+    row = -np.sin(q)
+    system = np.block([[mass, -row[:, None]], [row[None, :], np.zeros((1, 1))]])
+    return np.concatenate([v, np.linalg.solve(system, np.append(force, np.cos(q) @ v**2))[:3]])
+
+
+def _flow(x: np.ndarray, span: float, held: bool, height: float | None = None) -> tuple[float, np.ndarray]:
+    """The state after `span`, or, earlier, where the end comes to `height`; and the time."""
+
+    def reached(t: float, x: np.ndarray) -> float:
+        return float(np.cos(x[:3]).sum()) - (height or 0.0)
+
+    reached.terminal = True  # type: ignore[attr-defined]
+    events = reached if height is not None else None
+    found = solve_ivp(
+        lambda t, x: _rates(x, held), (0, span), x, method="DOP853", rtol=1e-13, atol=1e-13, events=events
+    )
+    return float(found.t[-1]), found.y[:, -1]
+
+
+@cache
+def _angles(height: float) -> tuple[float, ...]:
+    """At 3.2: the lock holds from where the end comes to the height until 3; it takes hold by the smallest impulse."""
+    begun, x = _flow(np.array([0.2, 1.0, 0.3, 2.0, 0.0, 0.0]), 3.0, held=False, height=height)
+    q, v = x[:3], x[3:]
+    row = -np.sin(q)
+    inverse = np.linalg.solve(SHARED * np.cos(q[:, None] - q), row)
+    v = v - inverse * (row @ v) / (row @ inverse)
+    _, x = _flow(np.concatenate([q, v]), 3.0 - begun, held=True)
+    return tuple(_flow(x, 0.2, held=False)[1][:3])
+
+
+def _pendulums(height: float) -> list[Attack]:
+    text = model(PENDULUM + LOCK.format(rate="der(h)"), f"when h < {height:g} then " + UNTIL.format(opened=3))
+    return [
+        Attack(
+            f"pendulum_at_{height:g}_at_{tolerance:g}",
+            text,
+            3.2,
+            dict(zip(("a", "b", "c"), _angles(height), strict=True)) | {"n": 1.0},
+            {(f"h < {height:g}", "true"): 1},
+            tolerance=tolerance,
+            near=near(tolerance),
+        )
+        for tolerance in TOLERANCES
+    ]
+
+
+PENDULUMS = [row for height in (2.3, 2.4) for row in _pendulums(height)]
+
+
+@rows(PENDULUMS)
+def test_a_machine_that_moves_on_keeps_the_zero_that_a_lock_holds(row: Attack, engine: str) -> None:
+    check(row, engine)
