@@ -104,6 +104,10 @@ class RunView:
         report = self.report
         return [k for k in range(len(self._layout.discretes)) if report.guilty[k] != 0.0]
 
+    def doubted(self, relations: int) -> list[float]:
+        """For each relation the first time [s] at which it turned by what may be the method's error, or infinity."""
+        return [float(time) for time in self.report.doubted[:relations]]
+
     def changes(self) -> list[tuple[float, bool]]:
         """Time and kind (to an implicit one) of the first changes of the method."""
         report = self.report

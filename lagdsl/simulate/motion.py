@@ -89,7 +89,15 @@ class Motion:
         found = self._so_far()
         found = self._check_outputs(found)
         self._tell_rounded(found)
+        self._tell_doubted()
         return found
+
+    def _tell_doubted(self) -> None:
+        """W0886 for each relation that turned by what may be the error of the method."""
+        relations = self._asked.flat.events.relations
+        for relation, time in zip(relations, self._run.doubted(len(relations)), strict=True):
+            if np.isfinite(time):
+                self._task.sink.report("W0886", where(relation), name=relation.name, time=time_text(time))
 
     def _tell_rounded(self, found: Trajectory) -> None:
         """W0859 for each discrete Integer that is beyond the whole numbers that are exact."""

@@ -6,8 +6,12 @@ from functools import cache
 from math import cos, sin, sqrt
 
 import numpy as np
+import pytest
 from attack.rows import Attack, check, model, rows
 from scipy.integrate import solve_ivp
+
+import lagdsl
+from lagdsl.diagnostics.sink import Sink
 
 UNTIL = "locked = true; n = pre(n) + 1; elsewhen time > {opened} then locked = false; end when;"
 LOCK = """discrete Boolean locked(start = false); discrete Integer n(start = 0);
@@ -151,3 +155,31 @@ PENDULUMS = [row for height in (2.3, 2.4) for row in _pendulums(height)]
 @rows(PENDULUMS)
 def test_a_machine_that_moves_on_keeps_the_zero_that_a_lock_holds(row: Attack, engine: str) -> None:
     check(row, engine)
+
+
+# ---- relations that turn by the method's error are told ----
+
+DECAY = "coordinate Real x(start = 1, der(start = -1)); kinetic 1/2*der(x)^2; potential 1/2*x^2; dissipation der(x)^2;"
+
+
+@pytest.mark.parametrize(("tolerance", "told"), [(1e-4, True), (1e-6, False), (1e-10, False)])
+def test_a_relation_that_turns_by_the_error_of_the_motion_is_told(tolerance: float, told: bool) -> None:
+    """x = exp(-t) falls below 1e-9 once. At a tolerance of 1e-4 an error of 1e-9 turns the relation again and again."""
+    counting = lagdsl.compile(model(DECAY + "discrete Integer n;", "when x < 1e-9 then n = pre(n) + 1; end when;"))
+    sink = Sink()
+    motion = counting.simulate(stop=40, tolerance=tolerance, sink=sink)
+    assert [each.code for each in sink.diagnostics] == ["W0886"] * told
+    assert (motion["n"][-1] == 1) is not told
+
+
+def test_needles_at_speed_are_not_told() -> None:
+    """They are narrower than the error of the place, but the motion passes them for certain."""
+    passing = lagdsl.compile(
+        model(
+            "coordinate Real x(der(start = 1)); kinetic 1/2*der(x)^2; discrete Integer n;",
+            "when abs(x - 3) < 1e-7 then n = pre(n) + 1; end when;",
+        )
+    )
+    sink = Sink()
+    assert passing.simulate(stop=5, tolerance=1e-5, sink=sink)["n"][-1] == 1
+    assert not sink.diagnostics

@@ -255,4 +255,9 @@ ROWS: dict[str, Row] = {
         "declared here",
         "correct the value; a table changes it at the time of its row",
     ),
+    "W0886": warning(
+        "`{name}` turns at t = {time} s by less than the error of the motion",
+        "since it turned before, its value has been zero within the tolerance",
+        "use a smaller tolerance, or a condition with a margin",
+    ),
 }

@@ -16,8 +16,8 @@
 /* A relation that changes at zero does so early by this part of its round-off. */
 static const double EARLY = 0.5;
 /*
- * A relation rests if it moves by no more than tolerance times speed times time. What its acceleration makes of the time T of the motion's changes is
- * more after tolerance*T, and its jerk after tolerance^(1/2)*T: this power of the tolerance lies between them.
+ * A relation rests if it moves by no more than tolerance times speed times time. If the motion changes in the time T, an acceleration shows after
+ * tolerance*T, a jerk after tolerance^(1/2)*T: this power of the tolerance lies between them.
  */
 static const double BRIEF = 0.75;
 

@@ -43,7 +43,7 @@ void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which)
  */
 void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep);
 
-/* How well indicator `which` is known if the numbers are known to a relative tolerance; after lag_noise_find. */
+/* Error of indicator `which` if the numbers have this relative one; after lag_noise_find. */
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);
 
 /* The size of coordinate j, or of rate j - nq. */

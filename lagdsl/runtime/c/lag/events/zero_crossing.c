@@ -14,7 +14,7 @@ static const double CREEPING = 1e-12;
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = model->nindicator + model->ncontact + model->ncorner;
-    return 4 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 4 * model->ncorner + (7 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 4 * model->ncorner + (7 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
@@ -35,6 +35,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->found = lag_take(&memory, count);
     crossings->when = lag_take(&memory, model->nindicator);
     crossings->hovers = lag_take(&memory, model->nindicator);
+    crossings->doubted = lag_take(&memory, model->nindicator);
     for (size_t k = 0; k < LAG_LOOKS; ++k) {
         crossings->seen[k] = lag_take(&memory, count);
     }
@@ -56,6 +57,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     memset(crossings->start, 0, count * sizeof(double));
     memset(crossings->moved, 0, count * sizeof(double));
     lag_fill(model->nindicator, -(double)INFINITY, crossings->when);
+    lag_fill(model->nindicator, (double)INFINITY, crossings->doubted);
 }
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)

@@ -28,6 +28,7 @@ typedef struct lag_zero_crossing {
     double *creep;                 /* (nindicator + ncorner) so fast they may creep at rest; zero: nobody has asked since the step began */
     double tolerance;              /* of the motion, relative */
     double *hovers;                /* (nindicator) flags: it has turned, and has been no farther from zero since than the motion is known */
+    double *doubted;               /* (nindicator) first time at which it turned again while it hovered: by the method's error, perhaps; infinite: none */
     int locating;                  /* values change as soon as they leave their depth and round-off: what crept before they were seen does not count */
     double *seen[LAG_LOOKS];       /* the same: values, for those who look for the time */
     double *root, *found;          /* the same */

@@ -180,6 +180,7 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .w = run->motion.w,
         .changed = run->crossings.changed,
         .guilty = run->instants.iteration.guilty,
+        .doubted = run->crossings.doubted,
         .slack = run->instants.contacts.slack,
         .fault = run->instants.iteration.fault,
         .next = lag_instants_next(&run->instants),

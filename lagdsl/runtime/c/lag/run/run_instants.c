@@ -6,6 +6,9 @@
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
 
+/* A motion by less than this part of the largest rates is slow. */
+static const double SLOW = 1e-3;
+
 static int has_instants(const lag_run *run)
 {
     return run->motion.model->event != NULL;
@@ -57,10 +60,35 @@ static void release(lag_run *run)
     }
 }
 
-/* An event begins. */
+/* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
+static int is_doubtful(lag_run *run, size_t i)
+{
+    lag_zero_crossing *crossings = &run->crossings;
+    const double span = run->stepper.t - crossings->since;
+    const int is_near = crossings->hovers[i] != 0.0 && crossings->moved[i] <= lag_zero_crossing_known(crossings, i);
+    if (!is_near || !(span > 0.0)) {
+        return 0;
+    }
+    lag_noise_creep(crossings->noise, run->stepper.t, run->stepper.x, SLOW, 0.0, span, crossings->found);
+    return crossings->moved[i] <= crossings->found[i] * span;
+}
+
+/* Notes relations that may turn by the method's error. */
+static void doubt(lag_run *run, const double *changed)
+{
+    double *doubted = run->crossings.doubted;
+    for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
+        doubted[i] = changed[i] != 0.0 && is_doubtful(run, i) ? fmin(doubted[i], run->stepper.t) : doubted[i];
+    }
+}
+
+/* An event begins; flags of the relations that it changes, or null. */
 static lag_status begin(lag_run *run, const double *changed)
 {
     ++run->events;
+    if (changed != NULL) {
+        doubt(run, changed);
+    }
     hold(run, changed);
     return tell(run, LAG_BEFORE);
 }
