@@ -46,10 +46,10 @@ def _stroke(q: float) -> tuple[float, float, float]:
     return r * cos(q) + root, -r * sin(q) + slope, -r * cos(q) + bend
 
 
-def _crank(t: float, x: np.ndarray) -> list[float]:
-    """J q'' + J' q'^2/2 = 1 with J = 0.2 + 3 s'(q)^2."""
+def _crank(t: float, x: np.ndarray, torque: float = 1.0) -> list[float]:
+    """J q'' + J' q'^2/2 = torque with J = 0.2 + 3 s'(q)^2."""
     _, first, second = _stroke(x[0])
-    return [x[1], (1 - 3 * first * second * x[1] ** 2) / (0.2 + 3 * first**2)]
+    return [x[1], (torque - 3 * first * second * x[1] ** 2) / (0.2 + 3 * first**2)]
 
 
 @cache
@@ -79,6 +79,76 @@ CRANKS = [row for rate in ("der(guide.s)", "der(main.q)") for opened in (3.0, 40
 
 @rows(CRANKS)
 def test_a_machine_that_a_lock_holds_rests_at_the_zero_of_its_relation(row: Attack, engine: str) -> None:
+    check(row, engine)
+
+
+# ---- locks at speeds, and two relations of one value ----
+
+
+def _turning_crank() -> float:
+    """Torque -1 turns the crank back; it is held where its speed is zero, and goes on from rest for 0.5 s."""
+    options = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-13, "args": (-1.0,)}
+    rising = solve_ivp(_crank, (0, 5), [1.0, 2.0], events=lambda t, x, torque: x[1], **options)
+    top = float(rising.y_events[0][0][0])
+    return float(solve_ivp(_crank, (0, 0.5), [top, 0.0], **options).y[0, -1])
+
+
+UP = "kinetic 1/2*der(x)^2; potential 10*x;"
+CRANK_BACK = SLIDER_CRANK.replace("torque 1", "torque -1")
+HELD = [
+    Attack(  # x = 2 t - 5 t^2 to 0.2, then -5 (t - 3)^2
+        "caught_at_the_top",
+        model(
+            "coordinate Real x(der(start = 2));" + UP + LOCK.format(rate="der(x)"),
+            "when der(x) < 0 then " + UNTIL.format(opened=3),
+        ),
+        3.5,
+        {"x": 0.2 - 1.25, "n": 1.0},
+    ),
+    Attack(
+        "caught_by_another_coordinate",
+        model(
+            "coordinate Real x(der(start = 2)), y(start = 1); constraint c: y = 1 + 2*x;"
+            + UP
+            + LOCK.format(rate="der(y)"),
+            "when der(y) < 0 then " + UNTIL.format(opened=3),
+        ),
+        3.5,
+        {"x": 0.2 - 1.25, "n": 1.0},
+    ),
+    *(
+        Attack(
+            f"crank_that_turns_back_by_{rate[4:-1]}",
+            model(CRANK_BACK + LOCK.format(rate=rate), f"when {condition} then " + UNTIL.format(opened=10)),
+            10.5,
+            {"main.q": _turning_crank(), "n": 1.0},
+        )
+        for rate, condition in (("der(guide.s)", "der(main.q) < 0"), ("der(main.q)", "der(guide.s) > 0"))
+    ),
+    Attack(  # a spring without force holds it where it is opened
+        "held_without_a_force",
+        model(
+            "coordinate Real x(start = 1); kinetic 1/2*der(x)^2; potential 1/2*x^2;" + LOCK.format(rate="der(x)"),
+            "when x < 0 then " + UNTIL.format(opened=3),
+        ),
+        4.0,
+        {"x": 0.0, "n": 1.0},
+    ),
+    Attack(
+        "two_relations_of_one_value",
+        model(
+            "coordinate Real x(der(start = 1)); kinetic 1/2*der(x)^2; force 1 on x; discrete Integer m(start = 0);"
+            + LOCK.format(rate="der(x)"),
+            "when x > 1 then " + UNTIL.format(opened=3) + " when x >= 1 then m = pre(m) + 1; end when;",
+        ),
+        3.5,
+        {"x": 1.125, "n": 1.0, "m": 1.0},
+    ),
+]
+
+
+@rows(HELD)
+def test_a_lock_at_a_speed_holds_its_relation(row: Attack, engine: str) -> None:
     check(row, engine)
 
 

@@ -68,6 +68,18 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
 
 /* ---- one pass ---- */
 
+void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
+{
+    const lag_model *model = motion->model;
+    const lag_status status = lag_motion_solve(motion, t, x);
+    for (size_t i = 0; i < model->nq && status != LAG_OK; ++i) {
+        motion->qdd[i] = (double)NAN;
+    }
+    for (size_t i = 0; i < model->nc && status != LAG_OK; ++i) {
+        motion->lam[i] = (double)NAN;
+    }
+}
+
 static lag_status look(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;

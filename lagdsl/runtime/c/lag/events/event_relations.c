@@ -1,4 +1,5 @@
 /* Relations in passes over clauses: as they stand, and what they are a moment later where they pass zero. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -21,18 +22,6 @@ static const double SHORT = 1e-3;
 static const double SOON = 1e-4;
 /* Factor from one look ahead to the next. */
 static const double LONGER = 16.0;
-
-void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
-{
-    const lag_model *model = motion->model;
-    const lag_status status = lag_motion_solve(motion, t, x);
-    for (size_t i = 0; i < model->nq && status != LAG_OK; ++i) {
-        motion->qdd[i] = (double)NAN;
-    }
-    for (size_t i = 0; i < model->nc && status != LAG_OK; ++i) {
-        motion->lam[i] = (double)NAN;
-    }
-}
 
 static lag_status indicate(lag_event_iteration *iteration, double t, const double *x, double *g)
 {
@@ -161,6 +150,18 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
     return status;
 }
 
+static int is_flagged(const double *turned, size_t i)
+{
+    return turned != NULL && turned[i] != 0.0;
+}
+
+/* True if relation i has turned in this event: it was found to, or a pass has turned it. */
+static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
+{
+    const size_t place = iteration->places.relation + i;
+    return is_flagged(turned, i) || iteration->motion->w[place] != iteration->stood[place];
+}
+
 /*
  * True if relation i is what it is after `lookahead`: it passes zero, or is what it has turned to where it ends at zero itself, as `limit` and `min` do. One
  * that has turned in this event and does not move by more than round-off from then on has not passed it.
@@ -168,11 +169,10 @@ static lag_status look_sooner(lag_event_iteration *iteration, double t, const do
 static int is_later_one(const lag_event_iteration *iteration, const double *turned, size_t i)
 {
     const int truth = iteration->motion->w[iteration->places.relation + i] != 0.0;
-    const int has_turned = turned != NULL && turned[i] != 0.0;
     const int is_zero = iteration->then[i] == 0.0 && iteration->now[i] != 0.0;
     const int ends = is_zero && holds(iteration->motion->model, i, 0.0) == truth;
-    const int rests = has_turned && fabs(iteration->then[i] - iteration->now[i]) <= iteration->noise->sigma[i];
-    return (passing(iteration, i) && !rests) || (ends && has_turned);
+    const int rests = fabs(iteration->then[i] - iteration->now[i]) <= iteration->noise->sigma[i];
+    return (passing(iteration, i) && !(rests && has_turned(iteration, turned, i))) || (ends && is_flagged(turned, i));
 }
 
 /* True if relation i does not pass zero, and would turn, or has turned in this event, by a value that may be round-off. */
@@ -182,7 +182,7 @@ static int is_in_doubt(const lag_event_iteration *iteration, const double *turne
     const double now = iteration->now[i];
     const int may_turn = now != 0.0 || iteration->noise->least[i] > 0.0;
     const int turns = may_turn && holds(iteration->motion->model, i, now) != truth;
-    return (turns || (turned != NULL && turned[i] != 0.0)) && !is_later_one(iteration, turned, i);
+    return (turns || has_turned(iteration, turned, i)) && !is_later_one(iteration, turned, i);
 }
 
 /* Round-off of the relations, and their values before the event into `half`, where one of them may be zero but for that. */
@@ -190,7 +190,7 @@ static void weigh(lag_event_iteration *iteration, double t, const double *x, con
 {
     const size_t count = iteration->motion->model->nindicator;
     size_t i = 0;
-    while (i < count && !is_in_doubt(iteration, turned, i) && !(turned != NULL && turned[i] != 0.0 && turns_back(iteration, i))) {
+    while (i < count && !is_in_doubt(iteration, turned, i) && !(has_turned(iteration, turned, i) && turns_back(iteration, i))) {
         ++i;
     }
     if (i < count) {
@@ -204,16 +204,16 @@ static void weigh(lag_event_iteration *iteration, double t, const double *x, con
 
 /*
  * True if relation i stays what it is: its value is round-off and was so before the event, or it has turned in it and lies where it was found, which a
- * projection may have moved before zero.
+ * projection may have moved before zero. Values of discretes alone have no round-off.
  */
 static int stays(const lag_event_iteration *iteration, const double *turned, size_t i)
 {
     const double sigma = iteration->noise->sigma[i];
     const double now = iteration->now[i];
     const double was = iteration->half[i];
-    const int has_turned = turned != NULL && turned[i] != 0.0;
-    const int is_round_off = fabs(now) <= sigma && (has_turned || fabs(was) <= sigma);
-    return is_in_doubt(iteration, turned, i) && (is_round_off || (has_turned && fabs(now - was) <= sigma));
+    const int turned_so = is_flagged(turned, i) || (sigma > DBL_MIN && has_turned(iteration, turned, i));
+    const int is_round_off = fabs(now) <= sigma && (turned_so || fabs(was) <= sigma);
+    return is_in_doubt(iteration, turned, i) && (is_round_off || (is_flagged(turned, i) && fabs(now - was) <= sigma));
 }
 
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned)

@@ -17,7 +17,7 @@ static size_t count_of(const lag_model *model)
 
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 2 * model->nq + 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
+    return count_of(model) > 0 ? 3 * model->nq + 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -28,7 +28,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->motion = motion;
     noise->peak = lag_take(&memory, size + inputs);
     noise->recent = lag_take(&memory, size > 0 ? model->nq : 0);
-    noise->extra = lag_take(&memory, size > 0 ? model->nq : 0);
+    noise->extra = lag_take(&memory, size > 0 ? 2 * model->nq : 0);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
     noise->value = lag_take(&memory, count_of(model));
@@ -39,7 +39,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->recent, 0, (size > 0 ? model->nq : 0) * sizeof(double));
-    memset(noise->extra, 0, (size > 0 ? model->nq : 0) * sizeof(double));
+    memset(noise->extra, 0, (size > 0 ? 2 * model->nq : 0) * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
     memset(noise->least, 0, model->nindicator * sizeof(double));
 }
@@ -85,7 +85,7 @@ static lag_status evaluate(lag_motion *motion, double t, const double *x, double
 /* Number i after change k, or after the opposite one (`sign` -1). */
 static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
 {
-    const double extra = i < noise->motion->model->nq ? noise->extra[i] : 0.0;
+    const double extra = i < 2 * noise->motion->model->nq ? noise->extra[i] : 0.0;
     const double by = sign * (CHANGE * noise->peak[i] + extra);
     return same_sign(i, k) ? number + by : number - by;
 }
@@ -161,10 +161,11 @@ void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, d
     const size_t count = count_of(noise->motion->model);
     memcpy(noise->kept, noise->sigma, count * sizeof(double));
     for (size_t j = 0; j < n; ++j) {
-        noise->extra[j] = span * (part * noise->peak[n + j] + tolerance * noise->recent[j]);
+        noise->extra[n + j] = part * noise->peak[n + j] + tolerance * noise->recent[j];
+        noise->extra[j] = span * noise->extra[n + j];
     }
     lag_noise_find(noise, t, x);
-    memset(noise->extra, 0, n * sizeof(double));
+    memset(noise->extra, 0, 2 * n * sizeof(double));
     for (size_t i = 0; i < count && span > 0.0; ++i) {
         creep[i] = noise->sigma[i] / span;
     }

@@ -13,7 +13,7 @@ typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
     double *recent;       /* (nq) that of each rate since the last event */
-    double *extra;        /* (nq) coordinates change by this beside their round-off; zero but in lag_noise_creep */
+    double *extra;        /* (2 nq) coordinates and rates change by this beside their round-off; zero but in lag_noise_creep */
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
     double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */

@@ -40,13 +40,14 @@ static void hold(lag_run *run, const double *changed)
     if (count > 0) {
         find_bands(run);
     }
-    if (!lag_any(count, crossings->band)) {
+    if (!lag_any(count, crossings->band) && !lag_any(count, crossings->hovers)) {
         return;
     }
     lag_noise_find(noise, run->stepper.t, run->stepper.x);
     for (size_t i = 0; i < count; ++i) {
+        const int is_near = crossings->band[i] > 0.0 || crossings->hovers[i] != 0.0;
         const int stays = changed == NULL || changed[i] == 0.0;
-        noise->least[i] = stays && crossings->band[i] > 0.0 ? crossings->band[i] + noise->sigma[i] : 0.0;
+        noise->least[i] = stays && is_near ? crossings->band[i] + noise->sigma[i] : 0.0;
     }
 }
 
