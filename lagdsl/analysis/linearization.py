@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import Steadiness, steadiness
@@ -33,8 +34,9 @@ class Linearization:
 
 
 def linearize_at(system: System, point: Point, sink: Sink) -> Linearization | None:
-    """Exact; None after E0850, E0851 or E0855."""
+    """Exact; None after E0850, E0851, E0855 or E0860."""
     at = reduce(system, point, holonomic_rows(system), sink)
+    at = None if at is None else on_both_sides(system, at, sink)
     if at is None:
         return None
     layout = system.engine.layout

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.eigen import Complexes, eigen
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
@@ -71,11 +73,11 @@ class Modes:
 def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     """Modes about `point`; None after errors. W0854 where the point is neither equilibrium nor steady motion."""
     rows = holonomic_rows(system)
-    plain = reduce(system, point, rows, sink)
+    plain = _reduced(system, point, rows, sink)
     if plain is None:
         return None
     integrable = integrable_rows(system, point)
-    at = plain if not integrable else reduce(system, point, [*rows, *integrable], sink)
+    at = plain if not integrable else _reduced(system, point, [*rows, *integrable], sink)
     if at is None:
         return None
     found = steadiness(system, plain)
@@ -96,6 +98,11 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         dropped=len(plain.value) - len(at.value),
         integrable=tuple(layout.constraints[row].name for row in integrable),
     )
+
+
+def _reduced(system: System, point: Point, held: Sequence[int], sink: Sink) -> Reduced | None:
+    at = reduce(system, point, held, sink)
+    return None if at is None else on_both_sides(system, at, sink, of_modes=True)
 
 
 def _displacements(at: Reduced, vectors: Complexes) -> Complexes:

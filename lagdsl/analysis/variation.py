@@ -13,8 +13,9 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
+from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.eigen import Complexes, eigen
-from lagdsl.analysis.linearize import Named, reduce
+from lagdsl.analysis.linearize import Named, Reduced, reduce
 from lagdsl.analysis.modes import AXIS
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import in_turning_axes
@@ -94,7 +95,7 @@ class _Spectrum:
 
     def __call__(self, value: float) -> Complexes | None:
         try:
-            at = reduce(self.system, self.place(value), self.held, Sink())
+            at = self._reduced(value, Sink())
         except CompilationFailed:
             return None
         return None if at is None else eigen(in_turning_axes(self.system, at).a)[0]
@@ -102,8 +103,12 @@ class _Spectrum:
     def explain(self, value: float) -> None:
         """Raise what is wrong at `value`."""
         sink = Sink()
-        reduce(self.system, self.place(value), self.held, sink)
+        self._reduced(value, sink)
         sink.raise_if_errors()
+
+    def _reduced(self, value: float, sink: Sink) -> Reduced | None:
+        at = reduce(self.system, self.place(value), self.held, sink)
+        return None if at is None else on_both_sides(self.system, at, sink, of_modes=True)
 
 
 def _growing(values: Complexes, bound: float) -> int:

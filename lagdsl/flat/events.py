@@ -18,6 +18,9 @@ from lagdsl.units import Dimension
 INITIAL = "initial()"
 TERMINAL = "terminal()"
 
+BRANCH = "branch of "
+"""Begins the name of a relation that is the branch of a function, such as `abs(x)`."""
+
 
 @record(kw_only=True)
 class Discrete(Quantity):
@@ -58,8 +61,8 @@ class Timed(Item):
 
 @record(kw_only=True)
 class Corner(Item):
-    """A place at which a force, an energy or a rate has a corner or a jump along the motion: `distance` passes zero
-    there. Steps end there; nothing else happens. `solved`: it reads accelerations or multipliers."""
+    """A place at which a function of the motion has a corner or a jump: `distance` passes zero there. `solved`: it
+    reads accelerations or multipliers."""
 
     distance: FlatExpression
     solved: bool
@@ -186,13 +189,18 @@ class When(Item):
 
 @record(kw_only=True)
 class Events:
-    """All of a model that changes at instants. `instants` are those of INITIAL and TERMINAL that occur."""
+    """All of a model that changes at instants. `instants` are those of INITIAL and TERMINAL that occur.
+
+    Steps end at `corners`, those of forces, energies and rates; nothing else happens there. `others` are those of
+    outputs and of what stands in `noEvent` and `smooth`.
+    """
 
     discretes: tuple[Discrete, ...] = ()
     contacts: tuple[Contact, ...] = ()
     relations: tuple[Relation, ...] = ()
     timed: tuple[Timed, ...] = ()
     corners: tuple[Corner, ...] = ()
+    others: tuple[Corner, ...] = ()
     whens: tuple[When, ...] = ()
     memories: tuple[Memory, ...] = ()
     clocks: tuple[Clock, ...] = ()

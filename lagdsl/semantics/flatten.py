@@ -41,8 +41,8 @@ from lagdsl.semantics.variables.scale_points import check_difference
 from lagdsl.semantics.wellformed.corners import (
     check_changing_inertia,
     check_corners,
-    corners_of_motion,
     over_which_velocities_jump,
+    with_corners,
 )
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -242,7 +242,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
     check_corners(flat, dependence, ctx.sink)
-    flat = replace(flat, events=replace(flat.events, corners=corners_of_motion(ctx.product.corners, flat)))
+    flat = with_corners(ctx.product.corners, flat)
     check_changing_inertia(flat, dependence, ctx.sink)
     if ctx.reports.jump is not None:
         ctx.sink.report("N0309", ctx.reports.jump.span, name=ctx.reports.jump.function.span.text)

@@ -40,4 +40,9 @@ ROWS: dict[str, Row] = {
         "this energy is not quadratic in the rates",
         "use `inverse_dynamics` at zero accelerations, which gives all these forces in one",
     ),
+    "E0860": error(
+        "no linearization at this point: {what} is {values} on the two sides of {names}",
+        "turns at this point",
+        "choose a state on the side that you mean: start values that differ by 1e-9 of their size are enough",
+    ),
 }

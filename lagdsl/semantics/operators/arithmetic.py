@@ -302,6 +302,7 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
     if (latest(one, two) == Variability.CONTINUOUS or given) and not ctx.current.quiet:
         return _located(ctx, scope, node, one, two)
     relation = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
+    corners.met(ctx, scope, node, relation, flat.Binary("-", one.expression, two.expression), one, two)
     return Scalar(relation, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
 
 

@@ -142,14 +142,15 @@ def _preserving(call: Application, x: Scalar) -> Value:
 def _sign(call: Application, value: Scalar) -> Value:
     """Of what moves: two relations, so that its jumps are events."""
     if call.ctx.current.quiet or value.variability != Variability.CONTINUOUS:
-        return _function(call, "sign", (value.expression,), DIMENSIONLESS, "Integer")
+        sign = _function(call, "sign", (value.expression,), DIMENSIONLESS, "Integer")
+        return _with_corner(call, sign, value.expression)
     text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", value.expression
     place = Located(call.ctx, (call.node.span, *call.scope.spans), value.dimension or DIMENSIONLESS)
     timed = corners.is_timed(call.ctx, value)
     above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
     below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
-    sign = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
-    return Scalar(sign, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
+    steps = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
+    return Scalar(steps, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
 
 
 def _pair(call: Application, *values: Scalar) -> Value:

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from lagdsl.flat import expression as flat
-from lagdsl.flat.events import Timed
+from lagdsl.flat.events import BRANCH, Timed
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans, Variability
 from lagdsl.semantics.scope.context import Context
@@ -53,9 +53,9 @@ def met(
     """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
     slope is continuous."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
-    if moving and not ctx.current.quiet and ctx.current.mode is not Mode.EVENT:
+    if moving and ctx.current.mode is not Mode.EVENT:
         spans = (node.span, *scope.spans)
-        ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp))
+        ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp, not ctx.current.quiet))
     return expression
 
 
@@ -119,7 +119,7 @@ def of_call(
     ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression, *values: Numeric
 ) -> flat.Variable | None:
     """The truth on which the value of a continuous function of these depends; None where it is taken as it stands."""
-    text, spans = _place(scope, node, "branch of ")
+    text, spans = _place(scope, node, BRANCH)
     if has_corner(ctx, *values):
         return truth(ctx, text, spans, difference, strict=False, told=False)
     if not is_branch(ctx, scope, node, *values):
@@ -151,7 +151,7 @@ def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> fl
 def whole_by_parity(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> FlatExpression:
     """floor(x) where it is an event: the nearest even or odd number, by a relation that turns at each whole number.
     Near such a number neither of them jumps."""
-    text, spans = _place(scope, node, "branch of ")
+    text, spans = _place(scope, node, BRANCH)
     half, two = flat.Binary("/", x, flat.Number(2.0)), flat.Number(2.0)
     odd_now = flat.Function("mod", (flat.Function("floor", (x,)), two))
     even = flat.Binary("-", at_whole_numbers(x), flat.Binary("*", flat.Number(_LEAST), odd_now))

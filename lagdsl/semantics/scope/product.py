@@ -14,13 +14,15 @@ from lagdsl.semantics.scope.values import Order
 
 @record()
 class Met:
-    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there."""
+    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there. `located`
+    is False in `noEvent`."""
 
     expression: FlatExpression
     distance: FlatExpression
     spans: Spans
     order: Order
     sharp: bool
+    located: bool
 
 
 @mutable_record()

@@ -9,6 +9,7 @@ their branches become relations.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 from lagdsl.diagnostics import Sink
@@ -26,16 +27,23 @@ from lagdsl.semantics.scope.values import Order
 _JUMPING = ("floor", "ceil", "mod")
 
 
-def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
-    """Corners of forces, energies, constraints, gaps and rates of states, in the order of the text."""
+def with_corners(corners: Sequence[Met], flat: fm.FlatModel) -> fm.FlatModel:
+    """`flat` with its corners, in the order of the text: those of forces, energies, constraints, gaps and rates of
+    states, at which steps end, and the others."""
     if not corners:
-        return ()
-    found = {id(x) for x in reached(flat, [*_what_moves(flat), *(x.difference for x in flat.events.relations)])}
-    return tuple(
-        Corner(spans=each.spans, distance=each.distance, solved=each.order >= Order.ACCELERATION)
-        for each in corners
-        if id(each.expression) in found
-    )
+        return flat
+    motion = list(_what_moves(flat))
+    found = {id(x) for x in reached(flat, [*motion, *(x.difference for x in flat.events.relations)])}
+    seen = {id(x) for x in reached(flat, [*motion, *(output.value for output in flat.outputs)])}
+    located = [each for each in corners if each.located and id(each.expression) in found]
+    known = {id(each) for each in located}
+    others = [each for each in corners if id(each.expression) in seen and id(each) not in known]
+    events = replace(flat.events, corners=tuple(map(_corner, located)), others=tuple(map(_corner, others)))
+    return replace(flat, events=events)
+
+
+def _corner(met: Met) -> Corner:
+    return Corner(spans=met.spans, distance=met.distance, solved=met.order >= Order.ACCELERATION)
 
 
 def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
@@ -68,6 +76,7 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
 def over_which_velocities_jump(corners: Sequence[Met], flat: fm.FlatModel) -> frozenset[Spans]:
     """Places of functions with a corner in the way of a mass, in a constraint or in a gap, or with a jump in these, in
     a row of velocity level, in an energy or in a relation of these: their branches are to change at events."""
+    corners = [each for each in corners if each.located]
     if not corners:
         return frozenset()
     bending = {id(x) for x in reached(flat, [*ways(flat), *(c.gap for c in flat.events.contacts)])}
