@@ -55,13 +55,15 @@ def point_of(
     u: Floats | None = None,
     p: Floats | None = None,
     given: bool = False,
+    begins: bool = True,
     sink: Sink | None = None,
 ) -> Point:
-    """The consistent state nearest to the starts; `start` replaces some by name, `theta` or `der(theta)`. Discretes are
-    as they would be where a motion begins there: contacts that carry are closed, all others open.
+    """The state that a motion begins with: the consistent one nearest to the starts, of which `start` replaces some by
+    name, `theta` or `der(theta)`, behind the events of the start. Contacts that carry are closed, all others open.
 
-    `given`: the state is chosen by the caller, and initial equations are left out; free parameters are then those that
-    the start of the model asks for. Raises CompilationFailed.
+    Not `begins`: these events set discretes only, no rates and states. `given`: the starts are chosen by the caller,
+    and initial equations are left out; free parameters are then those that the start of the model asks for. Raises
+    CompilationFailed.
     """
     flat, own = system.flat, Sink()
     parameters = np.array(system.engine.layout.defaults, dtype=np.float64) if p is None else p
@@ -78,8 +80,10 @@ def point_of(
     own.raise_if_errors()
     defaults = system.engine.evaluate("start", state.t, parameters)[3]
     inputs = defaults if u is None else u
-    w = standing(flat, system.engine, state.t, (state.q, state.qd, state.z), inputs, parameters).w
-    return Point(t=state.t, q=state.q, qd=state.qd, z=state.z, u=inputs, w=w, p=parameters)
+    found = standing(flat, system.engine, state.t, (state.q, state.qd, state.z), inputs, parameters)
+    n = len(state.q)
+    q, qd, z = np.split(found.x if begins else state.x, [n, 2 * n])
+    return Point(t=state.t, q=q, qd=qd, z=z, u=inputs, w=found.w, p=parameters)
 
 
 def coordinate_sizes(system: System, p: Floats) -> Floats:

@@ -105,7 +105,8 @@ def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink 
         slots = system.engine.layout.inputs
         inputs = np.array([where.inputs.get(s.name, value) for s, value in zip(slots, defaults, strict=True)])
     given = bool(where.start) or where.trim
-    return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, sink=sink)
+    begins = not where.trim
+    return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, begins=begins, sink=sink)
 
 
 def _report_assumed(system: System, where: Where, sink: Sink) -> None:

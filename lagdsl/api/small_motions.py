@@ -38,8 +38,8 @@ class SmallMotions(Shown):
         """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
 
         Vectors in the order of the model's names, or mappings of some of them; what is left out is that of the initial
-        state. The point is the consistent state nearest to it, `.point`. Raises CompilationFailed where there is no
-        linearization.
+        state. The point is the state that a motion from there begins with, `.point`: on the constraints, behind the
+        events of the start. Raises CompilationFailed where there is no linearization, as between two sides of a corner.
         """
         from lagdsl.analysis.where import linearize
 

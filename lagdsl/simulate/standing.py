@@ -1,4 +1,4 @@
-"""The discretes of a model that stands at a state: as they would be where a motion begins there."""
+"""A model that stands at a state, as where a motion begins there: its discretes, and the state behind the events."""
 
 from __future__ import annotations
 
@@ -14,9 +14,11 @@ from lagdsl.simulate.placed import placed
 
 @record()
 class Standing:
-    """w (nw,), and the contacts whose gap is negative, by their entry in it."""
+    """w (nw,) and x = (q, qd, z) behind the events of the start; the contacts whose gap is negative, by their entry in
+    w. Where these events fail, x is as it was given."""
 
     w: Floats
+    x: Floats
     pierced: tuple[int, ...] = ()
 
 
@@ -24,10 +26,12 @@ def standing(
     flat: FlatModel, engine: Engine, t: float, state: tuple[Floats, Floats, Floats], u: Floats, p: Floats
 ) -> Standing:
     """At t and `state` (q, qd, z): relations as they stand, contacts that carry closed, clauses of the start and clocks
-    that tick there gone through. Their effects on rates and states are left out."""
+    that tick there gone through."""
+    x = np.concatenate(state)
     if not engine.layout.discretes:
-        return Standing(np.zeros(0))
+        return Standing(np.zeros(0), x)
     with np.errstate(all="ignore"):
         run = placed(flat, engine, p, u, t0=t)
-        status = run.enter(t, np.concatenate(state))
-        return Standing(run.w, tuple(run.guilty()) if status is Status.PENETRATION else ())
+        status = run.enter(t, x)
+        pierced = tuple(run.guilty()) if status is Status.PENETRATION else ()
+        return Standing(run.w, run.x if status in (Status.OK, Status.STOPPED) else x, pierced)

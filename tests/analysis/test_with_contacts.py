@@ -99,3 +99,16 @@ def test_linearization_holds_a_sampled_force() -> None:
     """
     a = lagdsl.compile(text).linearize().A
     np.testing.assert_allclose(a, [[0.0, 1.0], [-4.0, 0.0]], atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["linearize", "modes"])
+def test_it_begins_behind_the_events_of_the_start(name: str) -> None:
+    """A mass that is set to 2 kg keeps its momentum: v = 1/2 m/s, and -v^3/m has the slope -3/8. A reset acts, too."""
+    start = "coordinate Length x(der(start = 1 m/s)); force -(1 N.s3/m3)*der(x)^3 on x; "
+    mass = "discrete Mass m(start = 1 kg); kinetic 1/2*m*der(x)^2; when initial() then m = 2 kg; end when;"
+    rate = "kinetic 1/2*(1 kg)*der(x)^2; when initial() then reinit(der(x), 3 m/s); end when;"
+    doubled, reset = (lagdsl.compile(f"model Begun\n{start}{text}\nend Begun;\n") for text in (mass, rate))
+    assert getattr(doubled, name)().point.qd == pytest.approx([0.5])
+    np.testing.assert_allclose(doubled.linearize().A, [[0, 1], [0, -0.375]], atol=1e-15)
+    np.testing.assert_allclose(doubled.linearize(qd={"x": 2.0}).A, [[0, 1], [0, -1.5]], atol=1e-15)
+    np.testing.assert_allclose(reset.linearize().A, [[0, 1], [0, -27]], atol=1e-14)
