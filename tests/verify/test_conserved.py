@@ -127,6 +127,14 @@ BREAKERS = {
     "when x1 > 5 m then reinit(der(x1), 0); end when;": set(),
     "potential if x1 > 8 m then k*(x1 - 8 m)^2 else 0*k*(1 m)^2;": {"linear_momentum().y"},
     "potential k*max(0, x1 - 8 m)^2;": set(),
+    "potential if x1 < 2 m then 0 J else 2 J;": {"linear_momentum().y"},
+    "potential (2 J)*floor(y1/(3 m));": {"linear_momentum().x"},
+    "potential if norm(P) < 2 m then 0 J else 2 J;": {"angular_momentum(about = world.origin).z"},
+    "potential if norm(S - P) < 2 m then 0 J else 2 J;": {
+        "linear_momentum().x",
+        "linear_momentum().y",
+        "angular_momentum(about = world.origin).z",
+    },
 }
 
 

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Impact
+from lagdsl.flat.events import Impact, entries
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.evaluate import evaluate
-from lagdsl.graph.operation import Group
+from lagdsl.graph.operation import Group, Op
 from lagdsl.mechanics.equations import Equations
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
@@ -106,9 +106,10 @@ def _solution(program: Program, states: Arrays) -> Arrays:
 
 
 def _after_impacts(equations: Equations, program: Program, states: Arrays) -> list[tuple[Arrays, NDArray[np.intp]]]:
-    """States after an impulse along each gap that can collide and each constraint that can appear: J' of the row,
-    balanced over the mechanism so that what stays closed moves on its constraints. A row that is closed and opens is
-    given a rate instead of being left out: M may be regular with it only."""
+    """States after an impulse along each gap that can collide, each border at which energies may step and each
+    constraint that can appear: J' of the row, balanced over the mechanism so that what stays closed moves on its
+    constraints. A row that is closed and opens is given a rate instead of being left out: M may be regular with it
+    only."""
     gaps, appearing = _gaps(equations), _rows_of_some_times(equations.flat)
     if not gaps and not appearing:
         return []
@@ -148,7 +149,17 @@ def _gaps(equations: Equations) -> list[int]:
     acts = (action for branch in branches(flat) for action in branch.actions)
     gaps = [contact.gap for contact in flat.events.contacts]
     gaps += [action.gap for action in acts if isinstance(action, Impact)]
-    return [lowering.scalar(gap) for gap in gaps]
+    return [*(lowering.scalar(gap) for gap in gaps), *_borders(equations)]
+
+
+def _borders(equations: Equations) -> list[int]:
+    """Distances from borders of the energies, `if x < 1 m then ... else ...`: a step of energy is an impulse across."""
+    graph, lowering = equations.graph, equations.lowering
+    symbols = [node for node in graph.live([equations.energies.total]) if graph.op[node] is Op.SYMBOL]
+    read = {graph.b[node] for node in symbols if graph.group(node) is Group.W}
+    names = [entry.name for place, entry in enumerate(entries(equations.flat.events)) if place in read]
+    distances = [lowering.scalar(each.difference) for each in equations.flat.events.relations if each.name in names]
+    return [distance for distance in distances if graph.depends(distance, Group.Q)]
 
 
 def _evaluated(equations: Equations, nodes: list[int], states: Arrays) -> Floats:
