@@ -46,6 +46,20 @@ static const char *guilty(const lag_instance *instance)
     return name_of(model->nw, model->discretes, i);
 }
 
+/* Name of the state that has placed a mass elsewhere, as a clause has set it, else of the first discrete that has changed. */
+static const char *displacing(const lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_run *run = instance->run;
+    for (size_t i = 0; i < model->nreset; ++i) {
+        const size_t place = model->reset_places[i];
+        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.iteration.from[place]) {
+            return model->resets[i];
+        }
+    }
+    return guilty(instance);
+}
+
 /* The first assertion that does not hold where the run looked last. */
 static const char *broken(const lag_instance *instance)
 {
@@ -112,7 +126,7 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     case LAG_PENETRATION:
         return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative", t, guilty(instance));
     case LAG_WAY_JUMP:
-        return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, guilty(instance));
+        return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, displacing(instance));
     default:
         break;
     }
