@@ -127,6 +127,11 @@ BREAKERS = {
     "when x1 > 5 m then reinit(der(x1), 0); end when;": set(),
     "potential if x1 > 8 m then k*(x1 - 8 m)^2 else 0*k*(1 m)^2;": {"linear_momentum().y"},
     "potential k*max(0, x1 - 8 m)^2;": set(),
+    "potential noEvent(if x1 < 2 m then 0 J else 2 J);": {
+        "linear_momentum().x",
+        "linear_momentum().y",
+        "angular_momentum(about = world.origin).z",
+    },
     "potential if x1 < 2 m then 0 J else 2 J;": {"linear_momentum().y"},
     "potential (2 J)*floor(y1/(3 m));": {"linear_momentum().x"},
     "potential if norm(P) < 2 m then 0 J else 2 J;": {"angular_momentum(about = world.origin).z"},
@@ -144,6 +149,23 @@ def test_nothing_that_is_broken_appears(broken: str) -> None:
     kept = found(PAIR + HOLD + broken)
     wholes = {"energy()", "linear_momentum().x", "linear_momentum().y", "angular_momentum(about = world.origin).z"}
     assert kept & wholes == BREAKERS[broken] & wholes, kept
+
+
+def test_a_clutch_keeps_the_angular_momentum_only() -> None:
+    """The energy that it dissipates when it closes is no fixed part of a momentum."""
+    body = (
+        "coordinate Angle a(der(start = 1 rad/s)), b; discrete Boolean on(start = false); kinetic "
+        "1/2*(1 kg.m2)*der(a)^2 + 1/2*(2 kg.m2)*der(b)^2; constraint c: (if on then der(a) - der(b) else 0 rad/s) = 0; "
+        "when time > 1 s then on = true; end when;"
+    )
+    assert found(body) == {"momentum(a) + momentum(b)"}
+
+
+def test_what_no_rates_have_is_left_out() -> None:
+    """Impulses at random lead beyond the speed of light, where there is no energy."""
+    lagrangian = "lagrangian -m*(1 m/s)^2*sqrt(1 - (der(x)/(1 m/s))^2 - (der(y)/(1 m/s))^2)"
+    step = " - (if y < 1 m then 0 J else 0.1 J);"
+    assert found(PLANE + lagrangian + step) == {"momentum(x)"}
 
 
 def test_balls_that_collide_keep_their_momentum() -> None:

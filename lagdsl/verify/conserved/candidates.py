@@ -50,7 +50,8 @@ class Candidate:
 
 
 def candidates(equations: Equations) -> list[Candidate]:
-    """All of a model, simple ones first; those that inputs, states or events change by themselves are left out.
+    """All of a model, simple ones first; those that inputs, states or events change by themselves, or that may jump in
+    `noEvent`, are left out.
 
     Where forces have corners only quantities are left whose rate has none: states at random may lie on one side.
     """
@@ -60,11 +61,12 @@ def candidates(equations: Equations) -> list[Candidate]:
     if len(equations.flat.coordinates) <= MOST_COORDINATES:
         found += _products(equations)
     found = [each for each in found if not graph.depends(each.value, *_HELD)]
-    if _has_kinks(equations, _forces(equations)):
+    forces = _forces(equations)
+    kinked = _kinked(equations, [*forces, *(node for each in found for node in (each.value, each.rate))])
+    found = [each for each in found if each.value not in kinked]
+    if not kinked.isdisjoint(forces):
         solved = (Group.QDD, Group.LAMBDA)
-        found = [
-            each for each in found if not (_has_kinks(equations, [each.rate]) or graph.depends(each.rate, *solved))
-        ]
+        found = [each for each in found if not (each.rate in kinked or graph.depends(each.rate, *solved))]
     return found
 
 
@@ -169,13 +171,15 @@ def _dimension(flat: FlatModel, own: Dimension) -> Dimension:
     return DIMENSIONLESS if all(each.is_dimensionless for each in dimensions) else own
 
 
-def _has_kinks(equations: Equations, nodes: list[int]) -> bool:
-    """Is there a corner or a step that is not an event? Relations, which states at random take both ways, are."""
+def _kinked(equations: Equations, nodes: list[int]) -> set[int]:
+    """Of all that `nodes` are made of, what has a corner or a step that is not an event. Relations, which states at
+    random take both ways, are."""
     graph = equations.graph
+    found: set[int] = set()
     for node in graph.live(nodes):
         op = graph.op[node]
-        if op in _KINKS and graph.depends(node, Group.TIME, Group.Q, Group.QD, Group.Z):
-            return True
-        if op is Op.SELECT and graph.depends(graph.a[node], Group.TIME, Group.Q, Group.QD, Group.Z):
-            return True
-    return False
+        switch = graph.a[node] if op is Op.SELECT else node if op in _KINKS else None
+        own = switch is not None and graph.depends(switch, Group.TIME, Group.Q, Group.QD, Group.Z)
+        if own or any(argument in found for argument in graph.arguments(node)):
+            found.add(node)
+    return found

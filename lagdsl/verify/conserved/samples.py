@@ -32,6 +32,8 @@ from lagdsl.verify.states import (
 
 _SEED = 21
 _ROUNDS = 12
+_MOST_STEPS = 40
+_ROUNDING = 1e-11
 
 
 @record()
@@ -109,33 +111,64 @@ def _after_impacts(equations: Equations, program: Program, states: Arrays) -> li
     """States after an impulse along each gap that can collide, each border at which energies may step and each
     constraint that can appear: J' of the row, balanced over the mechanism so that what stays closed moves on its
     constraints. A row that is closed and opens is given a rate instead of being left out: M may be regular with it
-    only."""
+    only. Impulses are of random sizes: equal ones change an energy and a momentum alike. Rates that have no momenta are
+    left out."""
     gaps, appearing = _gaps(equations), _rows_of_some_times(equations.flat)
     if not gaps and not appearing:
         return []
-    mass, _, rows, _ = values(program, "dynamics", states)
-    count, n = len(mass), len(equations.symbols.q)
+    _, _, rows, _ = values(program, "dynamics", states)
+    count, n = len(rows), len(equations.symbols.q)
     slopes = rows[:, appearing]
     if gaps:
         elements = [x for row in jacobian(equations.graph, gaps, equations.symbols.q) for x in row]
         slopes = np.concatenate([slopes, _evaluated(equations, elements, states).reshape(count, len(gaps), n)], axis=1)
     after = []
-    for slope in np.moveaxis(slopes, 1, 0):
-        qd = np.array(states[Group.QD])
-        for i in range(count):
-            kept = rows[i][independent_rows(program, rows[i])]
-            own = np.array([_opening(row, slope[i]) for row in kept])
-            impulse = np.where(np.any(own), 0.0, slope[i])
-            qd[i] += np.linalg.solve(saddle_point(mass[i], kept), np.concatenate([impulse, own]))[:n]
-        after.append((states | {Group.QD: qd}, np.arange(count)))
+    random = np.random.default_rng(_SEED)
+    for slope in np.moveaxis(slopes * random.uniform(0.5, 2.0, slopes.shape[:2])[..., None], 1, 0):
+        qd = _struck(program, states, slope)
+        whole = np.flatnonzero(np.isfinite(qd).all(axis=1))
+        after.append(({group: rows[whole] for group, rows in (states | {Group.QD: qd}).items()}, whole))
     return after
 
 
+def _struck(program: Program, states: Arrays, slope: Floats) -> Floats:
+    """Rates (states, nq) behind impulses `slope`, by Newton's method in the balance of momenta; nan where there are
+    none. A step to rates that have no momenta is halved."""
+    (before,) = values(program, "momenta", states)
+    qd = before_qd = np.array(states[Group.QD])
+    left = np.full(len(qd), np.inf)
+    for _ in range(_MOST_STEPS):
+        mass, _, jacobian, _ = values(program, "dynamics", states | {Group.QD: qd})
+        (momenta,) = values(program, "momenta", states | {Group.QD: qd})
+        step = np.zeros_like(qd)
+        for i in range(len(qd)):
+            rows = jacobian[i][independent_rows(program, jacobian[i])]
+            own = np.array([_opening(row, slope[i]) for row in rows])
+            missing = np.where(np.any(own), 0.0, slope[i]) + before[i] - momenta[i]
+            matrix = saddle_point(mass[i], rows)
+            step[i] = np.linalg.solve(matrix, np.append(missing, own - rows @ (qd[i] - before_qd[i])))[: qd.shape[1]]
+        step = _halved(program, states, qd, step)
+        qd, left = qd + step, np.max(np.abs(step), axis=1, initial=0.0)
+        if np.all(left <= _ROUNDING * np.max(np.abs(qd), axis=1, initial=0.0)):
+            break
+    return np.where((left <= _ROUNDING * np.max(np.abs(qd), axis=1, initial=0.0))[:, None], qd, np.nan)
+
+
+def _halved(program: Program, states: Arrays, qd: Floats, step: Floats) -> Floats:
+    for _ in range(_MOST_STEPS):
+        (momenta,) = values(program, "momenta", states | {Group.QD: qd + step})
+        lost = ~np.isfinite(momenta).all(axis=1)
+        if not lost.any():
+            break
+        step = np.where(lost[:, None], 0.5 * step, step)
+    return step
+
+
 def _opening(row: Floats, slope: Floats) -> float:
-    """Change of the rate of a row: 0 where it stays closed, of the size of the row where it is the gap itself."""
-    size = float(np.linalg.norm(row))
-    is_gap = abs(float(row @ slope)) > (1.0 - 1e-12) * size * float(np.linalg.norm(slope))
-    return size if is_gap else 0.0
+    """Change of the rate of a row: 0 where it stays closed, of the size of the impulse where it is the gap itself."""
+    impulse = float(np.linalg.norm(slope))
+    is_gap = abs(float(row @ slope)) > (1.0 - 1e-12) * float(np.linalg.norm(row)) * impulse
+    return impulse if is_gap else 0.0
 
 
 def _rows_of_some_times(flat: FlatModel) -> list[int]:
