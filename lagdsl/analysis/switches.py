@@ -25,7 +25,7 @@ Signs = NDArray[np.int8]
 
 # A distance is clearly not zero if it is so many roundings of its terms.
 _CLEAR = 64.0 * float(np.finfo(np.float64).eps)
-_ONE_SIDED = (Op.ABS, Op.SIGN)
+_ONE_SIDED = (Op.ABS, Op.SIGN, Op.ATAN2)
 _TWO_SIDED = (Op.MIN, Op.MAX, Op.LESS, Op.LESS_EQUAL)
 _WHOLE = (Op.FLOOR, Op.CEIL, Op.MOD)
 

@@ -192,7 +192,7 @@ class Events:
     """All of a model that changes at instants. `instants` are those of INITIAL and TERMINAL that occur.
 
     Steps end at `corners`, those of forces, energies and rates; nothing else happens there. `others` are those of
-    outputs and of what stands in `noEvent` and `smooth`.
+    outputs, of what stands in `noEvent` and `smooth`, and cuts of `atan2`.
     """
 
     discretes: tuple[Discrete, ...] = ()

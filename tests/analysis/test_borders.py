@@ -27,6 +27,7 @@ BETWEEN = {
     "table": (f'force -{BLEND}"linear") on x;', "by `x`", [-3, -1], "`table("),
     "turns": ("force (2 N)*floor(x/(1 m)) on x;", "`der(der(x))` is", [-2, 0], "`floor(x/(1 m))`"),
     "unlocated": ("force noEvent(if x > 0 m then -(3 N/m)*x else 0) on x;", "by `x`", [-3, 0], "`x > 0 m`"),
+    "cut": ("force -(1 N)*atan2(x/(1 m), -1) on x;", "`der(der(x))` is", [-3.14159, 3.14159], "`atan2(x/(1 m), -1)`"),
     "state": ("state Real z; equation der(z) = -abs(z)*(1 Hz);", "`der(z)` by `z`", [-1, 1], "`abs(z)`"),
     "output": ("output Length far = abs(x);", "`far` by `x`", [-1, 1], "`abs(x)`"),
     "input": ("input Force u; force max(u, 0 N) on x;", "by `u`", [0, 1], "`max(u, 0 N)`"),

@@ -159,7 +159,9 @@ def _pair(call: Application, *values: Scalar) -> Value:
         return POISON
     arguments = (values[0].expression, values[1].expression)
     if call.name == "atan2":
-        return _function(call, call.name, arguments, DIMENSIONLESS)
+        angle = _function(call, call.name, arguments, DIMENSIONLESS)
+        corners.met(call.ctx, call.scope, call.node, angle.expression, arguments[0], *values, located=False)
+        return angle
     dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(*values)
     turns = flat.Binary("/", *arguments)
     whole = _whole(call, turns, *values)

@@ -49,13 +49,15 @@ def met(
     distance: FlatExpression,
     *values: Numeric,
     sharp: bool = True,
+    located: bool = True,
 ) -> FlatExpression:
     """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
-    slope is continuous."""
+    slope is continuous. Not `located`: steps do not end there."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
     if moving and ctx.current.mode is not Mode.EVENT:
         spans = (node.span, *scope.spans)
-        ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp, not ctx.current.quiet))
+        located = located and not ctx.current.quiet
+        ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp, located))
     return expression
 
 

@@ -14,8 +14,8 @@ from lagdsl.semantics.scope.values import Order
 
 @record()
 class Met:
-    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there. `located`
-    is False in `noEvent`."""
+    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there. Not
+    `located`: in `noEvent`, or the cut of `atan2`."""
 
     expression: FlatExpression
     distance: FlatExpression
