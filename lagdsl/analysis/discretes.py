@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from lagdsl.analysis.point import Point, System
-from lagdsl.diagnostics import Sink, failed
-from lagdsl.flat.events import Contact, entries
 from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.standing import standing
-from lagdsl.simulate.state_words import time_text
 
 _MOST_TOLD = 4
 
@@ -19,21 +16,6 @@ def discretes_at(system: System, point: Point) -> Floats:
     w = found.w.copy()
     w[list(found.pierced)] = 1.0
     return w
-
-
-def refuse_pierced(system: System, point: Point) -> None:
-    """E0834, as CompilationFailed, for contacts whose gap is negative: no motion begins there."""
-    if not system.flat.events.contacts:
-        return
-    state = (point.q, point.qd, point.z)
-    known = entries(system.flat.events)
-    pierced = standing(system.flat, system.engine, point.t, state, point.u, point.p).pierced
-    contacts = [item for item in (known[k].item for k in pierced) if isinstance(item, Contact)]
-    if contacts:
-        sink = Sink()
-        names = ", ".join(f"`{contact.name}`" for contact in contacts)
-        sink.report("E0834", contacts[0].spans[0] if contacts[0].spans else None, text=names, time=time_text(point.t))
-        raise failed(sink.diagnostics)
 
 
 def open_contacts(system: System, point: Point) -> list[str]:

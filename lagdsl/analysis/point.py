@@ -63,7 +63,7 @@ def point_of(
 
     Not `begins`: these events set discretes only, no rates and states. `given`: the starts are chosen by the caller,
     and initial equations are left out; free parameters are then those that the start of the model asks for. Raises
-    CompilationFailed.
+    CompilationFailed, also where these events fail: inside of a contact, at an assertion.
     """
     flat, own = system.flat, Sink()
     parameters = np.array(system.engine.layout.defaults, dtype=np.float64) if p is None else p
@@ -80,7 +80,10 @@ def point_of(
     own.raise_if_errors()
     defaults = system.engine.evaluate("start", state.t, parameters)[3]
     inputs = defaults if u is None else u
-    found = standing(flat, system.engine, state.t, (state.q, state.qd, state.z), inputs, parameters)
+    failing = Sink()
+    at = (state.q, state.qd, state.z)
+    found = standing(flat, system.engine, state.t, at, inputs, parameters, failing if begins else None)
+    failing.raise_if_errors()
     n = len(state.q)
     q, qd, z = np.split(found.x if begins else state.x, [n, 2 * n])
     return Point(t=state.t, q=q, qd=qd, z=z, u=inputs, w=found.w, p=parameters)

@@ -9,7 +9,6 @@ from typing import TypeVar
 
 import numpy as np
 
-from lagdsl.analysis.discretes import refuse_pierced
 from lagdsl.analysis.held import report_held
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
@@ -79,15 +78,13 @@ def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) ->
 
 
 def point(system: System, where: Where, sink: Sink) -> Point:
-    """The consistent state, or the equilibrium near it. Raises CompilationFailed: E0834 inside of a contact."""
+    """The state that a motion begins with, or the equilibrium near it. Raises CompilationFailed."""
     if where.trim:
         found = _equilibrium(system, where, sink)
         if found is None:
             raise failed(sink.diagnostics)
         return found.point
-    state = _state(system, where, where.start, sink)
-    refuse_pierced(system, state)
-    return state
+    return _state(system, where, where.start, sink)
 
 
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:

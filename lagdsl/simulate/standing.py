@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.structures import Status
+from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.placed import placed
+
+_SOUND = (Status.OK, Status.STOPPED, Status.SINGULAR, Status.NOT_FINITE)
 
 
 @record()
@@ -23,15 +27,23 @@ class Standing:
 
 
 def standing(
-    flat: FlatModel, engine: Engine, t: float, state: tuple[Floats, Floats, Floats], u: Floats, p: Floats
+    flat: FlatModel,
+    engine: Engine,
+    t: float,
+    state: tuple[Floats, Floats, Floats],
+    u: Floats,
+    p: Floats,
+    sink: Sink | None = None,
 ) -> Standing:
     """At t and `state` (q, qd, z): relations as they stand, contacts that carry closed, clauses of the start and clocks
-    that tick there gone through."""
+    that tick there gone through. Events that fail are told to `sink`; nothing is said of missing accelerations."""
     x = np.concatenate(state)
     if not engine.layout.discretes:
         return Standing(np.zeros(0), x)
     with np.errstate(all="ignore"):
         run = placed(flat, engine, p, u, t0=t)
         status = run.enter(t, x)
+        if sink is not None and status not in _SOUND:
+            report_fault(Course(flat, engine.layout, run, t, 0), status, run.explain(status), u, sink)
         pierced = tuple(run.guilty()) if status is Status.PENETRATION else ()
         return Standing(run.w, run.x if status in (Status.OK, Status.STOPPED) else x, pierced)

@@ -101,6 +101,25 @@ def test_linearization_holds_a_sampled_force() -> None:
     np.testing.assert_allclose(a, [[0.0, 1.0], [-4.0, 0.0]], atol=1e-12)
 
 
+def test_where_an_event_of_the_start_fails_no_small_motion_begins() -> None:
+    text = """
+    model Short
+      coordinate Length x;
+      kinetic 1/2*(1 kg)*der(x)^2;
+      potential 1/2*(4 N/m)*x^2;
+    equation
+      when initial() then
+        assert(x > 1 m, "too short");
+      end when;
+    end Short;
+    """
+    model = lagdsl.compile(text)
+    with pytest.raises(CompilationFailed, match=r"\[E0810\].* too short"):
+        model.modes()
+    assert model.modes(q={"x": 2.0}).point.q == [2.0]
+    assert model.modes(q={"x": 2.0}, trim=True).point.q == pytest.approx([0.0], abs=1e-12)
+
+
 @pytest.mark.parametrize("name", ["linearize", "modes"])
 def test_it_begins_behind_the_events_of_the_start(name: str) -> None:
     """A mass that is set to 2 kg keeps its momentum: v = 1/2 m/s, and -v^3/m has the slope -3/8. A reset acts, too."""
