@@ -245,7 +245,8 @@ lag_status lag_run_finish(lag_run *run, double stop);
 
 /*
  * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. Changes by inputs that were set since
- * the last one happen at its beginning (lag_run_jump), other events of the model at its end. `memory`: lag_fixed_memory() doubles.
+ * the last one happen at its beginning (lag_run_jump). Where something has changed at its end, or time changes something within it, it is done again in
+ * pieces, from event to event; ticks at its end belong to it. LAG_TOO_LONG: it takes too many pieces. `memory`: lag_fixed_memory() doubles.
  */
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);

@@ -158,7 +158,7 @@ static lag_status go_fixed(lag_instance *instance, double end)
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
         const size_t before = run->events;
         status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
-        run->stepper.t = k + 1.0 < count ? run->stepper.t : end;
+        run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
             status = LAG_NOT_FINITE;
         }

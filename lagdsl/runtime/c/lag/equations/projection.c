@@ -393,5 +393,5 @@ double lag_projection_distance(lag_projection *projection, double t, const doubl
     const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / ROUNDING : 1.0;
     lag_motion_look(motion, t, x);
     const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
-    return status == LAG_OK ? projection->phi[row] / size : (double)NAN;
+    return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
 }

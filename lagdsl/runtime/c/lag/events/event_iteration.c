@@ -303,30 +303,16 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     return status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
 }
 
-/* A constraint that discretes switch may be off by so much at x: by what it changes in a step of fixed length, which has gone beyond the event. */
-static double offset(const lag_event_iteration *iteration, double distance, size_t row)
-{
-    if (iteration->start == NULL) {
-        return TORN;
-    }
-    return TORN + fabs(distance - lag_projection_distance(iteration->projection, iteration->began, iteration->start, row));
-}
-
-/* LAG_POSITION_JUMP: a constraint that discretes switch asks for other positions. Positions beyond an event are moved onto the constraints. */
-static lag_status hold_positions(const lag_event_iteration *iteration, double t, double *x)
+/* 1: a constraint that discretes switch asks for other positions. */
+static int positions_jump(const lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
-    int off = 0;
-    int moved = 0;
     for (size_t i = 0; i < model->nswitched; ++i) {
-        const size_t row = model->switched_rows[i];
-        const double distance = lag_projection_distance(iteration->projection, t, x, row);
-        if (!(fabs(distance) <= offset(iteration, distance, row))) {
-            return LAG_POSITION_JUMP;
+        if (!(lag_projection_distance(iteration->projection, t, x, model->switched_rows[i]) <= TORN)) {
+            return 1;
         }
-        off = off || fabs(distance) > TORN;
     }
-    return off ? lag_projection_apply(iteration->projection, t, x, &moved) : LAG_OK;
+    return 0;
 }
 
 lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts)
@@ -340,7 +326,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         memcpy(iteration->before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
         if (status == LAG_OK && !acted && lag_same(model->nw, iteration->before, w)) {
-            return hold_positions(iteration, t, x);
+            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {
@@ -354,20 +340,6 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 
 /* ---- what is continuous ---- */
 
-/* Gaps that are negative beyond an event, by what they change in the step of fixed length that has led there, have not jumped to that. */
-static lag_status judge_pierced(lag_event_iteration *iteration, double t, const double *x, double *pierced)
-{
-    lag_contacts *contacts = iteration->contacts;
-    const size_t count = iteration->motion->model->ncontact;
-    lag_status status = lag_contacts_look(contacts, t, x);
-    memcpy(iteration->pulling, contacts->gap, count * sizeof(double));
-    status = status == LAG_OK ? lag_contacts_look(contacts, iteration->began, iteration->start) : status;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        pierced[i] = pierced[i] != 0.0 && !(fabs(iteration->pulling[i] - contacts->gap[i]) >= -iteration->pulling[i]);
-    }
-    return status == LAG_OK && lag_any(count, pierced) ? LAG_PENETRATION : status;
-}
-
 lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
 {
     const lag_model *model = iteration->motion->model;
@@ -375,7 +347,6 @@ lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, 
     const double *was = with_states(iteration, x, stood);
     double *pierced = iteration->guilty + iteration->places.contact;
     lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->stood, iteration->pulling, pierced);
-    status = status == LAG_PENETRATION && iteration->start != NULL ? judge_pierced(iteration, t, x, pierced) : status;
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }

@@ -36,8 +36,6 @@ typedef struct lag_event_iteration {
     double *states;        /* (nz) before the clauses of this pass set them */
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
-    const double *start;   /* (2 nq + nz) the state with which a step of fixed length began, which has gone beyond the event; else null */
-    double began;          /* its time */
     double *now, *then, *soon, *half; /* (nindicator) */
     double *truth;         /* (nindicator) relations before a pass turns them */
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */

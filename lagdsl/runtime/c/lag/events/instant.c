@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/vector.h"
 
 /* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
@@ -208,21 +207,12 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
 static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
 {
     lag_momentum *momentum = &instants->momentum;
-    const size_t n = instants->motion->model->nq;
-    /* a step of fixed length has gone on with the rates of before */
-    const double since = fmin(fmax(t - instants->timed.next, 0.0), instants->refraction.passed);
     *jumped = 0;
     lag_status status = lag_momentum_keep(momentum, t, x, instants->motion->w);
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    if (!(since > 0.0)) {
-        return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
-    }
-    lag_axpy(n, -since, x + n, x);
-    status = status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
-    lag_axpy(n, since, x + n, x);
-    return status;
+    return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */
@@ -244,8 +234,7 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
 /* Gaps and ways of masses are continuous. */
 static lag_status follow(lag_instants *instants, double t, const double *x)
 {
-    const double rounding = ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length);
-    const double moment = fmax(rounding, fmax(instants->late, instants->refraction.passed));
+    const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
     return lag_event_iteration_follow(&instants->iteration, t, x, moment);
 }
 

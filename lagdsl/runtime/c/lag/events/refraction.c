@@ -1,6 +1,5 @@
 #include "lag/events/refraction.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -139,32 +138,6 @@ static lag_status turn_back(lag_refraction *r, double t, const double *x, const 
     return status == LAG_OK ? lag_refraction_find(r, t, r->rate, &own, back) : status;
 }
 
-/*
- * A step of fixed length has gone beyond the place at which the motion turns back: its positions are mirrored, along the change of the rates, as
- * the motion has come back as far. r->along is that of the impulse with which it turns back.
- */
-static void mirror(const lag_refraction *r, double g, double *x)
-{
-    const size_t n = r->motion->model->nq;
-    const double slope = lag_dot(n, r->gradient, r->along);
-    if (slope > 0.0) {
-        lag_axpy(n, -2.0 * g / slope, r->along, x);
-    }
-}
-
-/*
- * Beyond the place, by g at x, a step of fixed length has gone with the rates of before: the motion has gone with those behind it, r->rate. `speed` and
- * `pull` are the rates of g and of its rate, positive to the other side.
- */
-static void go_on(const lag_refraction *r, double g, double speed, double pull, double *x)
-{
-    const size_t n = r->motion->model->nq;
-    const double start = sqrt(fmax(speed * speed - 2.0 * pull * fabs(g), 0.0));
-    const double since = fmin(2.0 * fabs(g) / fmax(fabs(speed + start), DBL_MIN), r->passed);
-    lag_axpy(n, since, r->rate + n, x);
-    lag_axpy(n, -since, x + n, x);
-}
-
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
 static void turn(lag_refraction *r, double t, const double *x, size_t which)
 {
@@ -243,8 +216,7 @@ lag_status lag_refraction_cross(
     side.sense = truth[which] == 0.0 ? 1.0 : -1.0;
     const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
     const double noise = FEW * r->noise->sigma[which];
-    const double gone = (fabs(speed) + fabs(pull) * r->passed) * r->passed;
-    const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, fmax(gone, noise));
+    const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
     status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
     status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
@@ -263,12 +235,6 @@ lag_status lag_refraction_cross(
         if (status == LAG_OK && speed * speed <= 2.0 * pull * noise) {
             return LAG_CHATTER; /* it rests against the step: flights are lost in round-off */
         }
-    }
-    if (status == LAG_OK && *back && r->passed > 0.0) {
-        mirror(r, g, x);
-    }
-    if (status == LAG_OK && *refracted && !*back && r->passed > 0.0) {
-        go_on(r, g, side.sense * speed, pull, x);
     }
     if (status == LAG_OK && *refracted) {
         memcpy(x + n, r->rate + n, n * sizeof(double));

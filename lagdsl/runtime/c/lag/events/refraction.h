@@ -26,7 +26,6 @@ typedef struct lag_refraction {
     lag_noise *noise;
     lag_places places;
     double length;          /* of the experiment [s] */
-    double passed;          /* g may have been zero so long before, as in a step of fixed length, which is not cut short [s]; 0: it is zero */
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */

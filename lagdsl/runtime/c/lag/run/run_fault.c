@@ -101,7 +101,7 @@ static void explain_off(lag_run *run, int switched, lag_fault *fault)
     for (size_t k = 0; k < count; ++k) {
         const size_t row = switched ? model->switched_rows[k] : k;
         const double distance =
-            model->position_level[row] ? fabs(lag_projection_distance(&run->projection, fault->t, fault->x, row)) : 0.0;
+            model->position_level[row] ? lag_projection_distance(&run->projection, fault->t, fault->x, row) : 0.0;
         if (distance > most || (isnan(distance) && !isnan(most))) {
             most = distance;
             fault->which = row;

@@ -1,32 +1,53 @@
-/* Steps of fixed length, at a bounded cost. */
+/* Steps of fixed length, at a bounded cost: one where nothing happens; else pieces of it, from event to event. */
+#include <math.h>
 #include <string.h>
 
 #include "lag/fixed.h"
 #include "lag/run.h"
 
-/* A relation that has changed was zero less than so many steps ago: one, and round-off. */
-static const double AGO = 1.5;
+/* A step is cut into so many pieces at most. */
+enum { MOST_PIECES = 200 };
+/* Changes with time so near to the end of a step, as a part of it, happen there. */
+static const double SAME = 1e-9;
 
-/* Carries out the events of a step of fixed length at its end. */
-static lag_status follow_fixed(lag_run *run, double h)
+/* The method that takes such steps and has states within them. */
+static const lag_method *method_of(lag_fixed_step *step)
 {
-    lag_status status = LAG_OK;
-    if (run->motion.model->event == NULL) {
+    return step == lag_leapfrog ? &lag_steps_leapfrog : step == lag_ros2 ? &lag_steps_ros2 : &lag_steps_rk4;
+}
+
+/* One step to `end`, which keeps what it began with. LAG_EVENT_PENDING: something has changed there. */
+static lag_status step_once(lag_run *run, double h, double end, lag_fixed_step *step, double *memory)
+{
+    lag_stepper *s = &run->stepper;
+    const unsigned iterations = run->projection.iterations;
+    int moved = 0;
+    s->t_before = s->t;
+    memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
+    const lag_status status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
+    if (status != LAG_OK) {
         return status;
     }
-    lag_instants_after(&run->instants, run->stepper.t, h);
+    s->t = end;
+    run->projection.iterations = 2;
+    (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    run->projection.iterations = iterations;
+    return run->motion.model->event != NULL ? lag_zero_crossing_look(&run->crossings, s->t, s->x) : LAG_OK;
+}
+
+/* From where the run is to `end` in pieces that end where something happens. */
+static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_step *step)
+{
+    const lag_method *chosen = run->options.method;
+    const lag_method *method = run->stepper.method;
+    run->options.method = run->stepper.method = method_of(step);
+    run->stepper.length = run->stepper.h = h;
     run->instants.contacts.flight = h;
-    run->instants.refraction.passed = AGO * h;
-    run->instants.iteration.began = run->stepper.t_before;
-    run->instants.iteration.start = run->stepper.x_before;
-    status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
-    if (status == LAG_EVENT_PENDING) {
-        status = lag_run_event(run, h, run->crossings.changed);
-    }
+    const lag_status status = lag_run_to(run, end, MOST_PIECES);
     run->instants.contacts.flight = 0.0;
-    status = status == LAG_OK ? lag_run_ticks(run) : status;
-    run->instants.refraction.passed = 0.0;
-    run->instants.iteration.start = NULL;
+    run->options.method = chosen;
+    run->stepper.method = method;
+    run->motion.until = (double)INFINITY;
     return status;
 }
 
@@ -40,25 +61,23 @@ static double end_of_step(lag_clock *pace, double t, double h)
     return lag_clock_instant(pace, pace->next);
 }
 
-lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
-    double *memory)
+lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *memory)
 {
     lag_stepper *s = &run->stepper;
-    const unsigned iterations = run->projection.iterations;
-    int moved = 0;
     lag_status status = run->motion.model->nu > 0 ? lag_run_jump(run) : LAG_OK;
     status = status == LAG_OK ? lag_zero_crossing_begin(&run->crossings, s->t, s->x) : status;
     if (status != LAG_OK) {
         return status;
     }
-    memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
-    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
-    if (status == LAG_OK) {
-        s->t_before = s->t;
-        s->t = end_of_step(&run->pace, s->t, h);
-        run->projection.iterations = 2;
-        (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
-        run->projection.iterations = iterations;
+    const double end = end_of_step(&run->pace, s->t, h);
+    status = lag_run_instant(run) < end - SAME * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
+    if (status == LAG_EVENT_PENDING) {
+        if (s->t == end) {
+            s->t = s->t_before;
+            memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
+        }
+        status = go_in_pieces(run, h, end, step);
     }
-    return status == LAG_OK ? follow_fixed(run, h) : status;
+    lag_instants_after(&run->instants, s->t, h);
+    return status == LAG_OK ? lag_run_ticks(run) : status;
 }
