@@ -54,6 +54,7 @@ class Status(IntEnum):
     BAD_CLOCK = 19
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
+    VALLEY = 22
 
 
 class InitialFault(IntEnum):

@@ -34,12 +34,14 @@ _EventStatus: TypeAlias = Literal[
     Status.ASSERTION_FAILED,
     Status.POSITION_JUMP,
     Status.WAY_JUMP,
+    Status.VALLEY,
 ]
 _BLAMED = {
     Status.EVENT_ITERATION_FAILED: "E0804",
     Status.CHATTER: "E0833",
     Status.PENETRATION: "E0834",
     Status.WAY_JUMP: "E0836",
+    Status.VALLEY: "E0841",
 }
 
 
@@ -92,6 +94,7 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.ASSERTION_FAILED
             | Status.POSITION_JUMP
             | Status.WAY_JUMP
+            | Status.VALLEY
         ):
             code, item, text = _of_event(course, status, fault, u)
             return _told(course, code, fault, item, sink, text=text)
@@ -200,7 +203,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
     resets = [action for action in actions if isinstance(action, Reset)]
     checks = [action for action in actions if isinstance(action, Check)]
     match status:
-        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP:
+        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP | Status.VALLEY:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
             if status == Status.WAY_JUMP:

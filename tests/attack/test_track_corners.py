@@ -257,8 +257,54 @@ def test_a_gap_does_not_jump_into_the_ground(y: float) -> None:
     assert failed.value.diagnostic.labels
 
 
-def test_a_mass_at_the_bottom_of_one_gap_ends_with_an_error() -> None:
-    attacked = lagdsl.compile(model(SLIDING + "contact c: y - abs(x) >= 0 with restitution = 0;"))
+FALLING = "gravity = {0, -1, 0}; mass 1 at {x, y}; "
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-7, 1e-12])
+@pytest.mark.parametrize(
+    ("text", "rest"),
+    [
+        # slides down with x' = 1 + t/2, and loses all at the other side, which is perpendicular
+        (SLIDING + "contact c: y - abs(x) >= 0 with restitution = 0;", DOWN),
+        (SLIDING + "contact c: y - (if x > 0 then x else -x) >= 0 with restitution = 0;", DOWN),
+        (SLIDING + "contact c: y - table(x, {-9, 0, 9}, {9, 0, 9}) >= 0 with restitution = 0;", DOWN),
+        # half of UP*sqrt(2) is left each time, decelerated by sqrt(1/2) along the side: 2*UP, UP, UP/2 ... to the next
+        (SLIDING + "contact c: y - abs(x) >= 0 with restitution = 0.5;", DOWN + 4 * UP),
+        # sides that rise by 1/2 turn by an angle whose cosine is 3/5; x' is multiplied by that, and decelerated by 2/5
+        (
+            "coordinate Real x(start = -1, der(start = 1)), y(start = 0.5, der(start = -0.5)); " + FALLING
+            + "contact c: y - abs(x)/2 >= 0 with restitution = 0;",
+            (sqrt(1.8) - 1) / 0.4 + 0.6 * sqrt(1.8) / 0.4 * 2 / 0.4,
+        ),
+        # at rest from the start on
+        ("coordinate Real x, y; " + FALLING + "contact c: y - 2*abs(x) >= 0 with restitution = 0;", 0.0),
+    ],
+    ids=["abs", "if", "table", "bounces", "gentle", "start"],
+)  # fmt: skip
+def test_rest_in_a_valley_of_one_gap_is_told(text: str, rest: float, tolerance: float) -> None:
+    attacked = lagdsl.compile(model(text))
     with pytest.raises(lagdsl.SimulationFailed) as failed:
-        attacked.simulate(stop=3.0)
-    assert failed.value.diagnostic.code == "E0833"
+        attacked.simulate(stop=20.0, tolerance=tolerance)
+    assert failed.value.diagnostic.code == "E0841"
+    assert failed.value.time == pytest.approx(rest, abs=1e-4)
+    assert "`c`" in failed.value.diagnostic.message and failed.value.diagnostic.labels
+
+
+@pytest.mark.parametrize(
+    ("start", "track", "force", "x"),
+    [
+        # at rest in the corner, and pulled up the right side
+        ("coordinate Real x, y; ", "abs(x)", 2, 0.25 * 3**2),
+        # down the left side with x'' = 0.9; 0.4 of x' is left along the right one, with x'' = 0.24
+        (
+            "coordinate Real x(start = -0.45), y(start = 0.45); ",
+            "(if x > 0 then x/2 else -x)",
+            0.8,
+            0.36 * 2 + 0.12 * 2**2,
+        ),
+    ],
+)
+def test_a_mass_that_is_pulled_out_of_a_valley_goes_on(start: str, track: str, force: float, x: float) -> None:
+    body = f"{start} force {force} on x; {FALLING} contact c: y - {track} >= 0 with restitution = 0;"
+    motion = lagdsl.compile(model(body)).simulate(stop=3.0, tolerance=1e-10)
+    assert motion["x"][-1] == pytest.approx(x, abs=1e-7)

@@ -210,6 +210,12 @@ ROWS: dict[str, Row] = {
         "its momentum does not grow with its rate without a limit",
         "write a Lagrangian whose derivative by `der({name})` grows without a limit, or change start values",
     ),
+    "E0841": error(
+        "the motion comes to rest between two sides of the gap of {text} at t = {time} s, "
+        "and the simulation cannot continue",
+        label="one contact pushes with one of its sides at a time",
+        help="write a contact for each side: `y >= x` and `y >= -x` instead of `y >= abs(x)`",
+    ),
     "E0845": error(
         "input `{name}` takes {what}, not {value}",
         "{what} only",

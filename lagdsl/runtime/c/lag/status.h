@@ -26,7 +26,8 @@ typedef enum lag_status {
     LAG_BAD_STATE_DATA = 18,    /* bytes that were not saved by this, or were changed since */
     LAG_BAD_CLOCK = 19,    /* a clock has no positive period, or no first instant */
     LAG_WAY_JUMP = 20,   /* the position of a mass would jump with what changes */
-    LAG_MOMENTUM_UNREACHABLE = 21    /* no rates have the momenta or the energy that an impulse leaves */
+    LAG_MOMENTUM_UNREACHABLE = 21,    /* no rates have the momenta or the energy that an impulse leaves */
+    LAG_VALLEY = 22    /* the motion comes to rest in a valley of a gap, which holds it on one side only */
 } lag_status;
 
 #endif

@@ -81,6 +81,9 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
 
+/* True if flights at contact i, of which the next takes so long and each of the others this part of the one before, are too short to follow. */
+int lag_contacts_are_brief(const lag_contacts *contacts, size_t i, double flight, double ratio);
+
 /* The first time up to which bounces last that were too short to follow; infinite without. */
 double lag_contacts_next(const lag_contacts *contacts);
 

@@ -194,12 +194,17 @@ static int is_lost(const lag_contacts *contacts, size_t i, double flight)
     return 0.125 * flight * contacts->speed[i] < lag_contacts_gap_noise(contacts, i) || flight < STEPS * contacts->flight;
 }
 
+int lag_contacts_are_brief(const lag_contacts *contacts, size_t i, double flight, double ratio)
+{
+    const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
+    return (ratio < 1.0 && flight < brief * (1.0 - ratio)) || flight < NEXT * brief || flight < STEPS * contacts->flight;
+}
+
 /* True if a contact that struck stays closed; also sets the time at which it comes to rest. */
 static int stays(lag_contacts *contacts, double t, size_t i)
 {
     const double speed = contacts->speed[i];
     const double ratio = speed / -contacts->approach[i];
-    const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
     contacts->until[i] = (double)INFINITY;
     if (speed <= fmax(lag_contacts_creep(contacts, i), REBOUND * -contacts->approach[i])) {
         return 1;
@@ -212,7 +217,7 @@ static int stays(lag_contacts *contacts, double t, size_t i)
     }
     const double flight = 2.0 * speed / -contacts->back[i];
     const double left = ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY;
-    if (!is_lost(contacts, i, flight) && !(left < brief) && !(flight < NEXT * brief)) {
+    if (!is_lost(contacts, i, flight) && !lag_contacts_are_brief(contacts, i, flight, ratio)) {
         return 0;
     }
     const double rest = t + fmin(left, flight / NEXT);
