@@ -125,3 +125,29 @@ def test_what_reads_the_derivative_of_a_jump_is_refused(name: str) -> None:
             stop=2.0, inputs={"w": STARTED}
         )
     assert [diagnostic.code for diagnostic in failure.value.diagnostics] == ["E0847"]
+
+
+# The input and the term of time change at 1.5, by one each.
+BOTH = (0.0, 1.5, 1.5, 3.0)
+TERM = "(if time < 1.5 then 1 else 0)"
+
+
+@pytest.mark.parametrize(
+    ("relation", "u", "count"),
+    [
+        (f"u + {TERM} > 1.5", (0, 0, 1, 1), 0),  # 1 before and behind
+        (f"u*{TERM} > 0.5", (0, 0, 1, 1), 0),
+        (f"u + {TERM} < 0.5", (0, 0, 1, 1), 0),
+        (f"u + {TERM} < 0.5", (1, 1, 0, 0), 1),  # from 2 to 0
+        (f"u - {TERM} > 0.5", (0, 0, 1, 1), 1),  # from -1 to 1
+        ("u > 0.5", (0, 0, 1, 1), 1),
+    ],
+)
+def test_inputs_jump_together_with_time(relation: str, u: tuple[float, ...], count: int) -> None:
+    body = f"input Real u; coordinate Real x; discrete Real n; kinetic 1/2*der(x)^2; force {TERM} on x;"
+    attacked = lagdsl.compile(model(body, f"when {relation} then n = pre(n) + 1; end when;"))
+    motion = attacked.simulate(stop=3.0, inputs={"u": (BOTH, u)})
+    assert motion["n"][-1] == count
+    told = [(event.name, event.kind) for event in motion.events]
+    assert told == [("time < 1.5", "false"), *[(relation, "true")] * count]
+    assert motion["der(x)"][-1] == pytest.approx(1.5, abs=1e-12)
