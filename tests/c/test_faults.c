@@ -330,6 +330,33 @@ static void relations_follow_inputs_between_fixed_steps(void)
     free(run);
 }
 
+static lag_status push_by_input(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
+{
+    (void)jacobian;
+    (void)gamma;
+    force[0] = 2.0 * at->u[0];
+    return spring_mass(at, mass);
+}
+
+/* An input that jumps at the end of a step is what it was before in that step. */
+static void inputs_jump_between_fixed_steps(void)
+{
+    double memory[16];
+    lag_model model = pushed();
+    const lag_run_options options = {.inputs = jumping};
+    model.dynamics = push_by_input;
+    model.event = NULL;
+    model.nw = model.nindicator = 0;
+    lag_run *run = place(&model, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    for (int i = 0; i < 300; ++i) {
+        CHECK(lag_run_fixed(run, 0.01, lag_rk4, memory) == LAG_OK);
+    }
+    CHECK_NEAR(run->stepper.x[0], 4.0, 1e-9); /* (t - 1)^2 */
+    CHECK_NEAR(run->stepper.x[1], 4.0, 1e-9);
+    free(run);
+}
+
 int main(void)
 {
     assertions_are_told();
@@ -339,6 +366,7 @@ int main(void)
     what_has_no_inertia_is_told();
     relations_follow_inputs_that_jump();
     relations_follow_inputs_between_fixed_steps();
+    inputs_jump_between_fixed_steps();
     (void)printf("faults: ok\n");
     return EXIT_SUCCESS;
 }

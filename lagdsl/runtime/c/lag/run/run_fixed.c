@@ -47,7 +47,6 @@ static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_ste
     run->instants.contacts.flight = 0.0;
     run->options.method = chosen;
     run->stepper.method = method;
-    run->motion.until = (double)INFINITY;
     return status;
 }
 
@@ -70,6 +69,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
         return status;
     }
     const double end = end_of_step(&run->pace, s->t, h);
+    run->motion.until = end; /* inputs that jump there do so as the next step begins */
     status = lag_run_instant(run) < end - SAME * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
     if (status == LAG_EVENT_PENDING) {
         if (s->t == end) {
@@ -79,5 +79,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
         status = go_in_pieces(run, h, end, step);
     }
     lag_instants_after(&run->instants, s->t, h);
-    return status == LAG_OK ? lag_run_ticks(run) : status;
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
+    run->motion.until = (double)INFINITY;
+    return status;
 }
