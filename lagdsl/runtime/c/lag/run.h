@@ -328,6 +328,8 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner);
 /* Time at which a step to a corner ends; below, true if the last step ended there. */
 double lag_run_before_corner(const lag_run *run, double corner);
 int lag_run_is_at_end(const lag_run *run, double corner);
+/* True if a corner is so near ahead that no step gets there. */
+int lag_run_meets_corner(lag_run *run);
 /* Over a corner at the end of the last step, unless something is due before `limit`. */
 void lag_run_pass_corner(lag_run *run, double limit);
 /* The state on the constraints at a time within the last step. */

@@ -313,6 +313,23 @@ static double time_to_pass(lag_run *run)
     return PASSED * (after > lookahead(run) ? PASSED * after : after); /* where the place is known to round-off only, so is the corner */
 }
 
+int lag_run_meets_corner(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    const lag_zero_crossing *crossings = &run->crossings;
+    int meets = 0;
+    if (!is_careful(run)) {
+        return 0;
+    }
+    const double after = time_to_pass(run);
+    if (look_ahead(run, s->t, s->x, s->f, after, crossings->far) == LAG_OK) {
+        for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+            meets = meets || (crossings->far[i] < 0.0) != (crossings->seen[0][i] < 0.0);
+        }
+    }
+    return meets;
+}
+
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;

@@ -178,9 +178,25 @@ static lag_status find(lag_run *run, double *own, double *other, double *corner)
     return status;
 }
 
+/* The same. Where a rate jumps by more than the tolerance in the shortest step, that step leads over the corner. */
+static lag_status advance_over_corners(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t;
+    lag_status status = advance(run, limit);
+    if (status == LAG_STEP_TOO_SMALL && lag_run_meets_corner(run)) {
+        lag_run_pass_corner(run, limit);
+        s->h = 0.0; /* the length in front of the corner tells nothing */
+        status = s->t > t ? restart(run, s->method, limit - s->t) : status;
+        status = status == LAG_OK ? advance(run, limit) : status;
+    }
+    return status;
+}
+
 /*
  * One step that ends at a corner, if there is one in it, and what happens then. Where corners are near and something else happens first, the step is
- * done again up to there: its polynomial may not be that of the equations, as it may have led across a corner behind what happens.
+ * done again up to there: its polynomial may not be that of the equations, as it may have led across a corner behind what happens. So it is by
+ * implicit methods: what is stiff is in its equilibrium at the ends of their steps, and would return to it behind the event.
  */
 static lag_status advance_to_corner(lag_run *run, double limit, double *own, double *other)
 {
@@ -190,19 +206,19 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own, dou
     double end = corner;
     int at_event = 0;
     *own = *other = (double)INFINITY;
-    lag_status status = advance(run, limit);
+    lag_status status = advance_over_corners(run, limit);
     half->next = s->h;
     half->corner = 0;
     for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
         status = lag_run_face_corners(run);
         run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
-        const int watched = run->crossings.corners > 0;
+        const int watched = run->crossings.corners > 0 || s->method->implicit;
         status = status == LAG_OK ? find(run, own, other, &corner) : status;
         const int found = corner < (double)INFINITY;
         const int inside = found && !lag_run_is_at_end(run, corner);
         const double event = fmin(*own, *other);
         const int before = watched && !at_event && !lag_run_is_at_end(run, event) && lag_run_before_corner(run, event) > s->t_before;
-        half->corner = found || (s->t == end && !(event < (double)INFINITY));
+        half->corner = found || (s->t == end && run->motion.model->ncorner > 0 && !(event < (double)INFINITY));
         if (status != LAG_OK || !(inside || before)) {
             return status;
         }
