@@ -266,10 +266,11 @@ void lag_instants_take_back(const lag_instants *instants, double *x)
 static lag_status strike(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;
-    lag_status status = instants->timed.next <= t ? turn(instants, t, x, &jumped) : LAG_OK;
+    const int due = lag_timed_due(&instants->timed, t);
+    lag_status status = due ? turn(instants, t, x, &jumped) : LAG_OK;
     status = status == LAG_OK ? rest(instants, t, x) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
-    if (status == LAG_OK && instants->timed.next <= t) {
+    if (status == LAG_OK && due) {
         status = tell_turned(instants, t, x);
         instants->timed.next = (double)INFINITY;
     }
@@ -362,5 +363,5 @@ void lag_instants_after(lag_instants *instants, double t, double h)
 {
     instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
-    instants->contacts.lookahead = instants->iteration.lookahead;
+    instants->contacts.lookahead = instants->iteration.moment;
 }

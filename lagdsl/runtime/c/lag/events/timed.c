@@ -205,6 +205,11 @@ static double affine_zero(distance *one, double t)
     return fmax(t, guess - value / a.rate);
 }
 
+int lag_timed_due(const lag_timed *timed, double t)
+{
+    return timed->next <= t + resolution(timed, t);
+}
+
 lag_status lag_timed_enter(lag_timed *timed, double t)
 {
     const size_t count = timed->motion->model->ntimed;

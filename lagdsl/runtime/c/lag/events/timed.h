@@ -35,6 +35,9 @@ lag_status lag_timed_enter(lag_timed *timed, double t);
 /* Finds `next` after time t, with the present discretes. */
 lag_status lag_timed_seek(lag_timed *timed, double t);
 
+/* True if that is now, or later by round-off: lag_timed_change() carries it out. */
+int lag_timed_due(const lag_timed *timed, double t);
+
 /* The entries that change now, into w; `before` holds what they were. */
 lag_status lag_timed_change(lag_timed *timed, double t);
 

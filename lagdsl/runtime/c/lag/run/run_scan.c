@@ -241,6 +241,17 @@ static lag_status look_at_end(lag_run *run, const piece *in)
     return any ? LAG_EVENT_PENDING : LAG_OK;
 }
 
+/* Values that change within round-off of time behind the end do so with those that were found there. */
+static void join_at_end(lag_run *run, const piece *in)
+{
+    double *found = run->crossings.root;
+    memcpy(found, run->crossings.changed, count_of(run) * sizeof(double));
+    (void)look_at_end(run, in);
+    for (size_t i = 0; i < count_of(run); ++i) {
+        run->crossings.changed[i] = run->crossings.changed[i] != 0.0 || found[i] != 0.0;
+    }
+}
+
 static lag_status scan_pieces(lag_run *run, scan *on, double *t)
 {
     const lag_stepper *s = &run->stepper;
@@ -261,6 +272,9 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         if (accepted && status == LAG_EVENT_PENDING) {
             (void)lag_scan_look(run, b);
             *t = lag_scan_earliest(run, a, b);
+            if (in.b == s->t && in.looks == LAST && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
+                join_at_end(run, &in);
+            }
             return status;
         }
         if (accepted && in.b == s->t && look_at_end(run, &in) == LAG_EVENT_PENDING) {
@@ -301,7 +315,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
     }
     on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
     on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
-    on.reach = fmin(on.reach, on.longest);
+    on.reach = fmin(fmax(on.reach, on.shortest), on.longest); /* the last step may have been as short as round-off */
     const double begun = on.reach;
     on.reach = fmin(begun, fmax(crossings->limit, on.shortest));
     const double limited = on.reach;
