@@ -38,30 +38,80 @@ static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *
     return 0;
 }
 
-/* From the start values and, where these do not lead there, from points about them, of which the nearest is taken, part by part. */
-static double descend(const lag_joint_parts *t, lag_joint *joint, const lag_parts *parts, const lag_equations *equations, lag_levenberg_marquardt *minimizer)
+/* What is found: for each part the norm of its residuals and its distance from the start values, and whether it is looked for elsewhere. */
+typedef struct lag_descents {
+    double *sizes, *distances, *others; /* (rows + unknowns) */
+    double *open, *better;              /* flags */
+} lag_descents;
+
+static void place_descents(lag_descents *found, const lag_joint *joint, double *memory)
 {
-    unsigned long long seed = 20011;
-    lag_fill(joint->count, 0.0, t->best);
-    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->best);
-    double smallest = lag_levenberg_marquardt_size(minimizer, equations);
-    double nearest = (double)INFINITY;
-    const size_t tries = smallest <= LAG_HOLDS ? 0 : TRIES;
-    for (size_t k = 0; k < tries; ++k) {
-        double distance = 0.0;
-        draw(joint, &seed, k, t->point, t->trial);
-        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
-        const double left = lag_levenberg_marquardt_size(minimizer, equations);
-        for (size_t i = 0; i < joint->count; ++i) {
-            distance += t->trial[i] * t->trial[i];
-        }
-        if (fmax(left, LAG_HOLDS) < fmax(smallest, LAG_HOLDS) || (left <= LAG_HOLDS && distance < nearest)) {
-            smallest = left;
-            nearest = distance;
-            memcpy(t->best, t->trial, joint->count * sizeof(double));
+    double **const in_parts[] = {&found->sizes, &found->distances, &found->others, &found->open, &found->better};
+    for (size_t i = 0; i < sizeof in_parts / sizeof *in_parts; ++i) {
+        *in_parts[i] = lag_take(&memory, joint->rows + joint->count);
+    }
+}
+
+/* Parts that the start values do not lead to a solution, or to one farther away than their natural sizes: there may be a nearer one. */
+static int find_open(const lag_joint_parts *t, const lag_joint *joint, const lag_parts *parts, lag_descents *found)
+{
+    const lag_initialization *b = joint->b;
+    const size_t n = b->motion->model->nq;
+    const size_t size = lag_motion_size(b->motion->model);
+    int any = 0;
+    for (size_t i = 0; i < parts->count; ++i) {
+        found->open[i] = !(found->sizes[i] <= LAG_HOLDS);
+    }
+    for (size_t k = 0; k < joint->count; ++k) {
+        const size_t i = (size_t)joint->free[k];
+        const int placed = i < n || (i >= 2 * n && i < size);
+        if (placed && fabs(t->best[k]) * joint->width[i] > b->sizes[i]) {
+            found->open[(size_t)parts->column_part[k]] = 1.0;
         }
     }
-    return smallest;
+    for (size_t i = 0; i < parts->count; ++i) {
+        any = any || found->open[i] != 0.0;
+    }
+    return any;
+}
+
+/* Takes over the open parts of t->trial that satisfy their equations better, or as well and nearer to the start values. */
+static void take_better(const lag_joint_parts *t, const lag_parts *parts, const lag_levenberg_marquardt *minimizer, lag_descents *found)
+{
+    lag_parts_norms(parts, 0, t->trial, found->others);
+    for (size_t i = 0; i < parts->count; ++i) {
+        const double left = fmax(minimizer->sizes[i], LAG_HOLDS);
+        const double before = fmax(found->sizes[i], LAG_HOLDS);
+        const int nearer = left <= LAG_HOLDS && found->others[i] < found->distances[i];
+        found->better[i] = found->open[i] != 0.0 && (left < before || (left == before && nearer));
+        if (found->better[i] != 0.0) {
+            found->sizes[i] = minimizer->sizes[i];
+            found->distances[i] = found->others[i];
+        }
+    }
+    lag_parts_mix(parts, found->better, t->trial, t->best);
+}
+
+/* From the start values and, in parts where these do not lead to what is near, from points about them, of which the nearest is taken. */
+static double descend(const lag_joint_parts *t, lag_joint *joint, const lag_parts *parts, const lag_equations *equations,
+    lag_levenberg_marquardt *minimizer, lag_descents *found)
+{
+    unsigned long long seed = 20011;
+    double sum = 0.0;
+    lag_fill(joint->count, 0.0, t->best);
+    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->best);
+    memcpy(found->sizes, minimizer->sizes, parts->count * sizeof(double));
+    lag_parts_norms(parts, 0, t->best, found->distances);
+    const size_t tries = find_open(t, joint, parts, found) ? TRIES : 0;
+    for (size_t k = 0; k < tries; ++k) {
+        draw(joint, &seed, k, t->point, t->trial);
+        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
+        take_better(t, parts, minimizer, found);
+    }
+    for (size_t i = 0; i < parts->count; ++i) {
+        sum += found->sizes[i] * found->sizes[i];
+    }
+    return sqrt(sum);
 }
 
 double lag_joint_search(const lag_joint_parts *t, lag_joint *joint)
@@ -72,8 +122,10 @@ double lag_joint_search(const lag_joint_parts *t, lag_joint *joint)
     double *room = lag_take(&memory, lag_parts_memory(joint->rows, joint->count));
     const lag_parts parts = lag_joint_parts_of(joint, memory, room);
     const lag_equations equations = {joint->rows, joint->count, lag_joint_evaluate, joint};
+    lag_descents found;
+    place_descents(&found, joint, lag_take(&memory, 5 * (joint->rows + joint->count)));
     lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, memory);
-    const double smallest = descend(t, joint, &parts, &equations, &minimizer);
+    const double smallest = descend(t, joint, &parts, &equations, &minimizer, &found);
     if (!(smallest <= LAG_HOLDS)) {
         return smallest;
     }
