@@ -1,10 +1,10 @@
-"""The first instant: which of several solutions initial equations have, by closed forms."""
+"""The first instant, by closed forms: the solution of initial equations; conditions that time makes true at once."""
 
 from __future__ import annotations
 
 from math import acos, asin, sqrt
 
-from attack.rows import Attack, check, rows
+from attack.rows import Attack, check, model, rows
 
 FREE = 'annotation(units = "none");'
 CONE = (
@@ -63,4 +63,55 @@ NEAREST = [
 
 @rows(NEAREST)
 def test_the_nearest_solution_is_found(row: Attack, engine: str) -> None:
+    check(row, engine)
+
+
+MASS = "coordinate Real x; kinetic 1/2*der(x)^2; discrete Integer n(start = 0);"
+ALSO = "discrete Integer m(start = 0);"
+
+
+def counted(name: str, condition: str, count: int, stop: float = 0.9, items: str = "") -> Attack:
+    """How often the condition becomes true."""
+    return Attack(name, model(MASS + items, f"when {condition} then n = pre(n) + 1; end when;"), stop, {"n": count})
+
+
+# What is true at the start does not become true; what time makes true from the start on does.
+AT_ONCE = [
+    counted("later_than_the_start", "time > 0", 1),
+    counted("not_earlier_than_the_start", "time >= 0", 0),
+    counted("first_and_second_half_of_a_sine", "sin(time) > 0", 2, 6.9),
+    counted("stairs_that_rise_at_once", "change(stairs)", 4, items="Real stairs = ceil(4*time);"),
+    counted("later_than_a_start_that_is_given", "time > start", 1, items="parameter Real start = 0;"),
+    Attack(
+        "rate_that_is_set",
+        model("coordinate Real x; kinetic 1/2*der(x)^2;", "when time > 0 then reinit(der(x), 3); end when;"),
+        1.0,
+        {"x": 3.0},
+    ),
+    Attack(
+        "beside_the_first_clause",
+        model(MASS + ALSO, "when initial() then m = 3; end when; when time > 0 then n = m + 1; end when;"),
+        1.0,
+        {"m": 3, "n": 4},
+    ),
+    Attack(
+        "acceleration_that_begins_at_once",
+        model(MASS + "force if time > 0 then 4 else 0 on x;", "when der(der(x)) > 1 then n = 7; end when;"),
+        1.0,
+        {"n": 7, "x": 2.0},
+    ),
+    Attack(
+        "start_that_is_not_zero",
+        model(
+            MASS + ALSO + "annotation(experiment(StartTime = 5));",
+            "when time > 5 then n = 1; end when; when time >= 5 then m = 1; end when;",
+        ),
+        6.0,
+        {"n": 1, "m": 0},
+    ),
+]
+
+
+@rows(AT_ONCE)
+def test_conditions_of_time_at_the_start(row: Attack, engine: str) -> None:
     check(row, engine)

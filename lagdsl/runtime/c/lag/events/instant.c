@@ -131,6 +131,24 @@ static void remember(lag_instants *instants, const double *x)
     memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
 }
 
+/* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
+static lag_status settle(lag_instants *instants, double t, const double *x)
+{
+    const lag_places *places = &instants->iteration.places;
+    const size_t count = places->clock - places->condition;
+    double *conditions = instants->motion->w + places->condition;
+    lag_status status = lag_timed_stand(&instants->timed, t);
+    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
+    if (instants->motion->model->ntimed == 0 || status != LAG_OK) {
+        return status;
+    }
+    memcpy(instants->w_before, conditions, count * sizeof(double));
+    status = lag_timed_enter(&instants->timed, t);
+    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
+    memcpy(conditions, instants->w_before, count * sizeof(double));
+    return status;
+}
+
 lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
 {
     lag_motion *motion = instants->motion;
@@ -138,8 +156,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     motion->at.t = t;
     lag_status status = model->discrete_start(&motion->at, motion->w);
     instants->timed.length = instants->contacts.length;
-    status = status == LAG_OK ? lag_timed_enter(&instants->timed, t) : status;
-    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
+    status = status == LAG_OK ? settle(instants, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);

@@ -210,15 +210,20 @@ int lag_timed_due(const lag_timed *timed, double t)
     return timed->next <= t + resolution(timed, t);
 }
 
-lag_status lag_timed_enter(lag_timed *timed, double t)
+lag_status lag_timed_stand(lag_timed *timed, double t)
 {
     const size_t count = timed->motion->model->ntimed;
     if (count == 0) {
         return LAG_OK;
     }
-    const lag_status status = look(timed, t + resolution(timed, t));
+    const lag_status status = look(timed, t);
     memcpy(timed->motion->w + timed->first, timed->value, count * sizeof(double));
     return status;
+}
+
+lag_status lag_timed_enter(lag_timed *timed, double t)
+{
+    return lag_timed_stand(timed, t + resolution(timed, t));
 }
 
 lag_status lag_timed_seek(lag_timed *timed, double t)

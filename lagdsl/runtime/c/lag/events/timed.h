@@ -29,7 +29,9 @@ size_t lag_timed_memory(const lag_model *model);
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory);
 
-/* Entries are what they are just behind time t. */
+/* Entries are what they are at time t, */
+lag_status lag_timed_stand(lag_timed *timed, double t);
+/* or just behind it. */
 lag_status lag_timed_enter(lag_timed *timed, double t);
 
 /* Finds `next` after time t, with the present discretes. */
