@@ -80,9 +80,16 @@ class Loop:
     usual: Mapping[int, float]
 
 
-def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], groups: Sequence[Loop]) -> int:
+def weakest(
+    graph: Graph,
+    pivot: int,
+    strengths: Mapping[int, tuple[int, int]],
+    groups: Sequence[Loop],
+    kept: Sequence[tuple[int, int]],
+) -> int:
     """The least of `pivot` and, over groups of rows, the pivot of a multiplier as a part of the largest size in its
-    group; zero where a row does not follow from others that should."""
+    group; zero where a row does not follow from others that should, or a kept one does: of each, what rates give to its
+    size and what solved rows take from that."""
     smallest = pivot
     everywhere = [strengths[index][1] for group in groups for index in group.solved]
     for group in groups:
@@ -95,6 +102,11 @@ def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], 
         for index in group.following:
             longest = _extreme(graph, Op.MAX, [strengths[index][1] for index in group.solved] or everywhere)
             smallest = graph.binary(Op.MIN, smallest, _follows(graph, *strengths[index], longest))
+    for given, taken in kept:
+        if taken != graph.zero:
+            most = graph.multiply(graph.constant(_FOLLOWS), given)
+            own = graph.binary(Op.LESS_EQUAL, most, graph.subtract(given, taken))  # also where it is zero
+            smallest = graph.binary(Op.MIN, smallest, own)
     return smallest
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.eliminate.count import Budget
+from lagdsl.eliminate.rows import is_multiplier
 from lagdsl.graph.graph import Graph
 from lagdsl.record import record
 
@@ -49,6 +50,26 @@ def solve_steps(
     Raises TooMany.
     """
     return _backward(graph, terms, steps, _forward(graph, terms, steps, side, budget), budget)
+
+
+def strength(
+    graph: Graph,
+    terms: Mapping[int, Mapping[int, int]],
+    steps: Sequence[Step],
+    row: Mapping[int, int],
+) -> tuple[int, int]:
+    """The part of row' A^-1 row that the rates give, and the one that multipliers take from it."""
+    parts = _forward(graph, terms, steps, row, Budget(graph, None))
+    given, taken = [], []
+    for step in steps:
+        if isinstance(step, Pivoted):
+            part = parts[step.variable]
+            own = graph.multiply(graph.multiply(part, part), step.pivot)
+            if is_multiplier(step.variable):
+                taken.append(graph.negate(own))
+            else:
+                given.append(own)
+    return graph.sum(given), graph.sum(taken)
 
 
 def _forward(

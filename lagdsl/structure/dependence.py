@@ -28,9 +28,10 @@ class Dependence:
     empty: tuple[bool, ...]
 
 
-def dependence(space: Geometry, points: list[Probe]) -> Dependence:
-    """Rows that add nothing at the probed points; holonomic rows come first, so a velocity row that repeats the
-    derivative of one is the redundant one.
+def dependence(space: Geometry, points: list[Probe], contacts: frozenset[int]) -> Dependence:
+    """Rows that add nothing at the probed points. Holonomic rows come first, so a velocity row that repeats the
+    derivative of one is the redundant one; those that come and go (`contacts`) are last, so a row that is always there
+    does not depend on what one branch of them says.
 
     Each independent part is judged at the point where its rank is largest: that is its rank in general.
     """
@@ -47,7 +48,7 @@ def dependence(space: Geometry, points: list[Probe]) -> Dependence:
         for index, label in enumerate(parts.labels.tolist()):
             best = int(np.argmax(ranks[:, label]))
             members = parts.rows[index]
-            order = sorted(range(len(members)), key=lambda row: not level[members[row]])
+            order = sorted(range(len(members)), key=lambda row: (members[row] in contacts, not level[members[row]]))
             kept[members] = independent_rows(stacks[best][index], order, int(ranks[best, label]))
     largest = np.max([np.max(np.abs(point.rows), axis=1, initial=0.0) for point in points], axis=0)
     return Dependence(tuple((~kept).tolist()), tuple((largest < 1e-11).tolist()))

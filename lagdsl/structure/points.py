@@ -16,6 +16,7 @@ from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_spa
 from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.structure.functions import ProgramFunctions
+from lagdsl.structure.moments import Moment, other_moments
 from lagdsl.structure.names import located
 from lagdsl.units.dimension import Dimension
 
@@ -88,6 +89,10 @@ class Geometry:
     sizes: Floats
     row_sizes: Floats
     pattern: Flags
+
+    @property
+    def moment(self) -> Moment:
+        return Moment(self.t, self.z, self.u)
 
     @property
     def position_rows(self) -> list[int]:
@@ -180,6 +185,10 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         lengths.append(np.linalg.norm(scaled, axis=1))
         largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
     row_sizes = _usual(np.array(lengths)) if lengths else np.zeros(0)
+    for moment in other_moments(flat, plain.moment):  # an entry may be zero at the start only
+        scaled = replace(plain, t=moment.t, z=moment.z, u=moment.u).velocity(q, qd)[1] * sizes
+        row_sizes = np.where(row_sizes > 0.0, row_sizes, _usual(np.linalg.norm(scaled, axis=1)[None]))
+        largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
     # Rows that are zero but for round-off have no size of their own.
     rounding = _ROUNDING * _largest_beside(row_sizes, largest, layout.components)
     pattern = largest > np.maximum(_ABSENT * row_sizes, rounding)[:, None]

@@ -12,6 +12,7 @@ import numpy as np
 from lagdsl.eliminate.pivots import Loop, weakest
 from lagdsl.eliminate.rows import Row, Rows, components
 from lagdsl.eliminate.solve import Factor
+from lagdsl.eliminate.steps import strength
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
@@ -71,8 +72,8 @@ def without_weak_rows(factor: Factor, strengths: Strengths) -> Rows | None:
 
 
 def least_pivot(factor: Factor, strengths: Strengths) -> int:
-    """The smallest of two kinds of measures, as a node: the part that subtraction left of a pivot, and the strength of
-    a row against the others of its loop.
+    """The smallest of three kinds of measures, as a node: the part that subtraction left of a pivot, the strength of
+    a row against the others of its loop, and zero where a row left to run time follows from solved ones.
 
     Rows are compared in their usual sizes: one that is short is no row in a singular position, whatever its direction.
     """
@@ -84,7 +85,8 @@ def least_pivot(factor: Factor, strengths: Strengths) -> int:
         usual = {index: solved[index] for index in indices if index in solved}
         following = [index for index in indices if index not in solved]
         groups.append(Loop(solved=list(usual), following=following, usual=usual))
-    return weakest(factor.graph, factor.pivot, factor.strengths, groups)
+    kept = [strength(factor.graph, factor.terms, factor.steps, row.terms) for row in rows.kept]
+    return weakest(factor.graph, factor.pivot, factor.strengths, groups, kept)
 
 
 def _usual(sizes: Floats) -> float:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat import dependence as flat_dependence
 from lagdsl.flat.model import FlatModel
 from lagdsl.structure.dependence import Dependence
+from lagdsl.structure.moments import comes_from_outside
 from lagdsl.structure.names import comes_and_goes, place
 
 
@@ -17,9 +17,7 @@ def report_rigid(flat: FlatModel, found: Dependence, sink: Sink) -> None:
         return
     if any(comes_and_goes(constraint) for constraint in flat.constraints):
         return
-    orders = flat_dependence.Dependence(flat)
-    moving = {"time", *(item.name for item in flat.inputs)}
-    if any(not moving.isdisjoint(orders.of_all(constraint.residuals)) for constraint in flat.constraints):
+    if comes_from_outside(flat):
         return
     text = f"{independent} independent constraint{'' if independent == 1 else 's'} on as many coordinates"
     written = [constraint for constraint in flat.constraints if place(constraint) is not None]

@@ -19,6 +19,7 @@ from lagdsl.structure.degenerate import report_degenerate
 from lagdsl.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.inertia import report_massless
+from lagdsl.structure.moments import other_moments
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.points import Functions, Geometry, Probe, geometry, probes
 from lagdsl.structure.rates import report_integrable, report_nonlinear
@@ -97,8 +98,14 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
 def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     space = geometry(flat, functions)
     impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
-    points = [] if impossible else probes(flat, space, space.position_rows)
-    found = dependence(space, points)
+    rows = space.position_rows
+    points = [] if impossible else probes(flat, space, rows)
+    contacts = contact_rows(flat)
+    found = dependence(space, points, contacts)
+    if any(flag and row not in contacts for row, flag in enumerate(found.redundant)):
+        later = [replace(space, t=each.t, z=each.z, u=each.u) for each in other_moments(flat, space.moment)]
+        others = [probe for moment in later for probe in probes(flat, moment, rows, wanted=1)]
+        found = dependence(space, [*points, *others], contacts)
     wrong = not impossible and report_degenerate(flat, space, points, sink)
     if flat.constraints and points and not wrong:
         wrong = report_nonlinear(flat, space, points, sink) or report_inconsistent_rates(flat, space, points, sink)
@@ -107,7 +114,7 @@ def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
             report_integrable(flat, space, points, found.redundant, sink)
             report_rigid(flat, found, sink)
     report_massless(flat, space, points, sink)
-    holonomic = set(space.position_rows)
+    holonomic = set(rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
     return Examination(found, sum(row in holonomic for row in kept), len(kept), space, points)
 

@@ -34,6 +34,7 @@ MODULES = {
     "test_methods_and_tolerances": None,
     "test_missed_events": "teeth",
     "test_relations_at_rest": None,
+    "test_rows_of_branches": "by_a_boolean_input_before",
     "test_scales": "beside_an_odometer_at_1e+07",
     "test_shapes_and_points": "minus_celsius",
     "test_starts": "discrete_mass_at_the_start",
@@ -94,6 +95,7 @@ EXACT = [
     ("missed_events-a_tooth_on_a_peak", 3),
     ("track_corners-constraint_that_moves", 2),
     ("switched-clutch_by_a_clock", 3),
+    ("rows_of_branches-in_places_before", 2),
 ]
 
 

@@ -89,6 +89,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     memset(projection, 0, sizeof *projection);
     projection->motion = motion;
     projection->rows = position_rows(motion->model);
+    projection->lost = m;
     projection->iterations = 12;
     projection->limits = memory;
     projection->round_off = projection->limits + m;
@@ -107,13 +108,9 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->largest = projection->component + m;
     projection->correction = projection->largest + n + motion->model->nz;
     projection->system = projection->correction + lag_correction_memory(motion->model);
-    for (size_t i = 0; i < n; ++i) {
-        projection->sizes[i] = 1.0;
-        projection->force[i] = 0.0;
-    }
-    for (size_t i = 0; i < m; ++i) {
-        projection->limits[i] = projection->round_off[i] = 0.0;
-    }
+    lag_fill(n, 1.0, projection->sizes);
+    lag_fill(n, 0.0, projection->force);
+    lag_fill(2 * m, 0.0, projection->limits); /* and round-off, which lies behind */
     find_components(projection);
 }
 
@@ -226,9 +223,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
             return LAG_PROJECTION_FAILED;
         }
         *moved = 1;
-        for (size_t i = 0; i < n; ++i) {
-            projection->point[i] += projection->change[i];
-        }
+        lag_axpy(n, 1.0, projection->change, projection->point);
     }
     return projection->rows == 0 || before <= CLOSE ? LAG_OK : LAG_PROJECTION_FAILED;
 }
@@ -262,6 +257,20 @@ static double largest_of_rates(lag_projection *projection, const double *rates)
     return most;
 }
 
+/* True if the change satisfies the conditions on rates, also those left out of the solution as redundant or as round-off; `size` is as above. */
+static int satisfies(lag_projection *projection, double size)
+{
+    const lag_model *model = projection->motion->model;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double left = projection->phi[i] + lag_dot(model->nq, projection->jacobian + i * model->nq, projection->change);
+        const double part = fabs(left) / (projection->least[i] * largest_beside(projection, i));
+        if (!model->position_level[i] && !(part <= fmax(CLOSE, REACHED * size))) {
+            projection->lost = i;
+        }
+    }
+    return projection->lost == model->nc;
+}
+
 /* The rates at the positions `point`, into x. */
 static lag_status velocities(lag_projection *projection, double *x, int *moved)
 {
@@ -276,13 +285,11 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
         return LAG_OK;
     }
     projection->formed = 0;
-    if (smallest(projection, 1) != LAG_OK) {
+    if (smallest(projection, 1) != LAG_OK || !satisfies(projection, size)) {
         return LAG_PROJECTION_FAILED;
     }
     *moved = 1;
-    for (size_t i = 0; i < n; ++i) {
-        x[n + i] += projection->change[i];
-    }
+    lag_axpy(n, 1.0, projection->change, x + n);
     return LAG_OK;
 }
 
@@ -290,13 +297,12 @@ lag_status lag_projection_apply(lag_projection *projection, double t, double *x,
 {
     const lag_model *model = projection->motion->model;
     *moved = 0;
+    projection->lost = model->nc;
     if (model->nc == 0) {
         return LAG_OK;
     }
-    lag_status status = positions(projection, t, x, moved);
-    if (status == LAG_OK) {
-        status = velocities(projection, x, moved);
-    }
+    const lag_status status =
+        positions(projection, t, x, moved) == LAG_OK ? velocities(projection, x, moved) : LAG_PROJECTION_FAILED;
     if (status == LAG_OK && *moved) {
         memcpy(x, projection->point, model->nq * sizeof(double));
         ++projection->count;
@@ -342,13 +348,10 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
     }
     lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
     for (size_t i = 0; i < rows; ++i) {
-        double rest = -projection->right[i];
-        for (size_t j = 0; j < n; ++j) {
-            rest += projection->chosen[i * n + j] * projection->change[j];
-        }
+        const double rest = lag_dot(n, projection->chosen + i * n, projection->change) - projection->right[i];
         const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
-        rest *= i < model->nc ? ROUNDING / projection->round_off[i] : 1.0;
-        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size);
+        const double unit = i < model->nc ? projection->round_off[i] / ROUNDING : 1.0;
+        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size) * unit;
     }
     return LAG_OK;
 }

@@ -31,6 +31,7 @@ typedef struct lag_projection {
     double *correction;
     double *system;
     size_t count;          /* of states that were moved */
+    size_t lost;           /* nc; or a condition on rates that the last projection could not satisfy */
 } lag_projection;
 
 /* Doubles for the projection of a model. */
@@ -47,7 +48,7 @@ void lag_projection_limits(lag_projection *projection, double tolerance, const d
 
 /*
  * Moves x = (q, qd, z) at time t onto the constraints. *moved: whether anything had to change. LAG_PROJECTION_FAILED: the positions cannot be
- * repaired from here; x is then as before.
+ * repaired from here, or the rates; x is then as before.
  */
 lag_status lag_projection_apply(lag_projection *projection, double t, double *x, int *moved);
 

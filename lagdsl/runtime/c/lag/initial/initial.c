@@ -253,7 +253,7 @@ static void find(lag_initialization *b, const unsigned char *set, double *x)
             lag_initialization_find_qd(b, x);
         }
     }
-    if (b->told.fault == LAG_INITIAL_NONE && b->rows > 0 && !as_compiled(b, set)) {
+    if (b->told.fault == LAG_INITIAL_NONE && model->nc > 0 && !as_compiled(b, set)) {
         lag_initialization_find_rank(b, x);
     }
 }

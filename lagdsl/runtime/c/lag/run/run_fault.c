@@ -92,10 +92,15 @@ static void explain_stuck(lag_run *run, lag_fault *fault)
     fault->which = worst(s->ode->size, s->f);
 }
 
-/* Of the rows of position level, or of those that discretes switch, the one that is farthest off. */
+/* Of the rows of position level, or of those that discretes switch, the one that is farthest off; a row on rates that was lost. */
 static void explain_off(lag_run *run, int switched, lag_fault *fault)
 {
     const lag_model *model = run->motion.model;
+    if (!switched && run->projection.lost < model->nc) {
+        fault->which = run->projection.lost;
+        fault->value = fabs(run->projection.phi[fault->which]);
+        return;
+    }
     const size_t count = switched ? model->nswitched : model->nc;
     double most = -1.0;
     for (size_t k = 0; k < count; ++k) {
