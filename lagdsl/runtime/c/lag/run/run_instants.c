@@ -264,7 +264,7 @@ static lag_status blow(lag_run *run, int *blown)
     return status == LAG_OK ? end(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
 }
 
-/* Relations that the inputs of now have turned, and with them what is due at the same instant, which may turn them back. */
+/* Relations that the inputs of now have turned, and with them what time changes at the same instant, which may turn them back. */
 static lag_status follow_inputs(lag_run *run, int blown, int *any)
 {
     const lag_model *model = run->motion.model;
@@ -274,14 +274,15 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
         return status;
     }
     memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
-    for (size_t i = 0; i < model->nindicator && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for what is due */
+    const int due = lag_timed_due(&run->instants.timed, s->t);
+    for (size_t i = 0; i < model->nindicator && due && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for it */
         run->pending[i] = fmax(run->pending[i], run->waiting[i]);
     }
-    run->half.left = 0.0;
+    run->half.left = due ? 0.0 : run->half.left;
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
     status = begin(run, run->pending);
     run->motion.until = (double)INFINITY;
-    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, lag_run_due(run, s->t))) : status;
+    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, due)) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)

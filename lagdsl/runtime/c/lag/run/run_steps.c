@@ -36,7 +36,10 @@ static lag_status settle(lag_run *run)
     lag_stepper *s = &run->stepper;
     int moved = 0;
     const int hovers = lag_any(run->motion.model->nindicator, run->crossings.hovers);
-    lag_status status = (hovers ? lag_projection_exact : lag_projection_apply)(&run->projection, s->t, s->x, &moved);
+    lag_status status = hovers ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
+    if (status != LAG_OK) { /* to round-off it may not be possible */
+        status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    }
     if (status == LAG_OK && moved) {
         status = lag_stepper_correct(s);
     }
