@@ -10,6 +10,7 @@ A contact that is closed without a force is a border, too: small motions press o
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -29,6 +30,7 @@ _ROUNDING = 1e-8
 # A difference between the sides is so many times what twice the distance changes.
 _JUMPS = 20.0
 _DIRECTIONS = 6
+_ON_EACH_SIDE = 2
 _SEED = 3
 _MOST_TOLD = 3
 _FUNCTIONS = ("residual", "state_derivative", "output")
@@ -150,12 +152,17 @@ def _around(system: System, at: Reduced, found: Sequence[Switch], sizes: Floats)
     sound = [each for each in flows if each is not None]
     if len(sound) < len(flows):
         return []
-    sides = signs(system, found, [at.flow, *sound])[1:]
-    if not np.any(np.any(sides > 0, axis=0) & np.any(sides < 0, axis=0)):
-        return []
-    beside = [_looked_at(system, at, found, side, each) for side, each in zip(sides, sound, strict=True)]
-    pairs = zip(beside[: len(steps)], beside[len(steps) :], strict=True)
-    return [(near, far) for near, far in pairs if near and far and np.array_equal(near.side, far.side)]
+    near, far = np.split(signs(system, found, [at.flow, *sound])[1:], 2)
+    turning = np.any(near > 0, axis=0) & np.any(near < 0, axis=0)
+    pairs: list[tuple[_Beside, _Beside]] = []
+    told: Counter[bytes] = Counter()
+    for i in np.flatnonzero(np.any(turning) & np.all(near == far, axis=1)):
+        pattern = near[i, turning].tobytes()
+        told[pattern] += 1
+        if told[pattern] <= _ON_EACH_SIDE:
+            pair = [_looked_at(system, at, found, near[i], sound[k]) for k in (i, i + len(steps))]
+            pairs += [(pair[0], pair[1])] if pair[0] and pair[1] else []
+    return pairs
 
 
 def _moved(system: System, at: Reduced, step: Floats) -> Flow | None:
