@@ -209,10 +209,11 @@ def _arrange(equations: Equations, route: Route) -> Program:
 
             return arrange(equations)
         case "textbook":
+            from lagdsl.mechanics.arrange import with_events
             from lagdsl.textbook.derive import derive
             from lagdsl.textbook.lower import lower
 
-            return lower(derive(equations.flat), equations.flat)
+            return with_events(equations, lower(derive(equations.flat), equations.flat, equations.graph))
         case _:
             raise ValueError(f"there is no derivation `{route}`; there are graph, textbook")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Item
@@ -60,13 +61,16 @@ def _program(equations: Equations, *, dense: bool) -> Program:
         for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    functions += (
-        event_functions(equations.lowering, flat)
-        + corner_functions(equations.lowering, flat)
-        + way_functions(equations.lowering, flat)
-    )
     program = Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions)
-    return with_speeds(flat, with_components(program))
+    return with_events(equations, program)
+
+
+def with_events(equations: Equations, program: Program) -> Program:
+    """`program`, which is on the graph of `equations`, with the functions of events and corners, which are no part of a
+    derivation."""
+    flat, lowering = equations.flat, equations.lowering
+    added = event_functions(lowering, flat) + corner_functions(lowering, flat) + way_functions(lowering, flat)
+    return with_speeds(flat, with_components(replace(program, functions=(*program.functions, *added))))
 
 
 def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:

@@ -39,9 +39,9 @@ class _Dynamics:
     s: list[int]
 
 
-def lower(equations: EquationsOfMotion, flat: FlatModel) -> Program:
-    """All functions of `lagdsl.program.functions`."""
-    graph = Graph()
+def lower(equations: EquationsOfMotion, flat: FlatModel, graph: Graph | None = None) -> Program:
+    """The functions that every program has, on `graph` or a new one."""
+    graph = Graph() if graph is None else graph
     to_graph = ToGraph(graph, symbol_nodes(graph, equations.symbols))
     blocks = _Blocks(to_graph, equations)
     shared = _dynamics(blocks)

@@ -311,3 +311,25 @@ class TestCheck:
             lagdsl.compile(text)
         assert [d.code for d in caught.value.diagnostics] == ["E0201", "E0201"]
         assert "unknown name `mm`" in str(caught.value)
+
+
+def test_the_derivation_in_symbols_has_the_events_of_the_model() -> None:
+    """A ball that falls 5 m at 10 m/s2 and bounces with half its speed is at its top again after 1 s + 0.5 s."""
+    text = """model Ball
+      coordinate Length h(start = 5 m);
+      discrete Integer hits(start = 0);
+      gravity = {0, -10 m/s2};
+      mass 1 kg at {0, h};
+      contact floor: h >= 0 m with restitution = 0.5;
+      force (if der(h) > 100 m/s then 1 N else 0 N) on h;
+    equation
+      when h < 1 m then
+        hits = pre(hits) + 1;
+      end when;
+      annotation(experiment(StopTime = 1.5));
+    end Ball;
+    """
+    motion = lagdsl.compile(text, derivation="textbook").simulate()
+    assert motion["h"][-1] == pytest.approx(1.25, abs=1e-9)
+    assert motion["der(h)"][-1] == pytest.approx(0.0, abs=1e-8)
+    assert motion["hits"][-1] == 1.0
