@@ -245,7 +245,45 @@ MOMENTA = [
     ),
 ]
 
+# A mass of 3 enters a coil: the flux is kept where the inductance falls, the energy too. Three coils between two nodes:
+# the flux of each changes by the same impulse of the voltage, and their currents stay zero in sum.
+COIL = "coordinate Real q(der(start = 1.5)), x(der(start = 2)); kinetic 1/2*{}*der(q)^2 + 3/2*der(x)^2; "
+IN_COIL = {"der(q)": 1.5 * 2 / 1.2, "der(x)": sqrt(4 + (2 * 1.5**2 - 1.2 * 2.5**2) / 3)}
+SURGE = -(2 * 1 / 0.7 - 0.6 - 0.4) / (1 / 0.7 + 1 + 1 / 3)
 
-@rows([*BASES, *MOMENTA])
+FLUXES = [
+    Attack("coil_by_if", model(COIL.format("(if x < 1 then 2 else 1.2)")), 1.0, IN_COIL),
+    Attack("coil_by_floor", model(COIL.format("(2 - 0.8*min(floor(max(x, 0)), 1))")), 1.0, IN_COIL),
+    Attack(
+        "coil_by_a_clause",
+        # the clause knows the time only: the energy is not kept
+        model(COIL.format("L") + "discrete Real L(start = 2);", "when x >= 1 then L = 1.2; end when;"),
+        1.0,
+        {"der(q)": 2.5, "der(x)": 2.0},
+    ),
+    Attack(
+        "three_coils",
+        """model Coil
+  extends Lag.Electrical.OnePort;
+  kinetic 1/2*(if time < 1 s then 2 H else 0.7 H)*der(q)^2;
+end Coil;
+
+model Parallel
+  import Lag.Electrical.*;
+  Coil a(q(der(start = 1 A)));
+  Inductor b(L = 1 H, q(der(start = -0.6 A))), c(L = 3 H, q(der(start = -0.4 A)));
+  Ground g;
+  connect(a.p, b.p, c.p);
+  connect(a.n, b.n, c.n, g.p);
+  output Current i[3] = {der(a.q), der(b.q), der(c.q)};
+end Parallel;
+""",
+        2.0,
+        {"i[1]": (2 + SURGE) / 0.7, "i[2]": -0.6 + SURGE, "i[3]": (-1.2 + SURGE) / 3},
+    ),
+]
+
+
+@rows([*BASES, *MOMENTA, *FLUXES])
 def test_impulses(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -202,7 +202,46 @@ BESIDE = [
     ),
 ]
 
+# A torque of 1e-6 drives the inertia 1e-9 and, by a worm of 1e-6, one of 1e3, up to a stop at 1e-3 after 2 s with the
+# rate 1000.
+WORM = (
+    "coordinate Real a, b; kinetic 1/2*1e3*der(a)^2 + 1/2*1e-9*der(b)^2; force 1e-6 on b; constraint worm: {};"
+    "contact stop: a <= 1e-3 with restitution = 0.5; output Real part = 1e6*a; output Real force = {}*multiplier(worm);"
+)
+WORMS = [
+    Attack(
+        f"worm_in_units_of_{name}",
+        model(WORM.format(row, scale)),
+        2.5,
+        {"part": 1000 - 250 + 62.5, "der(b)": -250.0, "force": 0.5},
+        counts={("stop", "impact"): 1},
+    )
+    for name, row, scale in (
+        ("the_slow_side", "a = 1e-6*b", "1"),
+        ("the_fast_side", "1e6*a = b", "1e6"),
+        ("none", "1e9*a = 1e3*b", "1e9"),
+        ("rates", "der(a) = 1e-6*der(b)", "1"),
+    )
+]
+CHAINS = [
+    Attack(
+        f"discs_of_{s:g}_and_its_inverse_that_clutches_join",
+        # their common rate is that of the heavy ones; with 1e9 the light one between them has no digits left
+        model(
+            f"coordinate Real x[5](der(start = {{1, 2, 3, 4, 5}})); kinetic 1/2*{s}*(der(x[2])^2 + der(x[4])^2) + "
+            f"1/2*{1 / s}*(der(x[1])^2 + der(x[3])^2 + der(x[5])^2);"
+            + "".join(
+                f"constraint c{i}: (if time < 1 then 0 else der(x[{i}]) - der(x[{i + 1}])) = 0;" for i in range(1, 5)
+            )
+        ),
+        2.0,
+        {f"der(x[{i}])": 3.0 for i in range(1, 6)},
+        refused=("E0811",) if s > 1e8 else (),
+    )
+    for s in (1e3, 1e6, 1e9)
+]
 
-@rows([*FALLS, *DOCKING, *BESIDE])
+
+@rows([*FALLS, *DOCKING, *BESIDE, *WORMS, *CHAINS])
 def test_scales(row: Attack, engine: str) -> None:
     check(row, engine)
