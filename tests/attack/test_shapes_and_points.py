@@ -6,6 +6,8 @@ from __future__ import annotations
 import pytest
 from attack.rows import FIRST, Attack, check, model, rows
 
+import lagdsl
+
 Table = tuple[tuple[float, ...], tuple[float, ...]]
 
 TURNED = "coordinate Real a; input Real w(smooth = 1); kinetic 1/2*der(a)^2; constraint drive: der(a) = w;"
@@ -161,6 +163,50 @@ def test_shapes_points_starts_and_whole_numbers(row: Attack, engine: str) -> Non
 def test_points_are_not_amounts(value: str) -> None:
     row = heated("wrong", "T", 0.0, f"parameter Temperature T = {value};", refused=("E0418", "W0328"))
     check(row, FIRST)
+
+
+PLACED = (
+    "model M parameter Temperature T = 25 degC, U = 5 degC; {} state Real z; "
+    "equation der(z) = value({}, {})/(1 s); end M;"
+)
+DIFFERENCE = "parameter TemperatureDifference d[2] = {1 K, 20 K};"
+REST = 'parameter Real rest(unit = "K") = 20;'
+
+
+@pytest.mark.parametrize("value", ["T - U", "(T - 20 degC)", "T - -5 degC", "d[2]"])
+def test_a_difference_has_no_place_on_a_scale(value: str) -> None:
+    """`value(d, "degC")` of 20 K was -253.15."""
+    with pytest.raises(lagdsl.CompilationFailed) as failure:
+        lagdsl.compile(PLACED.format(DIFFERENCE, value, '"degC"'))
+    assert [each.code for each in failure.value.diagnostics] == ["E0415"]
+
+
+@pytest.mark.parametrize(
+    ("items", "value", "unit", "number"),
+    [
+        ("", "T - 20 K", "degC", 5.0),
+        (DIFFERENCE, "T - d[2]", "degC", 5.0),
+        (REST, "T - rest", "degC", 5.0),
+        ("", "T - U", "K", 20.0),
+        ("", "T", "degC", 25.0),
+    ],
+)
+def test_numbers_of_temperatures(items: str, value: str, unit: str, number: float) -> None:
+    check(Attack(value, PLACED.format(items, value, f'"{unit}"'), 1.0, {"z": number}), FIRST)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'model M output TemperatureDifference d(displayUnit = "degC") = 5 K; end M;',
+        'type D = TemperatureDifference(displayUnit = "degC"); model M output D d = 5 K; end M;',
+    ],
+)
+def test_a_difference_is_not_shown_on_a_scale(text: str) -> None:
+    """5 K were shown as -268.15 degC."""
+    with pytest.raises(lagdsl.CompilationFailed) as failure:
+        lagdsl.compile(text)
+    assert [each.code for each in failure.value.diagnostics] == ["E0410"]
 
 
 def test_a_jump_of_a_position_has_no_derivative() -> None:

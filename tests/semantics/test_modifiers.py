@@ -91,6 +91,9 @@ def test_arrays_in_arrays_need_an_each_of_their_own() -> None:
     text = SLIDER + "model M\n  Row r[2]({});\nend M;\n"
     assert set(values(text.format("each s(each m = 3)")).values()) == {3.0}
     assert errors(text.format("each s.m = 3")) == [("E0335", "each s.m = 3")]
+    several = "model S coordinate Length x[2](each start = 1); end S; model M S s[2](x(each start = 7 m)); end M;"
+    helps = {found.help for found in run(several)[1].diagnostics if found.code == "E0335"}
+    assert helps == {"`each` counts for one array; the one inside needs its own: `each name(each start = 7 m)`"}
 
 
 def test_redeclarations_of_arrays_are_split() -> None:

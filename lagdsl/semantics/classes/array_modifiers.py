@@ -8,6 +8,7 @@ from typing import TypeAlias, assert_never
 from lagdsl.semantics.classes.modification import Given
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import each_help
 from lagdsl.semantics.scope.scope import Indices, Scope
 from lagdsl.semantics.scope.values import POISON, Array, Component, FrameValue, Poison, Reaction, Scalar, Text, Vector
 from lagdsl.syntax import nodes
@@ -107,9 +108,7 @@ def check_splits(ctx: Context) -> None:
             ctx.splits.values[scope, id(modifier.value)] = POISON
             if found == ():
                 text = modifier.span.text
-                inner = text.removeprefix("each ")
-                hint = f"`each` counts for one array; the one inside needs its own: `each name({text})`"
-                ctx.sink.report("E0335", modifier.span, text=text, help=hint if inner != text else None)
+                ctx.sink.report("E0335", modifier.span, text=text, help=each_help(text))
                 continue
             shown, wanted = (" by ".join(str(extent) for extent in extents) for extents in (found, shape))
             ctx.sink.report("E0234", modifier.value.span, name=name, found=shown, count=wanted)

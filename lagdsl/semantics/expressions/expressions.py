@@ -53,7 +53,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.Parenthesized():
             return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Call():
-            scale_points.check_call(ctx, node)
+            scale_points.check_call(ctx, scope, node)
             return calls.call(ctx, scope, node)
         case nodes.Member():
             return references.member(ctx, scope, node)
@@ -72,7 +72,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.Comprehension():
             return arrays.comprehension(ctx, scope, node, adopt)
         case nodes.Reduction():
-            scale_points.check_call(ctx, node)
+            scale_points.check_call(ctx, scope, node)
             return arrays.reduction(ctx, scope, node)
         case nodes.Boolean():
             return Scalar(flat.Number(float(node.value)), DIMENSIONLESS, kind="Boolean")

@@ -93,6 +93,13 @@ def without_each(span: Span) -> Edit | None:
     return None if word is None else Edit(Span(span.file, span.start, span.start + word.end()), "")
 
 
+def each_help(text: str) -> str | None:
+    """How a value that has `each` for the array around reaches the array inside; None for one without."""
+    if not text.startswith("each "):
+        return None
+    return f"`each` counts for one array; the one inside needs its own: `each name({text})`"
+
+
 def arguments_text(count: int | str) -> str:
     """`1 argument`, `2 to 4 arguments`."""
     return f"{count} argument" if str(count) == "1" else f"{count} arguments"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
+from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog.habits import quantity_help, word_help
 from lagdsl.diagnostics.catalog.modelica import class_help, import_help
 from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
@@ -165,6 +166,11 @@ def _display(ctx: Context, base: TypeInfo, text: str, span: Span) -> TypeInfo:
         unit = parse_unit(text)
     except UnknownUnit as fault:
         _unknown_unit(ctx, fault, span)
+        return base
+    if unit.shift and base.is_difference:
+        label = Label(span, "a scale with a zero of its own")
+        words = "a difference of temperatures"
+        ctx.sink.report("E0410", label, unit=text, type=base.name, words=words, own=base.unit, help='write "K"')
         return base
     if ctx.conventions.units and unit.dimension != (base.dimension or DIMENSIONLESS):
         words = describe(base.dimension or DIMENSIONLESS)

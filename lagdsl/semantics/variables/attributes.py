@@ -13,7 +13,7 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.naming import without_each
+from lagdsl.semantics.scope.naming import each_help, without_each
 from lagdsl.semantics.scope.prelude import BaseType
 from lagdsl.semantics.scope.scope import Scope, Symbol
 from lagdsl.semantics.scope.values import AnyDimension, Scalar, Text, is_structural, rank
@@ -162,7 +162,7 @@ def expressions(
     _check_each(ctx, attribute, what, shape)
     if shape and not attribute.each and isinstance(value, Scalar):
         text = attribute.node.span.text
-        ctx.sink.report("E0335", attribute.node.span, text=text)
+        ctx.sink.report("E0335", attribute.node.span, text=text, help=each_help(text))
         return None
     expected = Expected(what, dimension, wanted, base, unit, "E0415")
     found = conform(ctx, attribute.scope, attribute.value, value, expected)

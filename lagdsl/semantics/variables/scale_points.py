@@ -2,7 +2,8 @@
 
 `-5 degC` is 268.15 K. The sum of two points, or twice a point, means nothing that does not depend on the zero of the
 scale (JCGM 200:2012, 1.27, on values referred to a conventional reference scale), so only what does not is accepted: a
-point by itself, the difference of two points, and a point with a difference added to it, `20 degC + dT`.
+point by itself, the difference of two points, and a point with a difference added to it, `20 degC + dT`. A difference
+has no place on such a scale.
 """
 
 from __future__ import annotations
@@ -10,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import assert_never
 
+from lagdsl.semantics.operators.paths import designated
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.scope import Symbol
+from lagdsl.semantics.scope.scope import Scope, Symbol, TypeInfo
 from lagdsl.semantics.variables.attributes import attributes
 from lagdsl.syntax import nodes
 from lagdsl.units.definition import UnitDefinition, si_value
@@ -39,13 +41,52 @@ def check_operator(ctx: Context, node: nodes.Binary | nodes.Unary) -> None:
         _refuse(ctx, node.right, f"`{node.operator}`")
 
 
-def check_call(ctx: Context, node: nodes.Call | nodes.Reduction) -> None:
-    """E0418 for points that a function adds up or multiplies."""
+def check_call(ctx: Context, scope: Scope, node: nodes.Call | nodes.Reduction) -> None:
+    """E0418 for points that a function adds up or multiplies, E0415 for the place of a difference on a scale."""
     name = node.function.span.text
-    if ctx.conventions.units and name in _ADDING:
+    if not ctx.conventions.units:
+        return
+    if name == "value" and isinstance(node, nodes.Call):
+        _check_value(ctx, scope, node)
+    elif name in _ADDING:
         for part in (node.body,) if isinstance(node, nodes.Reduction) else node.arguments:
             if not isinstance(part, nodes.Named):
                 _refuse(ctx, part, f"`{name}`")
+
+
+def _check_value(ctx: Context, scope: Scope, node: nodes.Call) -> None:
+    """E0415 for `value(T - 20 degC, "degC")`, which would be 273.15 too small."""
+    match node.arguments:
+        case (difference, nodes.String(value=text)) if not isinstance(difference, nodes.Named):
+            unit = _known(text)
+            if unit is None or not unit.shift or not _is_difference(ctx, scope, difference):
+                return
+            expected, found = "a temperature", "a difference of temperatures"
+            hint = f'write `value({difference.span.text}, "K")`: a difference has the same number in K'
+            ctx.sink.report("E0415", difference.span, what="the value", expected=expected, found=found, help=hint)
+
+
+def _is_difference(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
+    """True for a TemperatureDifference and for what is left of a temperature when another is subtracted."""
+    if isinstance(node, nodes.Parenthesized):
+        return _is_difference(ctx, scope, node.inner)
+    if isinstance(node, nodes.Binary):
+        return node.operator == "-" and (_point(node.right) is not None or _is_temperature(ctx, scope, node.right))
+    info = _declared(ctx, scope, node)
+    return info is not None and info.is_difference
+
+
+def _is_temperature(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
+    """True for what is declared with a scale that has a zero of its own, as each Temperature is."""
+    info = _declared(ctx, scope, node)
+    unit = _known(info.display_unit) if info is not None and info.display_unit is not None else None
+    return unit is not None and unit.shift != 0
+
+
+def _declared(ctx: Context, scope: Scope, node: nodes.Expression) -> TypeInfo | None:
+    quantity = node.target if isinstance(node, nodes.Index) else node
+    entry = designated(ctx, scope, quantity)
+    return entry.info if isinstance(entry, Symbol) else None
 
 
 def check_difference(ctx: Context, symbol: Symbol) -> None:
@@ -104,8 +145,12 @@ def _first(parts: Iterable[nodes.Expression]) -> nodes.Quantity | nodes.Unary | 
 
 def _unit(node: nodes.Quantity) -> UnitDefinition | None:
     """The unit if it has an offset."""
+    unit = _known(node.unit)
+    return unit if unit is not None and unit.shift else None
+
+
+def _known(text: str) -> UnitDefinition | None:
     try:
-        unit = parse_unit(node.unit)
+        return parse_unit(text)
     except UnknownUnit:
         return None
-    return unit if unit.shift else None
