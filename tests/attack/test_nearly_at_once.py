@@ -84,6 +84,47 @@ NEAR = [
 CLOCK = "coordinate Real x(der(start = 1)); kinetic 1/2*der(x)^2; discrete Integer a(start = 0), b(start = 0); "
 TICKS = "when sample(0, 0.1) then b = pre(b) + a + 100*pre(a); end when;"
 # The third tick sees what is set at 0.3, and not what was before it.
+COUNT = "discrete Integer a(start = 0), b(start = 0);"
+PLACES = [
+    Attack(  # y = 3 x, so that neither condition holds at any time
+        "one_falls_as_the_other_rises",
+        model(
+            "coordinate Real x(der(start = 1)), y(der(start = 3)); kinetic 1/2*(der(x)^2 + der(y)^2);" + COUNT,
+            "when x < 2.1 and y > 6.3 then a = pre(a) + 1; end when;"
+            "when x > 2.1 or y < 6.3 then b = pre(b) + 1; end when;",
+        ),
+        4.0,
+        {"a": 0, "b": 0},
+    ),
+    Attack(
+        "places_that_read_each_other",
+        model(
+            "coordinate Real x(der(start = 1)), y(start = -3, der(start = 3)); kinetic 1/2*(der(x)^2 + der(y)^2);"
+            + COUNT,
+            "when x > 1.7 then a = pre(a) + 1; end when; when y >= 2.1 then b = pre(b) + a + 10*pre(a); end when;",
+        ),
+        4.0,
+        {"a": 1, "b": 1},
+    ),
+    Attack(
+        "three_places",
+        model(
+            "coordinate Real x(der(start = 1)), y(der(start = 7)), z(start = 1, der(start = -2));"
+            "kinetic 1/2*(der(x)^2 + der(y)^2 + der(z)^2);" + COUNT,
+            "when x > 0.3 and y < 2.1 then a = pre(a) + 1; end when;"
+            "when z < 0.4 and x < 0.3 then b = pre(b) + 1; end when;",
+        ),
+        1.0,
+        {"a": 0, "b": 0},
+    ),
+]
+
+
+@rows(PLACES)
+def test_places_of_one_instant(row: Attack, engine: str) -> None:
+    check(row, engine)
+
+
 TOGETHER = [
     Attack(
         f"third_tick_and_{condition.replace(' ', '')}",

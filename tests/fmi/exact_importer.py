@@ -53,14 +53,15 @@ class Instance:
         )
         self.is_second = fmu.version == 2
         self.size, self.count = description.numberOfContinuousStates, description.numberOfEventIndicators
+        self.start = float(description.defaultExperiment.startTime or 0.0)
         self.fmu.instantiate()
         if self.is_second:
-            self.fmu.setupExperiment(tolerance=RELATIVE, startTime=0.0, stopTime=stop)
+            self.fmu.setupExperiment(tolerance=RELATIVE, startTime=self.start, stopTime=stop)
         left = apply_start_values(self.fmu, description, dict(starts), settable_in_instantiated)
         if self.is_second:
             self.fmu.enterInitializationMode()
         else:
-            self.fmu.enterInitializationMode(tolerance=RELATIVE, startTime=0.0, stopTime=stop)
+            self.fmu.enterInitializationMode(tolerance=RELATIVE, startTime=self.start, stopTime=stop)
         left = apply_start_values(self.fmu, description, left, settable_in_initialization_mode)
         assert not left
         self.fmu.exitInitializationMode()
@@ -122,7 +123,7 @@ def ends_exactly(fmu: Exported, stop: float, names: Sequence[str], starts: Mappi
     """Values of scalar variables at the end, or where the FMU ends the simulation."""
     one = Instance(fmu, stop, starts)
     try:
-        t, x = 0.0, one.states()
+        t, x = one.start, one.states()
         try:
             next_time = one.update()
             for _ in range(MOST_EVENTS):

@@ -9,6 +9,8 @@
 
 /* During an event, a value has changed if it is behind zero, or behind the place of its indicator's zero but for this part of its round-off. */
 static const double NEARLY = 0.4;
+/* Values that are so many round-offs from zero pass it together. */
+static const double TOGETHER = 4.0;
 /*
  * An event without effect is one of the importer's errors: they grow by this factor before they cause the next. They have a size of
  * their own, which has nothing to do with how far behind zero a contact is.
@@ -66,6 +68,32 @@ static void find_zeros(lag_instance *instance, double t)
     }
 }
 
+/*
+ * Relations that are zero but for a few round-offs, and move clearly to the other side, change with those flagged in `changed`: the importer has found
+ * one of the zeros that lie at one instant.
+ */
+static void join(lag_instance *instance, double t)
+{
+    lag_run *run = instance->run;
+    lag_event_iteration *iteration = &run->instants.iteration;
+    const size_t count = instance->fmu->model->nindicator;
+    double *changed = run->crossings.changed;
+    double *joining = instance->room;
+    for (size_t i = 0; i < count; ++i) {
+        const int is_near = fabs(lag_instance_crossing_value(instance, i)) <= TOGETHER * lag_instance_round_off(instance, i);
+        joining[i] = changed[i] == 0.0 && is_near && !lag_instance_is_held(instance, i) && instance->resting[i] == 0.0;
+    }
+    if (!lag_any(lag_instance_crossing_count(instance), changed) || !lag_any(count, joining) ||
+        lag_event_iteration_look_ahead(iteration, t, instance->x, AHEAD * run->instants.contacts.length) != LAG_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double side = run->motion.w[run->crossings.places.relation + i] != 0.0 ? 1.0 : -1.0;
+        const double fall = side * (iteration->now[i] - iteration->then[i]);
+        changed[i] = changed[i] != 0.0 || (joining[i] != 0.0 && fall > LAG_MOVES_CLEARLY * lag_instance_round_off(instance, i));
+    }
+}
+
 /* Relations that do not change stay in event mode while they are behind zero by no more than their latches. */
 static void hold(lag_instance *instance)
 {
@@ -93,6 +121,7 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
     }
     if (status == LAG_OK && instance->fmu->model->nindicator > 0) {
         find_zeros(instance, t);
+        join(instance, t);
         hold(instance);
     }
     *any = status == LAG_OK && lag_any(count, changed);
