@@ -71,11 +71,11 @@ ALSO = "discrete Integer m(start = 0);"
 
 
 def counted(name: str, condition: str, count: int, stop: float = 0.9, items: str = "") -> Attack:
-    """How often the condition becomes true."""
+    """Counts the instants at which the condition becomes true."""
     return Attack(name, model(MASS + items, f"when {condition} then n = pre(n) + 1; end when;"), stop, {"n": count})
 
 
-# What is true at the start does not become true; what time makes true from the start on does.
+# A condition that is true at the start does not become true; one that time makes true from the start on does.
 AT_ONCE = [
     counted("later_than_the_start", "time > 0", 1),
     counted("not_earlier_than_the_start", "time >= 0", 0),

@@ -94,7 +94,7 @@ def without_each(span: Span) -> Edit | None:
 
 
 def each_help(text: str) -> str | None:
-    """How a value that has `each` for the array around reaches the array inside; None for one without."""
+    """Form in which a value that has `each` for the array around reaches the array inside; None for one without."""
     if not text.startswith("each "):
         return None
     return f"`each` counts for one array; the one inside needs its own: `each name({text})`"

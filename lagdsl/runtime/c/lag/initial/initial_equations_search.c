@@ -38,7 +38,7 @@ static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *
     return 0;
 }
 
-/* What is found: for each part the norm of its residuals and its distance from the start values, and whether it is looked for elsewhere. */
+/* The solutions found: for each part the norm of its residuals and its distance from the start values, and whether it is looked for elsewhere. */
 typedef struct lag_descents {
     double *sizes, *distances, *others; /* (rows + unknowns) */
     double *open, *better;              /* flags */
