@@ -11,8 +11,9 @@ from lagdsl.runtime.building.build_library import compile_runtime
 from lagdsl.runtime.building.compiler import Compiler, find_compiler
 from lagdsl.runtime.library import PROTOTYPES
 
-# The system interface is there for its library of mathematics; nothing of it is imported.
-_TARGET = ("-target", "wasm32-wasi", "-mexec-model=reactor")
+# The system interface is there for its library of mathematics; nothing of it is imported. Pages carry the module, of
+# which unrolled loops are a fifth.
+_TARGET = ("-target", "wasm32-wasi", "-mexec-model=reactor", "-fno-unroll-loops")
 
 
 def build_wasm(folder: Path) -> Path:
