@@ -123,6 +123,10 @@ static lag_status find_resting(lag_instance *instance, double t, const double *x
     lag_zero_crossing *crossings = &run->crossings;
     const lag_model *model = instance->fmu->model;
     double *rate = instance->tangent;
+    lag_fill(model->nindicator, 0.0, instance->resting);
+    if (!lag_any(model->nindicator, crossings->hovers)) {
+        return LAG_OK;
+    }
     lag_status status = lag_zero_crossing_begin(crossings, t, x);
     for (size_t i = 0; i < model->nindicator; ++i) {
         const int hovers = crossings->hovers[i] != 0.0 && !lag_instance_is_held(instance, i);
@@ -151,7 +155,7 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
         lag_noise_find(&instance->run->instants.noise, t, x);
     }
     lag_contacts_follow(&instance->run->instants.contacts, x);
-    lag_status status = instance->fmu->model->nindicator > 0 ? find_resting(instance, t, x) : LAG_OK;
+    lag_status status = find_resting(instance, t, x);
     status = status == LAG_OK ? lag_instance_look_at_crossings(instance, t, x) : status;
     instance->known = 0;
     lag_instance_forget_path(instance);

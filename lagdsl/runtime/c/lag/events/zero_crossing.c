@@ -261,12 +261,16 @@ static double crept(const lag_zero_crossing *crossings, size_t which)
     return crossings->creep[place_of(crossings, which)] * (crossings->motion->at.t - crossings->since);
 }
 
+static int may_rest(const lag_zero_crossing *crossings, size_t which)
+{
+    return which >= crossings->motion->model->nindicator || crossings->hovers[which] != 0.0;
+}
+
 int lag_zero_crossing_rests(const lag_zero_crossing *crossings, size_t which)
 {
     const double value = lag_zero_crossing_value(crossings, which);
     const double moved = fmax(crossings->moved[which], fabs(value - crossings->start[which]));
-    const int hovers = which >= crossings->motion->model->nindicator || crossings->hovers[which] != 0.0;
-    return hovers && moved <= crept(crossings, which) + lag_zero_crossing_noise(crossings, which) &&
+    return may_rest(crossings, which) && moved <= crept(crossings, which) + lag_zero_crossing_noise(crossings, which) &&
         fabs(crossings->start[which]) <= lag_zero_crossing_known(crossings, which);
 }
 
@@ -283,14 +287,19 @@ int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double
 {
     const size_t count = lag_zero_crossing_count(crossings);
     int unclear = 0;
+    int resting = 0;
     for (size_t i = 0; i < count; ++i) {
-        unclear = unclear || (lag_zero_crossing_has_noise(crossings, i) && is_unclear(crossings, i));
+        const int is_one = lag_zero_crossing_has_noise(crossings, i) && is_unclear(crossings, i);
+        unclear = unclear || is_one;
+        resting = resting || (is_one && may_rest(crossings, i));
     }
     if (!unclear) {
         return 0;
     }
     lag_noise_find(crossings->noise, t, x);
-    lag_zero_crossing_creep(crossings, t, x, t - crossings->since);
+    if (resting) {
+        lag_zero_crossing_creep(crossings, t, x, t - crossings->since);
+    }
     for (size_t i = 0; i < count; ++i) {
         const int has_changed = lag_zero_crossing_has_noise(crossings, i) && crossings->changed[i] != 0.0;
         const double most = has_changed ? most_of(crossings, i) : 0.0;

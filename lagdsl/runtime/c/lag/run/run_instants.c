@@ -110,13 +110,16 @@ static lag_status over(lag_run *run, lag_status status)
 {
     const double *before = run->instants.w_before + run->crossings.places.relation;
     const double *truth = run->motion.w + run->crossings.places.relation;
+    const lag_status ended = end(run, status);
+    if (ended != LAG_OK && ended != LAG_STOPPED) {
+        return ended;
+    }
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
         run->crossings.hovers[i] = truth[i] != before[i] ? 1.0 : run->crossings.hovers[i];
     }
     lag_noise_begin(run->crossings.noise);
-    const int is_good = status == LAG_OK || status == LAG_STOPPED;
-    const lag_status seen = is_good ? lag_zero_crossing_begin(&run->crossings, run->stepper.t, run->stepper.x) : LAG_OK;
-    return end(run, seen == LAG_OK ? status : seen);
+    const lag_status seen = lag_zero_crossing_begin(&run->crossings, run->stepper.t, run->stepper.x);
+    return seen == LAG_OK ? ended : seen;
 }
 
 lag_status lag_run_enter(lag_run *run)
