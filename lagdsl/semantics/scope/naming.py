@@ -94,7 +94,7 @@ def without_each(span: Span) -> Edit | None:
 
 
 def each_help(text: str) -> str | None:
-    """Form in which a value that has `each` for the array around reaches the array inside; None for one without."""
+    """Help for a value whose `each` counts for the array around and not for the one inside; None for one without."""
     if not text.startswith("each "):
         return None
     return f"`each` counts for one array; the one inside needs its own: `each name({text})`"
