@@ -3,7 +3,7 @@ opens, and clauses for accelerations and multipliers act. Everything falls with 
 
 from __future__ import annotations
 
-from math import acos, cos, sin
+from math import acos, cos, sin, sqrt
 
 from attack.rows import Attack, check, model, rows
 
@@ -142,7 +142,23 @@ FORCES = [
     ),
 ]
 
+# Energies that rise steeply: no step leads over the jump of the force.
+HILLS = [
+    Attack(
+        f"two_that_pass_a_hill_{width:g}_wide_at_{tolerance:g}",
+        model(
+            "coordinate Real x(start = -1, der(start = 1)), y(start = 1, der(start = -1)); "
+            "kinetic 1/2*(der(x)^2 + der(y)^2); "
+            f"potential 0.3*max(0, 1 - abs(y - x)/{width});"
+        ),
+        3.0,
+        {"der(x)": 1.0, "x": 2.0 + width * (1 - 2 / (1 + sqrt(0.7)))},
+        tolerance=tolerance,
+    )
+    for width, tolerance in ((1e-4, 1e-10), (1e-5, 1e-10), (1e-3, 1e-12))
+]
 
-@rows([*GROUNDS, *FORCES])
+
+@rows([*GROUNDS, *FORCES, *HILLS])
 def test_forces_that_jump(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -1,4 +1,4 @@
-"""Stiff models, in rows and at events between the ends of steps; jumps of forces that no step leads over."""
+"""Stiff models, in rows and at events between the ends of steps."""
 
 from __future__ import annotations
 
@@ -39,27 +39,6 @@ TOPS = [
         (1e6, 1e-8, "radau"),
     )
 ]
-
-
-HILLS = [
-    Attack(
-        f"two_that_pass_a_hill_{width:g}_wide_at_{tolerance:g}",
-        model(
-            "coordinate Real x(start = -1, der(start = 1)), y(start = 1, der(start = -1)); "
-            "kinetic 1/2*(der(x)^2 + der(y)^2); "
-            f"potential 0.3*max(0, 1 - abs(y - x)/{width});"
-        ),
-        3.0,
-        {"der(x)": 1.0, "x": 2.0 + width * (1 - 2 / (1 + sqrt(0.7)))},
-        tolerance=tolerance,
-    )
-    for width, tolerance in ((1e-4, 1e-10), (1e-5, 1e-10), (1e-3, 1e-12))
-]
-
-
-@rows(HILLS)
-def test_hills_of_strong_forces(row: Attack, engine: str) -> None:
-    check(row, engine)
 
 
 @rows(TOPS)

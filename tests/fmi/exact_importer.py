@@ -22,6 +22,7 @@ from fmi.exported import Exported
 
 RELATIVE, ABSOLUTE = 1e-13, 1e-14
 LONGEST = 0.02  # of the experiment, as FMPy does
+ROUNDINGS = 64  # of time, over which a line leads across a force that jumps before its indicator does
 MOST_EVENTS = 20_000
 
 
@@ -161,7 +162,12 @@ def _to_event(one: Instance, t: float, x: np.ndarray, next_time: float, stop: fl
     solver = DOP853(one.rates, t, x, limit, rtol=RELATIVE, atol=one.allowed(), max_step=LONGEST * stop)
     while solver.status == "running":
         t, x = solver.t, solver.y.copy()
-        assert solver.step() is None
+        if solver.step() is not None:
+            beyond = min(limit, t + ROUNDINGS * float(np.spacing(t)))
+            x = _state_at(one, t, x, beyond)
+            one.place(beyond, x)
+            one.is_at_event()
+            return beyond, x, True
         if np.any((one.indicators(solver.t, solver.y) > 0) != before):
             return (*_first_change(one, solver, before, t, x), True)
         one.place(solver.t, solver.y)
@@ -183,16 +189,23 @@ def _first_change(
         return float(np.min(np.where(before, values, -values)))
 
     end = _changed(margin, t, solver.t)
+    further = 2 * (end - t) * np.finfo(float).eps + 4 * np.spacing(end)
     for _ in range(60):
-        again = DOP853(one.rates, t, x, end, rtol=RELATIVE, atol=one.allowed())
-        while again.status == "running":
-            again.step()
-        if end >= solver.t or np.any((one.indicators(end, again.y) > 0) != before):
+        there = _state_at(one, t, x, end)
+        if end >= solver.t or np.any((one.indicators(end, there) > 0) != before):
             break
-        end = min(solver.t, end + 2 * (end - t) * np.finfo(float).eps + 4 * np.spacing(end))
-    one.place(end, again.y)
+        end, further = min(solver.t, end + further), 2 * further
+    one.place(end, there)
     one.is_at_event()
-    return end, again.y
+    return end, there
+
+
+def _state_at(one: Instance, t: float, x: np.ndarray, end: float) -> np.ndarray:
+    """A line where the method asks for steps below the rounding of time."""
+    solver = DOP853(one.rates, t, x, end, rtol=RELATIVE, atol=one.allowed())
+    while solver.status == "running":
+        solver.step()
+    return np.asarray(solver.y + (end - solver.t) * one.rates(solver.t, solver.y))
 
 
 def _changed(margin: Callable[[float], float], a: float, b: float) -> float:

@@ -51,6 +51,11 @@ MODULES = {
 SECONDS = 30  # of the processor, compilers left out
 # FMPy integrates with CVODE at this tolerance, from anew at up to a thousand events.
 TOLERANCE, NEAR = 1e-10, 1e-6
+# Errors of CVODE in a place times a force of 3000 and 30000: the speeds are off by 1e4 and 1e5 tolerances.
+FINER = {
+    "forces_that_jump-two_that_pass_a_hill_0.0001_wide_at_1e-10": 1e-12,
+    "forces_that_jump-two_that_pass_a_hill_1e-05_wide_at_1e-10": 1e-12,
+}
 
 # States of an importer have no more digits: a gap of 5 mm between places at 7000 km, which closes at 1 cm/s, changes by
 # 16 roundings of both, the margin, in 5e-6 s; the steps of this importer round the place by 1e-8 m, that is 1e-6 s.
@@ -107,7 +112,10 @@ def test_models_made_to_go_wrong_as_fmus(name: str, version: int, tmp_path: Path
     fmu = _exported(row, version, tmp_path)
     if fmu is None:
         return
-    both = [("ModelExchange", TOLERANCE, ROUNDED.get(name, NEAR)), ("CoSimulation", row.tolerance, row.near)]
+    both = [
+        ("ModelExchange", FINER.get(name, TOLERANCE), ROUNDED.get(name, NEAR)),
+        ("CoSimulation", row.tolerance, row.near),
+    ]
     for kind, tolerance, near in both[:1] if row.inputs else both:  # FMPy holds inputs over a step of co-simulation
         ends, failure = in_bounded_time(partial(_ends, row, fmu, kind, tolerance), SECONDS)
         assert failure is None or row.refused, (kind, failure)

@@ -7,22 +7,35 @@
 #include <float.h>
 #include <math.h>
 
-/* The margin: so many times the round-off, and this part of what the tolerance lets the numbers do that enter. */
-static const double ROUNDINGS = 64.0;
+/*
+ * The margin: so many times the round-off. An importer may pass in one step what lies behind a corner; it searches the margin on a path that
+ * knows nothing of that, and what acts behind the corner is late by the margin.
+ */
+static const double ROUNDINGS = 4.0;
+/* This part of what the tolerance lets the numbers do that enter is an error of the importer. */
 static const double PART = 0.1;
 /* Round-off as lag/events/noise.h finds it is so many units in the last place of these numbers. */
 static const double UNITS = 16.0;
 /* A corner that is so much of its margin behind zero has been passed. */
 static const double CLEARLY = 0.6;
-/* One that was never so many margins away from zero was passed by the errors of the importer: the next time it is so many times farther. */
+/* One that was never so many errors away from zero was passed by them: the next time the margin is so many errors. */
 static const double NEAR = 16.0;
 static const double FARTHER = 4.0;
 
+static double round_off(const lag_instance *instance, size_t corner)
+{
+    return instance->run->instants.noise.sigma[instance->fmu->model->nindicator + corner];
+}
+
 double lag_instance_corner_margin(const lag_instance *instance, size_t corner)
 {
-    const double sigma = instance->run->instants.noise.sigma[instance->fmu->model->nindicator + corner];
-    const double allowed = PART * instance->held.tolerance / (UNITS * DBL_EPSILON);
-    return fmax(instance->latched[lag_instance_first_corner(instance) + corner], fmax(ROUNDINGS, allowed) * sigma);
+    return fmax(instance->latched[lag_instance_first_corner(instance) + corner], ROUNDINGS * round_off(instance, corner));
+}
+
+static double error_of_importer(const lag_instance *instance, size_t corner)
+{
+    const double allowed = PART * instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, corner);
+    return fmax(lag_instance_corner_margin(instance, corner), allowed);
 }
 
 /* Distances at x at time t, into `far`. */
@@ -63,7 +76,8 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
         if (instance->side[i] == 0.0) {
             instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;
         } else if (behind > CLEARLY * margin) {
-            latched[i] = largest[i] <= NEAR * margin ? FARTHER * margin : 0.0;
+            const double error = error_of_importer(instance, i);
+            latched[i] = largest[i] <= NEAR * error ? FARTHER * error : 0.0;
             largest[i] = 0.0;
             instance->side[i] = -instance->side[i];
         }
