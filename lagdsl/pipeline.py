@@ -93,7 +93,7 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
 
     Raises SettingError for unknown names and values that do not fit.
     """
-    from lagdsl.flat.given_values import with_values
+    from lagdsl.flat.fixed_parameters import with_values
     from lagdsl.settings.settings import settings
 
     if not pairs:
@@ -170,18 +170,20 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
 
     Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
     """
-    from lagdsl.mechanics.equations import form_equations
+    from lagdsl.flat.row_factors import with_row_factors
     from lagdsl.mechanics.idle_loads import report_idle_loads
     from lagdsl.mechanics.invariants import report_proofs
     from lagdsl.mechanics.solve import solve
-    from lagdsl.structure.structure import analyze, flag_redundant
+    from lagdsl.structure.constraints import report_row_factors
+    from lagdsl.structure.structure import flag_redundant
 
-    with deep_recursion():
-        equations = form_equations(flat)
-        program = _arrange(equations, route)
-    structure = analyze(flat, program, sink)
+    equations, program, structure = _analyzed(flat, route, sink)
     if sink.has_errors:
         return None
+    if any(factor != 1.0 for factor in structure.space.row_factors):
+        report_row_factors(flat, structure.space, sink)
+        flat = with_row_factors(flat, structure.space.row_factors)
+        equations, program, structure = _analyzed(flat, route, Sink())
     program = flag_redundant(program, structure)
     if route == "graph" and flat.constraints:
         program = solve(equations, program, structure)
@@ -199,6 +201,17 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
         diagnostics=sink.diagnostics,
         route=route,
     )
+
+
+def _analyzed(flat: FlatModel, route: Route, sink: Sink) -> tuple[Equations, Program, Structure]:
+    """Errors, warnings and notes about the constraints go to `sink`."""
+    from lagdsl.mechanics.equations import form_equations
+    from lagdsl.structure.structure import analyze
+
+    with deep_recursion():
+        equations = form_equations(flat)
+        program = _arrange(equations, route)
+    return equations, program, analyze(flat, program, sink)
 
 
 def _arrange(equations: Equations, route: Route) -> Program:

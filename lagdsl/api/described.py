@@ -12,6 +12,7 @@ from lagdsl.api.names import Given, Value, entries, known, numbers
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
+from lagdsl.flat.row_factors import row_factors
 from lagdsl.settings.target import Kind, Target, targets
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ class Described(Interface):
         super().__init__(*functions)
         self._compilation = compilation
         self._layout = compilation.program.layout
+        self._row_factors = np.array(row_factors(compilation.flat))
 
     def __repr__(self) -> str:
         return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"

@@ -1,7 +1,7 @@
-"""Independent parameters that become numbers of the model, so that no function asks for them.
+"""Other values of parameters and starts, as if they stood in the text; parameters that become numbers of the model.
 
-A fixed parameter folds into the expressions as a structural one does: what it multiplies, divides or switches is
-simplified when the equations are derived, and the program has one entry of `p` fewer.
+No function asks for a fixed parameter. It folds into the expressions as a structural one does: what it multiplies,
+divides or switches is simplified when the equations are derived, and the program has one entry of `p` fewer.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from dataclasses import replace
 
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.admissible import require_value
-from lagdsl.flat.model import FlatModel, Parameter
+from lagdsl.flat.expression import Number
+from lagdsl.flat.model import Coordinate, FlatModel, Parameter, State
 
 
 def fix_parameters(flat: FlatModel, values: Mapping[str, float]) -> FlatModel:
@@ -55,3 +56,26 @@ def _unknown(name: str, flat: FlatModel, known: list[str]) -> str:
         return f"`{name}` is structural: it is a number of the model already"
     hint = did_you_mean(name, known, f"there are {listing(name, known)}")
     return f"{flat.name} has no independent parameter `{name}`; {hint}"
+
+
+def with_values(flat: FlatModel, parameters: Mapping[str, float], start: Mapping[str, float]) -> FlatModel:
+    """`flat` with values of independent parameters and starts, in SI units, by name: `m`, `theta`, `der(theta)`."""
+    return replace(
+        flat,
+        parameters=tuple(
+            replace(item, value=parameters[item.name]) if item.name in parameters else item for item in flat.parameters
+        ),
+        coordinates=tuple(_coordinate(item, start) for item in flat.coordinates),
+        states=tuple(_state(item, start) for item in flat.states),
+    )
+
+
+def _coordinate(item: Coordinate, start: Mapping[str, float]) -> Coordinate:
+    if item.name in start:
+        item = replace(item, start=Number(start[item.name]), start_explicit=True)
+    rate = f"der({item.name})"
+    return replace(item, rate_start=Number(start[rate]), rate_start_explicit=True) if rate in start else item
+
+
+def _state(item: State, start: Mapping[str, float]) -> State:
+    return replace(item, start=Number(start[item.name]), start_explicit=True) if item.name in start else item

@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
-from lagdsl.flat.given_values import with_values
+from lagdsl.flat.fixed_parameters import with_values
 from lagdsl.flat.model import Coordinate, Definition, FlatModel, State
 from lagdsl.flat.spans import place
 from lagdsl.flat.traversal import postorder, records, substituted

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
+from lagdsl.flat.row_factors import row_factors
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
@@ -34,7 +35,9 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
         refuse_accelerations(lowering.graph, nodes, constraint.spans, f"constraint `{constraint.name}`")
         residuals += nodes
         levels += [constraint.level == "position"] * len(nodes)
-    return Rows(tuple(residuals), tuple(levels))
+    graph, factors = lowering.graph, row_factors(flat)
+    scaled = [graph.multiply(graph.constant(by), node) for by, node in zip(factors, residuals, strict=True)]
+    return Rows(tuple(scaled), tuple(levels))
 
 
 def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[list[int]]:

@@ -66,8 +66,9 @@ class InitialFault(IntEnum):
     RATES = 3
     EQUATIONS = 4
     RANK = 5
-    PARAMETERS = 6
-    BOUNDS = 7
+    SIZES = 6
+    PARAMETERS = 7
+    BOUNDS = 8
 
 
 class SignalKind(IntEnum):

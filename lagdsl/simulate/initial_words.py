@@ -28,7 +28,7 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 def report_no_start(
     flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink, *, searched: bool = True
 ) -> None:
-    """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838 or E0839, if there is no start; the last one only if it is
+    """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838, E0839 or E0842, if there is no start; E0839 only if it is
     `searched` for."""
     unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
     if searched and unmet and flat.initial_equations:
@@ -50,7 +50,7 @@ def report_no_start(
             sink.report("E0815", first.spans[0] if first.spans else None, residual=f"{found.residual:.3g}")
         case InitialFault.POSITIONS | InitialFault.EQUATIONS:
             _report_overdetermined(flat, found, sink)
-        case InitialFault.RANK:
+        case InitialFault.RANK | InitialFault.SIZES:
             _report_rank(flat, layout, found, sink)
         case InitialFault.PARAMETERS:
             name = layout.parameters[found.which].name
@@ -211,7 +211,11 @@ def _report_rates(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> 
 
 
 def _report_rank(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
-    """More rows are independent than the solver counts with."""
+    """More rows are independent than the solver counts with, or one looks like none."""
+    if found.fault is InitialFault.SIZES:
+        name, part = layout.constraints[found.which].name, f"{found.residual:.0e}"
+        sink.report("E0842", place(_item(located(flat), found.which).constraint), name=name, part=part)
+        return
     rows = range(len(layout.constraints))
     row = next((row for row in rows if layout.redundant[row] and not found.dependent[row]), 0)
     sink.report(

@@ -18,6 +18,7 @@ from lagdsl.record import record
 from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.moments import Moment, other_moments
 from lagdsl.structure.names import located
+from lagdsl.structure.row_sizes import Look, row_sizes
 from lagdsl.units.dimension import Dimension
 
 SEED = 20011
@@ -28,9 +29,6 @@ _EXACT = 1e-10
 _RESIDUAL_FACTOR = 1e3
 # Rows are scaled to size one; a part whose largest singular value is below this has no content but round-off.
 _ROW = 1e-3
-_ROUNDING = 1e-12
-# An entry of J that is smaller, as a part of its row, at every point looked at is none.
-_ABSENT = 1e-13
 # Subtraction must leave this part of every pivot to show that M is positive definite.
 _SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
@@ -75,7 +73,7 @@ def groups(coordinates: tuple[Coordinate, ...], components: Sequence[int]) -> li
 class Geometry:
     """The constraints of a model as functions of q alone; everything else is held at its start.
 
-    `pattern` (nc, nq) tells which entries of J are not zero everywhere.
+    `row_sizes`, `row_factors` (nc,) and `pattern` (nc, nq): see RowSizes.
     """
 
     functions: Functions
@@ -88,6 +86,7 @@ class Geometry:
     p: Floats
     sizes: Floats
     row_sizes: Floats
+    row_factors: Floats
     pattern: Flags
 
     @property
@@ -177,26 +176,52 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     sizes = natural_sizes(flat.coordinates, layout.components, q)
     every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
     open_, closed = _discretes(functions, t, q, qd, z, u, parameters)
-    plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.ones(0), every)
-    lengths = []
-    largest = np.zeros_like(every, dtype=np.float64)
-    for point in [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)] if layout.constraints else []:
-        scaled = plain.velocity(point, qd)[1] * sizes
-        lengths.append(np.linalg.norm(scaled, axis=1))
-        largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
-    row_sizes = _usual(np.array(lengths)) if lengths else np.zeros(0)
-    for moment in other_moments(flat, plain.moment):  # an entry may be zero at the start only
-        scaled = replace(plain, t=moment.t, z=moment.z, u=moment.u).velocity(q, qd)[1] * sizes
-        row_sizes = np.where(row_sizes > 0.0, row_sizes, _usual(np.linalg.norm(scaled, axis=1)[None]))
-        largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
-    # Rows that are zero but for round-off have no size of their own.
-    rounding = _ROUNDING * _largest_beside(row_sizes, largest, layout.components)
-    pattern = largest > np.maximum(_ABSENT * row_sizes, rounding)[:, None]
-    row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
+    plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.zeros(0), np.zeros(0), every)
+    if not layout.constraints:
+        return replace(plain, w=open_)
+    points = [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)]
+    # an entry may be zero at the start only, and a row of which a discrete is the switch
+    moments = [replace(plain, t=each.t, z=each.z, u=each.u) for each in other_moments(flat, plain.moment)]
+    found = row_sizes(
+        [_look(plain, point) for point in points],
+        [_look(each, q) for each in [*moments, *_branches(flat, plain)]],
+        sizes,
+        layout.components,
+    )
+    pattern = found.pattern
     for item in located(flat):
         if item.constraint.switched:  # which coordinates it ties is not seen while it is off
             pattern[list(item.rows)] = True
-    return Geometry(functions, t, q, qd, z, u, open_, parameters, sizes, row_sizes, pattern)
+    return replace(plain, w=open_, row_sizes=found.natural, row_factors=found.factors, pattern=pattern)
+
+
+def _look(space: Geometry, q: Floats) -> Look:
+    """J at q."""
+
+    def look(error: float) -> Floats:
+        signs = np.random.default_rng(SEED).choice([-1.0, 1.0], len(q) + len(space.p))
+        off = 1.0 + error * signs
+        return replace(space, p=space.p * off[len(q) :]).velocity(q * off[: len(q)], space.qd)[1]
+
+    return look
+
+
+def _branches(flat: FlatModel, space: Geometry) -> list[Geometry]:
+    """Other truths of relations, Booleans and Integers, where rows depend on them; the same ones in every run."""
+    layout = space.functions.layout
+    if not any(item.switched for item in flat.constraints):
+        return []
+    whole = {item.name: 4 if item.kind == "Integer" else 2 for item in flat.events.discretes if item.kind != "Real"}
+    counts = {"relation": 2, "timed": 2}
+    kinds = zip(layout.discretes, layout.kinds, strict=True)
+    values = np.array([whole.get(slot.name, 0) if kind == "variable" else counts.get(kind, 0) for slot, kind in kinds])
+    inputs = np.array([2 * flag for flag in layout.instants.whole_inputs or [False] * len(space.u)])
+    generator = np.random.default_rng(SEED)
+
+    def chosen(now: Floats, counts: Floats) -> Floats:
+        return np.where(counts > 0, np.floor(generator.random(len(now)) * counts), now)
+
+    return [replace(space, w=chosen(space.w, values), u=chosen(space.u, inputs)) for _ in range(_SIZED_AT)]
 
 
 def _discretes(
@@ -212,31 +237,6 @@ def _discretes(
     (open_,) = functions.evaluate("standing", t, q, qd, z, u, started, p, still, free)
     closed = np.where(np.array(layout.kinds) == "contact", 1.0, open_)
     return open_, closed
-
-
-def _largest_beside(row_sizes: Floats, entries_of: Floats, components: Sequence[int]) -> Floats:
-    """The largest size (m,) of a row in the component of each row, which is that of its largest entry in `entries_of`
-    (m, nq)."""
-    if not len(row_sizes) or not entries_of.shape[1]:
-        return np.zeros(len(row_sizes))
-    of_coordinate = np.array(components[: entries_of.shape[1]] if len(components) else [0] * entries_of.shape[1])
-    own = of_coordinate[np.argmax(entries_of, axis=1)]
-    most = np.zeros(int(np.max(own)) + 1)
-    np.maximum.at(most, own, row_sizes)
-    return np.asarray(most[own])
-
-
-def _usual(lengths: Floats) -> Floats:
-    """The median (m,) of the lengths (k, m) of each row over k points, of those at which it does not vanish.
-
-    Not the largest: rows that turn tan(a/2) to zero are as long as one likes where a is near half a turn.
-    """
-    usual = np.zeros(lengths.shape[1:])
-    for row, found in enumerate(lengths.T):
-        counted = np.sort(found[np.isfinite(found) & (found > 0.0)])
-        if len(counted):
-            usual[row] = counted[(len(counted) - 1) // 2]
-    return usual
 
 
 def random_points(

@@ -9,6 +9,7 @@ from typing import TypeAlias, assert_never
 from sympy import Add, Expr, Integer, Rational, Symbol
 
 from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, PointMass, RigidBody
+from lagdsl.flat.row_factors import row_factors
 from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial
@@ -91,6 +92,7 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         kind: [converter.scalar(term.value) for term in flat.energies if term.kind == kind]
         for kind in ("kinetic", "potential", "lagrangian", "dissipation")
     }
+    rows = [converter.scalar(residual) for constraint in flat.constraints for residual in constraint.residuals]
     gravity = geometry.ZERO if flat.gravity is None else converter.vector(flat.gravity)
     weights = [-item.mass * geometry.dot(gravity, item.position) for item in inertials]
     return Contributions(
@@ -101,7 +103,7 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         extra=Add(*declared["lagrangian"]),
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
-        residuals=tuple(converter.scalar(r) for constraint in flat.constraints for r in constraint.residuals),
+        residuals=tuple(Integer(int(by)) * row for row, by in zip(rows, row_factors(flat), strict=True)),
     )
 
 

@@ -18,6 +18,7 @@ from typing import assert_never
 from sympy import Add, Expr, Symbol, cos, sin
 
 from lagdsl.flat.model import Definition, FlatModel, Output, computed_outputs
+from lagdsl.flat.row_factors import without_row_factors
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     Applied,
@@ -152,7 +153,7 @@ class Recipe:
 
 def recipe(flat: FlatModel) -> Recipe:
     """The derivation of `flat`, written out if the model is of modest extent."""
-    prepared = familiar(flat)
+    prepared = familiar(without_row_factors(flat))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
     return Recipe(familiar=prepared, extent=found, derivation=derivation)

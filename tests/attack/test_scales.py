@@ -241,7 +241,44 @@ CHAINS = [
     for s in (1e3, 1e6, 1e9)
 ]
 
+# Three masses of 1, pushed by 1, of which two rows hold the rates together: the second row from the start, or from 1 s
+# on. A factor of a row changes nothing.
+ROWS = "coordinate Real x, y, z; kinetic 1/2*(der(x)^2 + der(y)^2 + der(z)^2); force 1 on x;"
+HELD = {"der(x)": 2 / 3, "x": 2 / 3, "z": 2 / 3, "force": 1 / 3}
+JOINED = {"der(x)": 2 / 3, "der(z)": 2 / 3, "x": 1 / 4 + 1 / 3 + 1 / 6, "z": 1 / 3 + 1 / 6, "force": 1 / 3}
+SMALL = [
+    Attack(
+        f"{name}_of_{small:g}_beside_one_of_{large:g}",
+        model(
+            f"{ROWS} constraint big: {large:g}*der(x) = {large:g}*der(y); constraint small: {row.format(f'{small:g}')};"
+            f"output Real force = -{small:g}*multiplier(small);"
+        ),
+        2.0,
+        ends,
+    )
+    for large, small in ((1, 1e-12), (1, 1e-30), (1e9, 1e-9))
+    for name, row, ends in (
+        ("places", "{0}*y = {0}*z", HELD),
+        ("rates", "{0}*der(y) = {0}*der(z)", HELD),
+        ("a_clutch", "(if time < 1 then 0 else {0}*(der(y) - der(z))) = 0", JOINED),
+        ("a_clutch_that_held_another", "(if time < 1 then {0}*der(z) else {0}*(der(y) - der(z))) = 0", JOINED),
+    )
+]
+LANDED = [
+    Attack(
+        f"contact_of_{small:g}_under_one_of_1",
+        model(
+            "coordinate Real y(start = 1), z(start = 1.5); kinetic 1/2*(der(y)^2 + der(z)^2);"
+            f"force -8 on y; force -8 on z; contact low: {small:g}*y >= 0 with restitution = 0;"
+            "contact high: z >= y with restitution = 0;"
+        ),
+        0.9,
+        {"y": 0.0, "z": 0.0, "der(z)": 0.0},
+    )
+    for small in (1e-12, 1e-30, 1e12)
+]
 
-@rows([*FALLS, *DOCKING, *BESIDE, *WORMS, *CHAINS])
+
+@rows([*FALLS, *DOCKING, *BESIDE, *WORMS, *CHAINS, *SMALL, *LANDED])
 def test_scales(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -51,4 +51,9 @@ ROWS: dict[str, Row] = {
         "the last of them",
         "this is correct for a structure whose reactions are sought; else delete the superfluous constraints",
     ),
+    "N0612": note(
+        "the equations multiply `{name}` by 2^{power}",
+        "is about {part} times as large as the constraints that share coordinates with it",
+        "the motion stays the same, and so does its multiplier; only modules of `lag build` have that of the product",
+    ),
 }

@@ -216,6 +216,11 @@ ROWS: dict[str, Row] = {
         label="one contact pushes with one of its sides at a time",
         help="write a contact for each side: `y >= x` and `y >= -x` instead of `y >= abs(x)`",
     ),
+    "E0842": error(
+        "with these parameters `{name}` is {part} times as large as the constraints that share coordinates with it",
+        "the simulation cannot tell it from round-off",
+        "write the values into the model and compile it again, or divide the constraint by the parameter that is small",
+    ),
     "E0845": error(
         "input `{name}` takes {what}, not {value}",
         "{what} only",

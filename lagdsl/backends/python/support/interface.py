@@ -48,6 +48,7 @@ class Interface:
         self._differentiate = differentiate
         self._sizes = sizes
         self._defaults = np.array(defaults, dtype=np.float64)
+        self._row_factors: Floats = np.ones(1)  # by which the equations multiply rows, where that is known
 
     def forward_dynamics(
         self,
@@ -73,7 +74,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Multipliers lam of all declared rows in M qdd - J'lam = f, shape (..., nc), of least norm."""
-        return self._solve(*self._state(t, q, qd, z, u, w, p))[1]
+        return self._solve(*self._state(t, q, qd, z, u, w, p))[1] * self._row_factors
 
     def inverse_dynamics(
         self,
@@ -142,7 +143,8 @@ class Interface:
 
     def constraint_jacobian(self, t: ArrayLike, q: Entries, p: Entries | None = None) -> Floats:
         """J, shape (..., nc, nq), all declared rows in source order."""
-        return self._evaluate("velocity_constraint", *self._state(t, q, None, None, None, None, p))[1]
+        rows = self._evaluate("velocity_constraint", *self._state(t, q, None, None, None, None, p))[1]
+        return rows / np.reshape(self._row_factors, (-1, 1))
 
     def output(
         self,

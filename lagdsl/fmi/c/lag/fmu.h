@@ -96,6 +96,7 @@ typedef struct lag_fmu {
     /* what accuracy is measured by: see lag_run_options */
     const double *group, *natural, *cap; /* (2 nq + nz) */
     const double *row_sizes, *lasting;   /* (nc) */
+    const double *row_factors;           /* (nc) multipliers of the variables are those of the model times these; null: one */
     size_t general;
     const char *const *texts;       /* constants of type String */
     const unsigned char *turning;   /* (ny) 1: an angle known up to whole turns, made continuous from step to step */

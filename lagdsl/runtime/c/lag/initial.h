@@ -20,6 +20,7 @@ typedef enum lag_initial_fault {
     LAG_INITIAL_RATES,     /* or the rate that it asks for, or behind all rows the fixed rate of coordinate which - nc, */
     LAG_INITIAL_EQUATIONS, /* `which`: a row of constraints, then of initial equations, the worst */
     LAG_INITIAL_RANK,      /* with these parameters `which` more rows are independent than with those the model was compiled for */
+    LAG_INITIAL_SIZES,     /* with these parameters row `which` is so much shorter, `residual`, than others that ranks take it for round-off */
     LAG_INITIAL_PARAMETERS, /* no equation decides the free parameter `which` */
     LAG_INITIAL_BOUNDS     /* the free parameter `which` is found beyond its bounds; `residual` is its value */
 } lag_initial_fault;

@@ -242,7 +242,7 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
     default:
         return lag_instance_fail(instance, LAG_MISSING, "%s has no derivatives", instance->fmu->variables[unknown->variable].name);
     }
-    *value = status == LAG_OK ? array[index] : 0.0;
+    *value = status == LAG_OK ? array[index] * lag_instance_factor(instance, (lag_role)variable->role, index) : 0.0;
     if (status == LAG_OK && !isfinite(*value)) {
         status = LAG_NOT_FINITE;
     }

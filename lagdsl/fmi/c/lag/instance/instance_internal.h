@@ -206,6 +206,11 @@ void lag_instance_forget_path(lag_instance *instance);
 size_t lag_instance_node(const lag_fmu *fmu);
 size_t lag_instance_path_looks(const lag_fmu *fmu);
 
+/* ---- variables.c ---- */
+
+/* By this the value of a variable is that of the model. */
+double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
+
 /* ---- turning.c ---- */
 
 /* The whole turns in y that bring angles nearest to those before. */

@@ -71,6 +71,9 @@ static lag_status explain(lag_instance *instance, lag_status status, const lag_i
             i < model->nc ? model->constraints[i].name : "an initial equation", told->residual);
     case LAG_INITIAL_RANK:
         return lag_instance_fail(instance, status, "start: with these parameters more constraints are independent than when it was exported");
+    case LAG_INITIAL_SIZES:
+        return lag_instance_fail(instance, status, "start: with these parameters %s is %.0e times as large as constraints beside it; export it with them",
+            model->constraints[i].name, told->residual);
     case LAG_INITIAL_PARAMETERS:
         return lag_instance_fail(instance, status, "start: no initial equation decides the parameter %s", model->parameters[i].name);
     case LAG_INITIAL_BOUNDS:

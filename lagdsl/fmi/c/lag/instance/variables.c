@@ -108,6 +108,11 @@ static lag_status check_found(lag_instance *instance, const lag_variable *variab
     return LAG_OK;
 }
 
+double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index)
+{
+    return role == LAG_ROLE_MULTIPLIER && instance->fmu->row_factors != NULL ? instance->fmu->row_factors[index] : 1.0;
+}
+
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
 {
     const lag_variable *which = &instance->fmu->variables[variable];
@@ -125,7 +130,9 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     }
     const double *array = array_of(instance, role) + which->first;
     if (status == LAG_OK) {
-        memcpy(values, array, which->count * sizeof(double));
+        for (size_t i = 0; i < which->count; ++i) {
+            values[i] = array[i] * lag_instance_factor(instance, role, which->first + i);
+        }
         status = check_found(instance, which, values);
     }
     return status;

@@ -189,7 +189,8 @@ size_t lag_initial_memory(const lag_model *model)
     const size_t q = lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_initialization_all_memory(model) : 0;
     const size_t ranks = lag_larger(lag_initialization_rank_memory(model), model->nc * model->nq + lag_svd_memory(model->nc, model->nq));
-    return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), ranks);
+    const size_t sizes = lag_initialization_row_sizes_memory(model);
+    return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), lag_larger(ranks, sizes));
 }
 
 static size_t first_wrong(size_t count, const double *x)
@@ -225,13 +226,8 @@ static int find_no_number(lag_initialization *b)
 /* Ranks are those the model was compiled with where nothing is other than then. */
 static int as_compiled(const lag_initialization *b, const unsigned char *set)
 {
-    const lag_model *model = b->motion->model;
-    size_t i = 0;
-    while (i < model->np && b->motion->at.p[i] == model->defaults[i]) {
-        ++i;
-    }
-    int alike = i == model->np;
-    for (i = 0; alike && set != NULL && i < lag_motion_size(model); ++i) {
+    int alike = lag_initialization_has_defaults(b);
+    for (size_t i = 0; alike && set != NULL && i < lag_motion_size(b->motion->model); ++i) {
         alike = !set[i];
     }
     return alike;
@@ -240,7 +236,7 @@ static int as_compiled(const lag_initialization *b, const unsigned char *set)
 static void find(lag_initialization *b, const unsigned char *set, double *x)
 {
     const lag_model *model = b->motion->model;
-    if (find_no_number(b)) {
+    if (b->told.fault != LAG_INITIAL_NONE || find_no_number(b)) {
         return;
     }
     if (model->ne > 0 && !b->told.given) {

@@ -13,13 +13,7 @@
 
 /* A written start value weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
-/* Rows that are smaller than this part of the largest are zero but for round-off. */
-static const double ROUNDING = 1e-12;
-/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
-static const double ABSENT = 1e-13;
 static const double RANK = 1e-9;
-/* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
-enum { SIZED_AT = 9 };
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
 enum { LOOKED_AT = 3 };
 
@@ -35,7 +29,7 @@ size_t lag_initialization_rows(const lag_model *model)
 size_t lag_initialization_memory(const lag_model *model)
 {
     return 5 * lag_motion_size(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
-           model->nc + SIZED_AT * model->nc + model->nc * model->nq;
+           model->nc + lag_initialization_lengths(model) + model->nc * model->nq;
 }
 
 void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory)
@@ -59,7 +53,7 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     b->u = lag_take(&memory, model->nu);
     b->w = lag_take(&memory, model->nw);
     b->still = lag_take(&memory, model->nq + model->nc);
-    b->lengths = lag_take(&memory, SIZED_AT * model->nc);
+    b->lengths = lag_take(&memory, lag_initialization_lengths(model));
     b->pattern = lag_take(&memory, model->nc * model->nq);
     b->memory = memory;
     for (size_t i = 0; i < model->nc; ++i) {
@@ -137,8 +131,7 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory)
 
 /* ---- sizes ---- */
 
-/* The pattern of J from the model, if it has one, is the better one: an inactive row does not show its coordinates. */
-static void find_pattern(lag_initialization *b)
+void lag_initialization_find_pattern(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
     const lag_pattern *entries = model->jacobian_pattern;
@@ -167,7 +160,7 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
         }
         lag_initialization_point(b, &seed, point, q, b->q);
     }
-    find_pattern(b);
+    lag_initialization_find_pattern(b);
     const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->memory);
     for (size_t j = 0; j < n; ++j) {
         double most = 0.0;
@@ -198,88 +191,6 @@ static void find_sizes(lag_initialization *b, const double *q)
     for (size_t i = 2 * n; i < lag_motion_size(model) && nominal != NULL; ++i) {
         b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : 1.0;
     }
-}
-
-/* The median of the lengths, of those that are not zero; the lower one of two. */
-static double usual(size_t count, double *lengths)
-{
-    size_t some = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (isfinite(lengths[i]) && lengths[i] > 0.0) {
-            size_t place = some++;
-            const double length = lengths[i];
-            for (; place > 0 && lengths[place - 1] > length; --place) {
-                lengths[place] = lengths[place - 1];
-            }
-            lengths[place] = length;
-        }
-    }
-    return some > 0 ? lengths[(some - 1) / 2] : 0.0;
-}
-
-/* The component of the coordinate that enters a row most; all are one where nobody tells. */
-static size_t component_of(const lag_initialization *b, size_t row)
-{
-    const lag_model *model = b->motion->model;
-    const double *entries = b->pattern + row * model->nq;
-    size_t most = 0;
-    for (size_t j = 1; j < model->nq; ++j) {
-        most = entries[j] > entries[most] ? j : most;
-    }
-    return model->components != NULL && model->nq > 0 ? model->components[most] : 0;
-}
-
-/* Rows that are zero but for the round-off of others of their component have no size and no entries. */
-static void leave_out_round_off(lag_initialization *b)
-{
-    const lag_model *model = b->motion->model;
-    const size_t n = model->nq;
-    double *most = b->widths;
-    lag_fill(lag_motion_size(model), 0.0, most);
-    for (size_t i = 0; i < model->nc && n > 0; ++i) {
-        const size_t component = component_of(b, i);
-        most[component] = fmax(most[component], b->row_sizes[i]);
-        b->lengths[i] = (double)component;
-    }
-    for (size_t i = 0; i < model->nc && n > 0; ++i) {
-        const double round_off = ROUNDING * most[(size_t)b->lengths[i]];
-        for (size_t j = 0; j < n; ++j) {
-            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
-        }
-        b->row_sizes[i] = b->row_sizes[i] > round_off ? b->row_sizes[i] : 1.0;
-    }
-}
-
-/* Rows are as large as their derivatives usually come out, at the start and at points about it. */
-static void find_row_sizes(lag_initialization *b, const double *q)
-{
-    const lag_model *model = b->motion->model;
-    const size_t n = model->nq;
-    double *lengths = b->lengths;
-    unsigned long long seed = 20011;
-    memcpy(b->q, q, n * sizeof(double));
-    lag_fill(model->nc * n, 0.0, b->pattern);
-    for (size_t k = 0; k < SIZED_AT; ++k) {
-        if (k > 0) {
-            lag_initialization_point(b, &seed, k - 1, q, b->q);
-        }
-        lag_initialization_velocities(b);
-        for (size_t i = 0; i < model->nc; ++i) {
-            double sum = 0.0;
-            for (size_t j = 0; j < n; ++j) {
-                const double entry = b->jacobian[i * n + j] * b->sizes[j];
-                const double seen = b->pattern[i * n + j];
-                sum += entry * entry;
-                b->pattern[i * n + j] = fabs(entry) <= seen ? seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
-            }
-            lengths[i * SIZED_AT + k] = sqrt(sum);
-        }
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        b->row_sizes[i] = usual(SIZED_AT, lengths + i * SIZED_AT);
-    }
-    leave_out_round_off(b);
-    find_pattern(b);
 }
 
 static void find_widths(lag_initialization *b, const unsigned char *set)
@@ -364,7 +275,7 @@ lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, 
     }
     close_contacts(b, 1.0);
     find_sizes(b, b->fixed);
-    find_row_sizes(b, b->fixed);
+    lag_initialization_find_row_sizes(b, b->fixed);
     close_contacts(b, 0.0);
     find_widths(b, set);
     memcpy(b->q, x, n * sizeof(double));

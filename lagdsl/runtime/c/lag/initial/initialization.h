@@ -22,7 +22,7 @@ typedef struct lag_initialization {
     double *q, *qd, *z;          /* (nq) (nq) (nz) where the functions are asked */
     double *u, *w;               /* (nu) (nw) set aside */
     double *still;               /* (nq + nc) zeros */
-    double *lengths;             /* of rows at several points */
+    double *lengths;             /* lag_initialization_lengths() of rows at several points */
     double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
     unsigned char *joined;       /* (nq) or null: 1: initial equations decide this coordinate, with what they tie to it */
     const double *slopes;        /* (ne, nq) or null: how initial equations change with rates, in natural sizes */
@@ -39,6 +39,23 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
 
 /* Sizes, weights and discretes for the start values x at time t, of which those flagged in `set` (or null) were changed. */
 lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, const unsigned char *set, double t, const double *x);
+
+/* Doubles for lengths of rows, and what finding their sizes needs of `memory`. */
+size_t lag_initialization_lengths(const lag_model *model);
+size_t lag_initialization_row_sizes_memory(const lag_model *model);
+
+/*
+ * Sizes of the rows and the pattern of J, at the start values q and points about them, contacts closed; rows that are zero there are looked at with
+ * other truths of the discretes. Rows that are zero but for the round-off of others of their component have size 1 and no entries.
+ * LAG_INITIAL_SIZES: parameters that are not those of the model make a row so short that ranks would take it for round-off.
+ */
+void lag_initialization_find_row_sizes(lag_initialization *b, const double *q);
+
+/* The pattern of J from the model, if it has one, is the better one: an inactive row does not show its coordinates. */
+void lag_initialization_find_pattern(lag_initialization *b);
+
+/* 1: the parameters are those of the model. */
+int lag_initialization_has_defaults(const lag_initialization *b);
 
 /* Parameters were changed: they are prepared, and discretes are those of the start with them. */
 void lag_initialization_parameters(lag_initialization *b);

@@ -1,0 +1,245 @@
+/* Rows are as large as their derivatives usually come out, at the start and at points about it. */
+#include "lag/equations/discretes.h"
+#include "lag/initial/initialization.h"
+#include "lag/linalg/arena.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Rows that are smaller than this part of the largest are zero but for round-off. */
+static const double ROUNDING = 1e-12;
+/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
+static const double ABSENT = 1e-13;
+/* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/equations/system_scales.h). */
+static const double LOST = 1e-7;
+/* Errors of the numbers that enter, and the part by which round-off changes with them. */
+static const double ERROR = 0x1p-50;
+static const double CHANGED = 1e-3;
+/* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
+enum { SIZED_AT = 9 };
+
+/* By row: sizes at each point, then lengths of the rows of J. */
+size_t lag_initialization_lengths(const lag_model *model)
+{
+    return 2 * SIZED_AT * model->nc + model->nc;
+}
+
+size_t lag_initialization_row_sizes_memory(const lag_model *model)
+{
+    return model->np + model->nc * model->nq;
+}
+
+int lag_initialization_has_defaults(const lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    size_t i = 0;
+    while (i < model->np && b->motion->at.p[i] == model->defaults[i]) {
+        ++i;
+    }
+    return i == model->np;
+}
+
+static double *sizes_of(const lag_initialization *b, size_t row)
+{
+    return b->lengths + row * SIZED_AT;
+}
+
+static double *lengths_of(const lag_initialization *b, size_t row)
+{
+    return sizes_of(b, b->motion->model->nc + row);
+}
+
+/* The median of the lengths, of those that are not zero; the lower one of two. */
+static double usual(double *lengths)
+{
+    size_t some = 0;
+    for (size_t i = 0; i < SIZED_AT; ++i) {
+        if (isfinite(lengths[i]) && lengths[i] > 0.0) {
+            size_t place = some++;
+            const double length = lengths[i];
+            for (; place > 0 && lengths[place - 1] > length; --place) {
+                lengths[place] = lengths[place - 1];
+            }
+            lengths[place] = length;
+        }
+    }
+    return some > 0 ? lengths[(some - 1) / 2] : 0.0;
+}
+
+/* Point k. */
+static void go_to(lag_initialization *b, size_t k, unsigned long long *seed, const double *q)
+{
+    if (k > 0) {
+        lag_initialization_point(b, seed, k - 1, q, b->q);
+    } else {
+        memcpy(b->q, q, b->motion->model->nq * sizeof(double));
+    }
+}
+
+/* Lengths of the rows of J as it was looked at last, which is look k; largest entries into the pattern. */
+static void measure(lag_initialization *b, size_t k)
+{
+    const size_t n = b->motion->model->nq;
+    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+        double size = 0.0;
+        double length = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            const double plain = b->jacobian[i * n + j];
+            const double entry = plain * b->sizes[j];
+            const double seen = b->pattern[i * n + j];
+            size += entry * entry;
+            length += plain * plain;
+            b->pattern[i * n + j] = fabs(entry) <= seen ? seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
+        }
+        sizes_of(b, i)[k] = sqrt(size);
+        lengths_of(b, i)[k] = sqrt(length);
+    }
+}
+
+/* Other truths of relations and Booleans. */
+static void turn_discretes(lag_initialization *b, unsigned long long *seed)
+{
+    const lag_model *model = b->motion->model;
+    const lag_places places = lag_places_of(model);
+    for (size_t i = 0; i < model->nw; ++i) {
+        const int relation = i >= places.relation && i < places.relation + model->nindicator;
+        const int timed = i >= places.timed && i < places.timed + model->ntimed;
+        const int truth = model->kinds[i] == LAG_KIND_VARIABLE && (b->w[i] == 0.0 || b->w[i] == 1.0);
+        b->motion->w[i] = relation || timed || truth ? (double)(lag_initialization_draw(seed) > 0.0) : b->w[i];
+    }
+}
+
+/* Rows that are zero at all points: a discrete may be their switch. */
+static void look_at_branches(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    unsigned long long seed = 20021;
+    memcpy(b->q, q, model->nq * sizeof(double));
+    memcpy(b->w, b->motion->w, model->nw * sizeof(double));
+    for (size_t k = 0; k < SIZED_AT; ++k) {
+        turn_discretes(b, &seed);
+        lag_initialization_velocities(b);
+        measure(b, k);
+    }
+    memcpy(b->motion->w, b->w, model->nw * sizeof(double));
+}
+
+/* The component of the coordinate that enters a row most; all are one where nobody tells. */
+static size_t component_of(const lag_initialization *b, size_t row)
+{
+    const lag_model *model = b->motion->model;
+    const double *entries = b->pattern + row * model->nq;
+    size_t most = 0;
+    for (size_t j = 1; j < model->nq; ++j) {
+        most = entries[j] > entries[most] ? j : most;
+    }
+    return model->components != NULL && model->nq > 0 ? model->components[most] : 0;
+}
+
+/* The largest of `values` (nc) in each component, into `most`. */
+static void find_most(lag_initialization *b, const double *values, double *most)
+{
+    lag_fill(lag_motion_size(b->motion->model), 0.0, most);
+    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+        const size_t component = component_of(b, i);
+        most[component] = fmax(most[component], values[i]);
+    }
+}
+
+/* Changes of the rows with errors of the numbers that enter, in place of their lengths. */
+static void measure_changes(lag_initialization *b, const double *q)
+{
+    lag_motion *motion = b->motion;
+    const lag_model *model = motion->model;
+    const double *p = motion->at.p;
+    double *off = b->memory;
+    double *before = off + model->np;
+    unsigned long long seed = 20011;
+    unsigned long long signs = 20023;
+    for (size_t i = 0; i < model->np; ++i) {
+        off[i] = p[i] * (1.0 + (lag_initialization_draw(&signs) > 0.0 ? ERROR : -ERROR));
+    }
+    for (size_t k = 0; k < SIZED_AT; ++k) {
+        go_to(b, k, &seed, q);
+        lag_initialization_velocities(b);
+        memcpy(before, b->jacobian, model->nc * model->nq * sizeof(double));
+        for (size_t j = 0; j < model->nq; ++j) {
+            b->q[j] *= 1.0 + (lag_initialization_draw(&signs) > 0.0 ? ERROR : -ERROR);
+        }
+        (void)lag_motion_parameters(motion, off);
+        lag_initialization_velocities(b);
+        (void)lag_motion_parameters(motion, p);
+        for (size_t e = 0; e < model->nc * model->nq; ++e) {
+            b->jacobian[e] -= before[e];
+        }
+        measure(b, k);
+    }
+}
+
+/* LAG_INITIAL_SIZES for a row that is short, as `length` (nc) tells, and no round-off. */
+static void find_short(lag_initialization *b, const double *q, const double *length)
+{
+    const lag_model *model = b->motion->model;
+    size_t short_ones = 0;
+    find_most(b, length, b->widths);
+    for (size_t i = 0; i < model->nc; ++i) {
+        short_ones += length[i] > 0.0 && length[i] < LOST * b->widths[component_of(b, i)];
+    }
+    if (short_ones == 0 || lag_initialization_has_defaults(b)) {
+        return;
+    }
+    measure_changes(b, q);
+    for (size_t i = 0; i < model->nc && b->told.fault == LAG_INITIAL_NONE; ++i) {
+        const double part = length[i] / b->widths[component_of(b, i)];
+        if (length[i] > 0.0 && part < LOST && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
+            b->told.fault = LAG_INITIAL_SIZES;
+            b->told.which = i;
+            b->told.residual = part;
+        }
+    }
+}
+
+/* Rows that are zero but for the round-off of others of their component have no size and no entries. */
+static void leave_out_round_off(lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *most = b->widths;
+    find_most(b, b->row_sizes, most);
+    for (size_t i = 0; i < model->nc && n > 0; ++i) {
+        const double round_off = ROUNDING * most[component_of(b, i)];
+        for (size_t j = 0; j < n; ++j) {
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
+        }
+        b->row_sizes[i] = b->row_sizes[i] > round_off ? b->row_sizes[i] : 1.0;
+    }
+}
+
+void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    double *length = b->lengths + 2 * SIZED_AT * model->nc;
+    unsigned long long seed = 20011;
+    int any = 0;
+    lag_fill(model->nc * model->nq, 0.0, b->pattern);
+    for (size_t k = 0; k < SIZED_AT; ++k) {
+        go_to(b, k, &seed, q);
+        lag_initialization_velocities(b);
+        measure(b, k);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        b->row_sizes[i] = usual(sizes_of(b, i));
+        length[i] = usual(lengths_of(b, i));
+        any = any || length[i] == 0.0;
+    }
+    if (any && model->nw > 0) {
+        look_at_branches(b, q);
+        for (size_t i = 0; i < model->nc; ++i) {
+            b->row_sizes[i] = length[i] > 0.0 ? b->row_sizes[i] : usual(sizes_of(b, i));
+            length[i] = length[i] > 0.0 ? length[i] : usual(lengths_of(b, i));
+        }
+    }
+    find_short(b, q, length);
+    leave_out_round_off(b);
+    lag_initialization_find_pattern(b);
+}

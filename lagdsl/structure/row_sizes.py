@@ -1,0 +1,96 @@
+"""Sizes of the rows of constraints: as large as their derivatives usually come out.
+
+Ranks are found by comparing rows. So a row that is far smaller than those beside it, as a current by farads may be
+beside lengths, is multiplied by a power of two. The motion stays the same, and its multiplier in the text as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from lagdsl.numerics.connected_blocks import Flags
+from lagdsl.numerics.rank import Floats
+from lagdsl.record import record
+
+# J (nc, nq) at one point, with relative errors of this size in the coordinates and the parameters.
+Look: TypeAlias = Callable[[float], Floats]
+
+# A row that is smaller, as a part of the largest one beside it, may be round-off.
+_ROUNDING = 1e-12
+# Errors of the numbers that enter, and the part by which round-off changes with them.
+_ERROR = 2.0**-50
+_CHANGED = 1e-3
+# A row that is shorter than this part of the longest one beside it is multiplied.
+_FAR = 1e-4
+# An entry of J that is smaller, as a part of its row, at every point looked at is none.
+_ABSENT = 1e-13
+
+
+@record()
+class RowSizes:
+    """`natural` (nc,) are sizes in natural sizes of the coordinates, 1 for rows that are zero but for round-off;
+    `factors` (nc,) make rows of J as long as the longest beside them where they are far shorter, and are 1 elsewhere.
+    `pattern` (nc, nq) tells which entries are not zero everywhere."""
+
+    natural: Floats
+    factors: Floats
+    pattern: Flags
+
+
+def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Sequence[int]) -> RowSizes:
+    """Medians over the `usual` points, and for rows that are zero there over the `others`. `sizes` (nq,) and
+    `components` are those of the coordinates."""
+    entries = [np.abs(look(0.0)) for look in (*usual, *others)]
+    largest = np.max([np.where(np.isfinite(each), each * sizes, np.inf) for each in entries], axis=0)
+    natural = _usual([each * sizes for each in entries], len(usual))
+    lengths = _usual(entries, len(usual))
+    beside = largest_beside(natural, largest, components)
+    noise = np.zeros(len(natural), dtype=np.bool_)
+    in_doubt = (natural > 0.0) & (natural <= _ROUNDING * beside)
+    if in_doubt.any():
+        changed = [np.abs(np.abs(look(_ERROR)) - each) for look, each in zip((*usual, *others), entries, strict=True)]
+        noise = in_doubt & (_usual(changed, len(usual)) > _CHANGED * lengths)
+    absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
+    exists = (natural > 0.0) & ~noise
+    factors = _factors(np.where(exists, lengths, 0.0), largest, components)
+    return RowSizes(np.where(exists, natural, 1.0), factors, largest > absent[:, None])
+
+
+def _factors(lengths: Floats, largest: Floats, components: Sequence[int]) -> Floats:
+    """Powers of two, which round nothing."""
+    beside = largest_beside(lengths, largest, components)
+    far = (lengths > 0.0) & (lengths < _FAR * beside) & np.isfinite(beside)
+    return np.where(far, 2.0 ** np.round(np.log2(np.where(far, beside / np.where(far, lengths, 1.0), 1.0))), 1.0)
+
+
+def largest_beside(row_sizes: Floats, entries: Floats, components: Sequence[int]) -> Floats:
+    """The largest size (nc,) of a row in the component of each row, which is that of its largest entry in `entries`
+    (nc, nq)."""
+    if not len(row_sizes) or not entries.shape[1]:
+        return np.zeros(len(row_sizes))
+    of_coordinate = np.array(components[: entries.shape[1]] if len(components) else [0] * entries.shape[1])
+    own = of_coordinate[np.argmax(entries, axis=1)]
+    most = np.zeros(int(np.max(own)) + 1)
+    np.maximum.at(most, own, row_sizes)
+    return np.asarray(most[own])
+
+
+def _usual(entries: Sequence[Floats], count: int) -> Floats:
+    """The median (nc,) of the lengths of each row over the first `count`, of those at which it does not vanish; the
+    lower one of two in the middle. Where it vanishes at all of them, over the others."""
+    lengths = np.array([np.linalg.norm(each, axis=1) for each in entries])
+    first, rest = _median(lengths[:count]), _median(lengths[count:])
+    return np.where(first > 0.0, first, rest)
+
+
+def _median(lengths: Floats) -> Floats:
+    """Not the largest: rows that turn tan(a/2) to zero are as long as one likes where a is near half a turn."""
+    usual = np.zeros(lengths.shape[-1])
+    for row, found in enumerate(lengths.T):
+        counted = np.sort(found[np.isfinite(found) & (found > 0.0)])
+        if len(counted):
+            usual[row] = counted[(len(counted) - 1) // 2]
+    return usual
