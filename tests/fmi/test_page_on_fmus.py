@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.linalg
+from choice import ALL
 
 from lagdsl.cli.commands.fmu import command
 from lagdsl.runtime.building.platforms import PLATFORMS
@@ -16,6 +17,7 @@ from lagdsl.runtime.building.platforms import PLATFORMS
 PAGES = ("export_fmu", "cosimulate")
 
 
+@pytest.mark.skipif(not ALL, reason="compiles the FMUs of two pages: make check-all")
 def test_python_of_the_page_runs_and_gives_its_numbers(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
