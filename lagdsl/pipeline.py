@@ -170,7 +170,7 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
 
     Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
     """
-    from lagdsl.flat.row_factors import with_row_factors
+    from lagdsl.flat.row_factors import row_factors, with_row_factors
     from lagdsl.mechanics.idle_loads import report_idle_loads
     from lagdsl.mechanics.invariants import report_proofs
     from lagdsl.mechanics.solve import solve
@@ -180,9 +180,10 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     equations, program, structure = _analyzed(flat, route, sink)
     if sink.has_errors:
         return None
-    if any(factor != 1.0 for factor in structure.space.row_factors):
+    more = structure.space.row_factors.tolist()
+    if any(factor != 1.0 for factor in more):
         report_row_factors(flat, structure.space, sink)
-        flat = with_row_factors(flat, structure.space.row_factors)
+        flat = with_row_factors(flat, [own * factor for own, factor in zip(row_factors(flat), more, strict=True)])
         equations, program, structure = _analyzed(flat, route, Sink())
     program = flag_redundant(program, structure)
     if route == "graph" and flat.constraints:

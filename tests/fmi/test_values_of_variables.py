@@ -229,6 +229,37 @@ def test_values_of_every_type(version: int) -> None:
         instance.set({"teeth": 100})
 
 
+SMALL = """model Small
+  coordinate Real x, y, z; parameter Real e = 1e-12;
+  input Real push(start = 1);
+  kinetic 1/2*(der(x)^2 + der(y)^2 + der(z)^2);
+  force push on x;
+  constraint big: x = y;
+  constraint small: e*y = e*z;
+  annotation(units = "none");
+end Small;
+"""
+
+
+@BOTH
+def test_multipliers_are_those_of_rows_as_they_are_written(version: int) -> None:
+    """The equations multiply the small row; three masses of 1 are pushed by 1."""
+    fmu = exported_text(SMALL, version)
+    multipliers = ["big.multiplier", "small.multiplier"]
+    with exchanged(fmu) as instance:
+        instance.initialize()
+        instance.update()
+        np.testing.assert_allclose(instance.get(*multipliers), [-2 / 3, -1e12 / 3], rtol=1e-12)
+        along = instance.directional(multipliers, ["push"], np.ones(1))
+        np.testing.assert_allclose(along, [-2 / 3, -1e12 / 3], rtol=1e-12)
+
+
+@BOTH
+def test_parameters_that_make_a_row_look_like_round_off_are_refused(version: int) -> None:
+    with pytest.raises(FMICallException), exchanged(exported_text(SMALL, version)) as instance:
+        instance.initialize({"e": 1e-30})
+
+
 def together_by_variable(fmu: Exported, scalars: dict[str, float]) -> dict[str, list[float]]:
     """Values by variable, in the order of their entries."""
     found: dict[str, list[float]] = {}
