@@ -16,6 +16,7 @@ from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Experiment, FlatModel
+from lagdsl.flat.row_factors import row_factors
 from lagdsl.flat.ways import differentiated, positions
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
@@ -174,13 +175,17 @@ def impacts(flat: FlatModel) -> list[Contact | Impact]:
 def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     graph = lowering.graph
     found = impacts(flat)
-    gaps = [lowering.scalar(each.gap) for each in found]
+    by_row = dict(zip((row for each in flat.constraints for row in each.rows), row_factors(flat), strict=True))
+    factors = [graph.constant(by_row[each.name]) for each in flat.events.contacts]  # gaps are as their rows are
+    plain = [lowering.scalar(each.gap) for each in found]
+    gaps = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
     speeds = [lowering.rate.of(gap) for gap in gaps]
     rows = jacobian(graph, gaps, graph.symbols(Group.Q, len(flat.coordinates)))
     contacts = flat.events.contacts
     unknown = graph.constant(-1.0)
     capture_speed = [
-        unknown if each.capture_speed is None else lowering.scalar(each.capture_speed) for each in contacts
+        unknown if each.capture_speed is None else graph.multiply(by, lowering.scalar(each.capture_speed))
+        for by, each in zip(factors, contacts, strict=True)
     ]
     brief = _brief(graph, flat.experiment)
     zeno_time = [brief if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]

@@ -31,9 +31,10 @@ _ABSENT = 1e-13
 
 @record()
 class RowSizes:
-    """`natural` (nc,) are sizes in natural sizes of the coordinates, 1 for rows that are zero but for round-off;
-    `factors` (nc,) make rows of J as long as the longest beside them where they are far shorter, and are 1 elsewhere.
-    `pattern` (nc, nq) tells which entries are not zero everywhere."""
+    """`natural` (nc,) are sizes in natural sizes of the coordinates: for rows that are zero but for round-off that of
+    the largest row beside them, for rows that are zero 1. `factors` (nc,) make rows of J as long as the longest beside
+    them where they are far shorter, and are 1 elsewhere. `pattern` (nc, nq) tells which entries are not zero
+    everywhere."""
 
     natural: Floats
     factors: Floats
@@ -56,7 +57,8 @@ def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, comp
     absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
     exists = (natural > 0.0) & ~noise
     factors = _factors(np.where(exists, lengths, 0.0), largest, components)
-    return RowSizes(np.where(exists, natural, 1.0), factors, largest > absent[:, None])
+    size = np.where(exists, natural, np.where(noise, beside, 1.0))
+    return RowSizes(size, factors, largest > absent[:, None])
 
 
 def _factors(lengths: Floats, largest: Floats, components: Sequence[int]) -> Floats:

@@ -66,3 +66,22 @@ def test_functions_of_the_model_are_those_of_the_text() -> None:
     jacobian, multipliers = small.constraint_jacobian(0.0, q), small.multipliers(0.0, q, qd)
     assert np.allclose(jacobian, [[1, -1, 0], [0, 1e-12, -1e-12]], rtol=1e-14, atol=0)
     assert np.allclose(multipliers, [-2 / 3, -1e12 / 3], rtol=1e-12)
+
+
+BOUNCES = """coordinate Real y(start = 1), z(start = 1.5); kinetic 1/2*(der(y)^2 + der(z)^2);
+force -8 on y; force -8 on z; contact low: {e:g}*y >= 0 with restitution = 0.5, v_stick = {stick:g};
+contact high: z >= y with restitution = 0.5; output Real f = {e:g}*multiplier(low);"""
+
+
+@pytest.mark.parametrize("stick", [1e-3, 1.5])
+def test_a_factor_of_a_gap_changes_nothing(stick: float) -> None:
+    def happened(e: float) -> tuple[list[tuple[str, str]], np.ndarray]:
+        motion = lagdsl.compile(model(BOUNCES.format(e=e, stick=e * stick))).simulate(stop=3.0, tolerance=1e-10)
+        assert abs(motion["f"][-1] - 16.0) < 1e-9
+        return [(each.name, each.kind) for each in motion.events], np.array([each.time for each in motion.events])
+
+    events, times = happened(1.0)
+    for e in (1e-6, 1e-12, 1e-30, 1e9):
+        others, when = happened(e)
+        assert others == events
+        assert np.max(np.abs(when - times)) < 1e-8

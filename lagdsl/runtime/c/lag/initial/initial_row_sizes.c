@@ -199,7 +199,7 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     }
 }
 
-/* Rows that are zero but for the round-off of others of their component have no size and no entries. */
+/* Rows that are zero but for the round-off of others of their component have the size of the largest of these, and no entries. */
 static void leave_out_round_off(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
@@ -207,11 +207,14 @@ static void leave_out_round_off(lag_initialization *b)
     double *most = b->widths;
     find_most(b, b->row_sizes, most);
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
-        const double round_off = ROUNDING * most[component_of(b, i)];
+        const size_t component = component_of(b, i);
+        const double round_off = ROUNDING * most[component];
         for (size_t j = 0; j < n; ++j) {
             b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
         }
-        b->row_sizes[i] = b->row_sizes[i] > round_off ? b->row_sizes[i] : 1.0;
+        if (!(b->row_sizes[i] > round_off)) {
+            b->row_sizes[i] = b->row_sizes[i] > 0.0 ? most[component] : 1.0;
+        }
     }
 }
 

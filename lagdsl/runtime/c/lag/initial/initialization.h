@@ -46,7 +46,7 @@ size_t lag_initialization_row_sizes_memory(const lag_model *model);
 
 /*
  * Sizes of the rows and the pattern of J, at the start values q and points about them, contacts closed; rows that are zero there are looked at with
- * other truths of the discretes. Rows that are zero but for the round-off of others of their component have size 1 and no entries.
+ * other truths of the discretes. Rows that are zero but for the round-off of others have the size of the largest of their component, and no entries.
  * LAG_INITIAL_SIZES: parameters that are not those of the model make a row so short that ranks would take it for round-off.
  */
 void lag_initialization_find_row_sizes(lag_initialization *b, const double *q);
