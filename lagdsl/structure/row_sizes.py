@@ -44,31 +44,53 @@ class RowSizes:
 def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Sequence[int]) -> RowSizes:
     """Medians over the `usual` points, and for rows that are zero there over the `others`. `sizes` (nq,) and
     `components` are those of the coordinates."""
-    entries = [np.abs(look(0.0)) for look in (*usual, *others)]
-    largest = np.max([np.where(np.isfinite(each), each * sizes, np.inf) for each in entries], axis=0)
-    natural = _usual([each * sizes for each in entries], len(usual))
-    lengths = _usual(entries, len(usual))
-    beside = largest_beside(natural, largest, components)
+    measured = _measured((*usual, *others), 0.0, sizes)
+    natural, lengths = _usual(measured.natural, len(usual)), _usual(measured.lengths, len(usual))
+    beside = _largest_beside(natural, measured.largest, components)
     noise = np.zeros(len(natural), dtype=np.bool_)
     in_doubt = (natural > 0.0) & (natural <= _ROUNDING * beside)
     if in_doubt.any():
-        changed = [np.abs(np.abs(look(_ERROR)) - each) for look, each in zip((*usual, *others), entries, strict=True)]
-        noise = in_doubt & (_usual(changed, len(usual)) > _CHANGED * lengths)
+        changes = _measured((*usual, *others), _ERROR, sizes)
+        noise = in_doubt & (_usual(changes.lengths, len(usual)) > _CHANGED * lengths)
     absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
     exists = (natural > 0.0) & ~noise
-    factors = _factors(np.where(exists, lengths, 0.0), largest, components)
+    factors = _factors(np.where(exists, lengths, 0.0), measured.largest, components)
     size = np.where(exists, natural, np.where(noise, beside, 1.0))
-    return RowSizes(size, factors, largest > absent[:, None])
+    return RowSizes(size, factors, measured.largest > absent[:, None])
+
+
+@record()
+class Measured:
+    """Of the rows of J at k points: lengths in natural sizes of the coordinates and as they are (k, nc), the largest
+    size of each entry (nc, nq)."""
+
+    natural: Floats
+    lengths: Floats
+    largest: Floats
+
+
+def _measured(looks: Sequence[Look], error: float, sizes: Floats) -> Measured:
+    """J at each point, or how it changes there with an error of the numbers that enter."""
+    natural, lengths, largest = [], [], None
+    for look in looks:
+        entries = np.abs(look(error) - look(0.0) if error else look(0.0))
+        scaled = entries * sizes
+        natural.append(np.linalg.norm(scaled, axis=1))
+        lengths.append(np.linalg.norm(entries, axis=1))
+        seen = np.where(np.isfinite(scaled), scaled, np.inf)
+        largest = seen if largest is None else np.maximum(largest, seen)
+    assert largest is not None
+    return Measured(np.array(natural), np.array(lengths), largest)
 
 
 def _factors(lengths: Floats, largest: Floats, components: Sequence[int]) -> Floats:
     """Powers of two, which round nothing."""
-    beside = largest_beside(lengths, largest, components)
+    beside = _largest_beside(lengths, largest, components)
     far = (lengths > 0.0) & (lengths < _FAR * beside) & np.isfinite(beside)
     return np.where(far, 2.0 ** np.round(np.log2(np.where(far, beside / np.where(far, lengths, 1.0), 1.0))), 1.0)
 
 
-def largest_beside(row_sizes: Floats, entries: Floats, components: Sequence[int]) -> Floats:
+def _largest_beside(row_sizes: Floats, entries: Floats, components: Sequence[int]) -> Floats:
     """The largest size (nc,) of a row in the component of each row, which is that of its largest entry in `entries`
     (nc, nq)."""
     if not len(row_sizes) or not entries.shape[1]:
@@ -80,10 +102,9 @@ def largest_beside(row_sizes: Floats, entries: Floats, components: Sequence[int]
     return np.asarray(most[own])
 
 
-def _usual(entries: Sequence[Floats], count: int) -> Floats:
-    """The median (nc,) of the lengths of each row over the first `count`, of those at which it does not vanish; the
-    lower one of two in the middle. Where it vanishes at all of them, over the others."""
-    lengths = np.array([np.linalg.norm(each, axis=1) for each in entries])
+def _usual(lengths: Floats, count: int) -> Floats:
+    """The median (nc,) of the lengths (k, nc) of each row over the first `count` points, of those at which it does not
+    vanish; the lower one of two in the middle. Where it vanishes at all of them, over the others."""
     first, rest = _median(lengths[:count]), _median(lengths[count:])
     return np.where(first > 0.0, first, rest)
 
