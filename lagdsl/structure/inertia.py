@@ -59,9 +59,20 @@ def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
     tied = np.max(
         np.where(mass != 0.0, diagonal, 0.0), axis=1
     )  # of the coordinates that M ties to each, itself included
-    scale = np.where(diagonal > 1e-9 * tied, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
+    heavy = np.where(diagonal > 1e-9 * tied, diagonal, 0.0)
+    scale = np.where(heavy > 0.0, 1.0 / np.where(heavy > 0.0, heavy, 1.0), _beside(space, heavy))
     free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
     values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
     return np.asarray(empty @ empty.T)
+
+
+def _beside(space: Geometry, diagonal: Floats) -> Floats:
+    """Scales of coordinates without inertia (nq,), so that a change of one weighs no more than where they have the
+    smallest inertia of their component: henries of a circuit may be far from kilograms. `diagonal`: square roots."""
+    components = np.array(space.functions.layout.components[: len(diagonal)] or [0] * len(diagonal))
+    sizes = diagonal * space.sizes
+    least = np.full(int(np.max(components, initial=0)) + 1, np.inf)
+    np.minimum.at(least, components[sizes > 0.0], sizes[sizes > 0.0])
+    return np.asarray(space.sizes / np.where(np.isfinite(least), least, 1.0)[components])

@@ -23,8 +23,7 @@ _NOTHING = 1e-6
 
 
 def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Probe]) -> dict[int, float]:
-    """Inertia by row, in its unit: about that of the coordinates it moves, one where these have none. Rows with few
-    coordinates come first."""
+    """Inertia by row, in its unit: about that of the coordinates it moves. Rows with few coordinates come first."""
     known = [(point.rows, point.mass) for point in points if point.mass is not None]
     free = [_weightless(mass, space.sizes) for _, mass in known]
     if not any(directions.shape[1] for directions in free):
@@ -40,8 +39,17 @@ def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Prob
             break
         chosen.append(row)
     inertia = np.median([np.diag(mass) for _, mass in known], axis=0) * space.sizes**2
-    moved = {row: float(np.max(inertia[space.pattern[row]])) or 1.0 for row in sorted(chosen)}
+    moved = {row: _moved(space, row, inertia) for row in sorted(chosen)}
     return {row: power_of_two(own / float(space.row_sizes[row]) ** 2) for row, own in moved.items()}
+
+
+def _moved(space: Geometry, row: int, inertia: Floats) -> float:
+    """The largest inertia of the coordinates in the row, else in their component, else of all."""
+    own = space.pattern[row]
+    components = np.array(space.functions.layout.components[: len(own)] or [0] * len(own))
+    beside = np.isin(components, components[own])
+    among = [float(np.max(inertia[which], initial=0.0)) for which in (own, beside, np.ones_like(own))]
+    return next((found for found in among if found > 0.0), 1.0)
 
 
 def _weightless(mass: Floats, sizes: Floats) -> Floats:

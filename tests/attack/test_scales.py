@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import cos, exp, sin, sqrt
 
 from attack.rows import Attack, check, model, rows
 
@@ -278,7 +278,23 @@ LANDED = [
     for small in (1e-12, 1e-30, 1e12)
 ]
 
+# A belt without mass runs with 3 and drags a mass m by a damper 0.4 m.
+DRAGGED = [
+    Attack(
+        f"belt_of_{factor:g}_that_drags_{mass:g}",
+        model(
+            f"coordinate Real belt, x; kinetic 1/2*{mass:g}*der(x)^2;"
+            f"dissipation 0.2*{mass:g}*(der(belt) - der(x))^2;"
+            f"constraint drive: {factor:g}*der(belt) = {factor:g}*3;"
+            f"output Real pull = -{factor / mass:g}*multiplier(drive);"
+        ),
+        2.0,
+        {"belt": 6.0, "x": 6 - 7.5 * (1 - exp(-0.8)), "pull": -1.2 * exp(-0.8)},
+    )
+    for mass, factor in ((1e10, 1.0), (1e-10, 1.0), (1.0, 1e-10), (1.0, 1e10), (1e10, 1e-10))
+]
 
-@rows([*FALLS, *DOCKING, *BESIDE, *WORMS, *CHAINS, *SMALL, *LANDED])
+
+@rows([*FALLS, *DOCKING, *BESIDE, *WORMS, *CHAINS, *SMALL, *LANDED, *DRAGGED])
 def test_scales(row: Attack, engine: str) -> None:
     check(row, engine)
