@@ -86,7 +86,7 @@ def _in_units_of_mass(flat: FlatModel, factor: float) -> FlatModel:
 
 
 def _reads_forces(flat: FlatModel) -> bool:
-    """What reads forces, energies or momenta is not proportional to them."""
+    """True where an expression names forces, energies or momenta: it is not proportional to them."""
     parts = (flat.loads, flat.events, flat.energies, flat.states, flat.assertions, flat.named)
     return any(isinstance(each, Mechanical) for part in parts for each in records(part))
 
