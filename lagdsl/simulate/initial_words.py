@@ -51,7 +51,7 @@ def report_no_start(
         case InitialFault.POSITIONS | InitialFault.EQUATIONS:
             _report_overdetermined(flat, found, sink)
         case InitialFault.RANK | InitialFault.SIZES:
-            _report_rank(flat, layout, found, sink)
+            _report_rows(flat, layout, found, sink)
         case InitialFault.PARAMETERS:
             name = layout.parameters[found.which].name
             parameter = next(p for p in flat.parameters if p.name == name)
@@ -210,8 +210,8 @@ def _report_rates(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> 
     sink.report("E0803", labels[0] if labels else None, *labels[1:], residual=size, name=f"der({coordinate.name})")
 
 
-def _report_rank(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
-    """More rows are independent than the solver counts with, or one looks like none."""
+def _report_rows(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
+    """With other parameters than those of the text more rows are independent than then, or one looks like round-off."""
     if found.fault is InitialFault.SIZES:
         name, part = layout.constraints[found.which].name, f"{found.residual:.0e}"
         sink.report("E0842", place(_item(located(flat), found.which).constraint), name=name, part=part)

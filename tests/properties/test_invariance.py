@@ -41,12 +41,13 @@ SOME = ["library/driven_shafts", "newtons_cradle"]
 TOLERANCE, NEAR = 1e-9, 1e-6
 
 
+def _times(factor: float) -> Callable[[FlatExpression], FlatExpression]:
+    return lambda value: Binary("*", Number(factor), value)
+
+
 def _scaled(flat: FlatModel, first: int, factor: float) -> FlatModel:
     """Every other constraint, from the first or the second on; a gap as its row."""
-
-    def by(value: FlatExpression) -> FlatExpression:
-        return Binary("*", Number(factor), value)
-
+    by = _times(factor)
     chosen = {each.name for each in flat.constraints[first::2]}
     constraints = [
         replace(each, residuals=tuple(map(by, each.residuals))) if each.name in chosen else each
@@ -63,9 +64,7 @@ def _scaled(flat: FlatModel, first: int, factor: float) -> FlatModel:
 
 def _in_units_of_mass(flat: FlatModel, factor: float) -> FlatModel:
     """All that forces are proportional to."""
-
-    def by(value: FlatExpression) -> FlatExpression:
-        return Binary("*", Number(factor), value)
+    by = _times(factor)
 
     def load(one: Load) -> Load:
         match one:

@@ -34,8 +34,7 @@ double lag_instance_corner_margin(const lag_instance *instance, size_t corner)
 
 static double error_of_importer(const lag_instance *instance, size_t corner)
 {
-    const double allowed = PART * instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, corner);
-    return fmax(lag_instance_corner_margin(instance, corner), allowed);
+    return PART * instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, corner);
 }
 
 /* Distances at x at time t, into `far`. */
@@ -76,7 +75,7 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
         if (instance->side[i] == 0.0) {
             instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;
         } else if (behind > CLEARLY * margin) {
-            const double error = error_of_importer(instance, i);
+            const double error = fmax(margin, error_of_importer(instance, i));
             latched[i] = largest[i] <= NEAR * error ? FARTHER * error : 0.0;
             largest[i] = 0.0;
             instance->side[i] = -instance->side[i];

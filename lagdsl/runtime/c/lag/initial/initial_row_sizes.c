@@ -140,7 +140,7 @@ static size_t component_of(const lag_initialization *b, size_t row)
 static void find_most(lag_initialization *b, const double *values, double *most)
 {
     lag_fill(lag_motion_size(b->motion->model), 0.0, most);
-    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+    for (size_t i = 0; i < b->motion->model->nc && b->motion->model->nq > 0; ++i) {
         const size_t component = component_of(b, i);
         most[component] = fmax(most[component], values[i]);
     }
@@ -180,12 +180,15 @@ static void measure_changes(lag_initialization *b, const double *q)
 static void find_short(lag_initialization *b, const double *q, const double *length)
 {
     const lag_model *model = b->motion->model;
-    size_t short_ones = 0;
+    int any = 0;
+    if (lag_initialization_has_defaults(b)) {
+        return;
+    }
     find_most(b, length, b->widths);
     for (size_t i = 0; i < model->nc; ++i) {
-        short_ones += length[i] > 0.0 && length[i] < LOST * b->widths[component_of(b, i)];
+        any = any || (length[i] > 0.0 && length[i] < LOST * b->widths[component_of(b, i)]);
     }
-    if (short_ones == 0 || lag_initialization_has_defaults(b)) {
+    if (!any) {
         return;
     }
     measure_changes(b, q);
