@@ -177,14 +177,18 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     from lagdsl.structure.constraints import report_row_factors
     from lagdsl.structure.structure import flag_redundant
 
-    equations, program, structure = _analyzed(flat, route, sink)
+    found = Sink()
+    equations, program, structure = _analyzed(flat, route, found)
+    more = structure.space.row_factors.tolist()
+    if not found.has_errors and any(factor != 1.0 for factor in more):
+        found = Sink()
+        report_row_factors(flat, structure.space, found)
+        flat = with_row_factors(flat, [own * factor for own, factor in zip(row_factors(flat), more, strict=True)])
+        equations, program, structure = _analyzed(flat, route, found)
+    for diagnostic in found.diagnostics:
+        sink.add(diagnostic)
     if sink.has_errors:
         return None
-    more = structure.space.row_factors.tolist()
-    if any(factor != 1.0 for factor in more):
-        report_row_factors(flat, structure.space, sink)
-        flat = with_row_factors(flat, [own * factor for own, factor in zip(row_factors(flat), more, strict=True)])
-        equations, program, structure = _analyzed(flat, route, Sink())
     program = flag_redundant(program, structure)
     if route == "graph" and flat.constraints:
         program = solve(equations, program, structure)

@@ -8,7 +8,6 @@ from typing import assert_never
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.flat.traversal import operands, records
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.mechanics.kinematics.vectors import Vector
@@ -45,8 +44,8 @@ class Provider:
         found = self._dynamics.energies.inertial_elements
         match expression:
             case flat.Multiplier(row):
-                index, graph = symbols.rows.index(row), self._lowering.graph
-                return graph.multiply(graph.constant(row_factors(self._model)[index]), symbols.lam[index])
+                index = symbols.rows.index(row)
+                return self._lowering.graph.multiply(symbols.row_factors[index], symbols.lam[index])
             case flat.FrameReaction(frame, kind):
                 return self._frame_reaction(frame, kind)
             case flat.ReactionAlong():

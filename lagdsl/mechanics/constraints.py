@@ -9,7 +9,6 @@ from dataclasses import replace
 
 from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
@@ -35,8 +34,8 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
         refuse_accelerations(lowering.graph, nodes, constraint.spans, f"constraint `{constraint.name}`")
         residuals += nodes
         levels += [constraint.level == "position"] * len(nodes)
-    graph, factors = lowering.graph, row_factors(flat)
-    scaled = [graph.multiply(graph.constant(by), node) for by, node in zip(factors, residuals, strict=True)]
+    factors = lowering.symbols.row_factors
+    scaled = [lowering.graph.multiply(by, node) for by, node in zip(factors, residuals, strict=True)]
     return Rows(tuple(scaled), tuple(levels))
 
 

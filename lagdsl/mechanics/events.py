@@ -16,7 +16,6 @@ from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Experiment, FlatModel
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.flat.ways import differentiated, positions
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
@@ -175,8 +174,8 @@ def impacts(flat: FlatModel) -> list[Contact | Impact]:
 def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     graph = lowering.graph
     found = impacts(flat)
-    by_row = dict(zip((row for each in flat.constraints for row in each.rows), row_factors(flat), strict=True))
-    factors = [graph.constant(by_row[each.name]) for each in flat.events.contacts]  # gaps are as their rows are
+    by_row = dict(zip(lowering.symbols.rows, lowering.symbols.row_factors, strict=True))
+    factors = [by_row[each.name] for each in flat.events.contacts]  # gaps are as their rows are
     plain = [lowering.scalar(each.gap) for each in found]
     gaps = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
     speeds = [lowering.rate.of(gap) for gap in gaps]

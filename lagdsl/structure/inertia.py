@@ -71,8 +71,7 @@ def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
 def _beside(space: Geometry, diagonal: Floats) -> Floats:
     """Scales of coordinates without inertia (nq,), so that a change of one weighs no more than where they have the
     smallest inertia of their component: henries of a circuit may be far from kilograms. `diagonal`: square roots."""
-    components = np.array(space.functions.layout.components[: len(diagonal)] or [0] * len(diagonal))
     sizes = diagonal * space.sizes
-    least = np.full(int(np.max(components, initial=0)) + 1, np.inf)
-    np.minimum.at(least, components[sizes > 0.0], sizes[sizes > 0.0])
-    return np.asarray(space.sizes / np.where(np.isfinite(least), least, 1.0)[components])
+    least = np.full(int(np.max(space.components, initial=0)) + 1, np.inf)
+    np.minimum.at(least, space.components[sizes > 0.0], sizes[sizes > 0.0])
+    return np.asarray(space.sizes / np.where(np.isfinite(least), least, 1.0)[space.components])

@@ -46,8 +46,7 @@ def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Prob
 def _moved(space: Geometry, row: int, inertia: Floats) -> float:
     """The largest inertia of the coordinates in the row, else in their component, else of all."""
     own = space.pattern[row]
-    components = np.array(space.functions.layout.components[: len(own)] or [0] * len(own))
-    beside = np.isin(components, components[own])
+    beside = np.isin(space.components, space.components[own])
     among = [float(np.max(inertia[which], initial=0.0)) for which in (own, beside, np.ones_like(own))]
     return next((found for found in among if found > 0.0), 1.0)
 

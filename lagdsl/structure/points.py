@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from lagdsl.flat.model import Coordinate, FlatModel
-from lagdsl.numerics.connected_blocks import Flags, Partition, connected_blocks, entries
+from lagdsl.numerics.connected_blocks import Flags, Indices, Partition, connected_blocks, entries
 from lagdsl.numerics.levenberg_marquardt import Minimizer, descend
 from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
 from lagdsl.program.program import Layout
@@ -88,6 +88,11 @@ class Geometry:
     row_sizes: Floats
     row_factors: Floats
     pattern: Flags
+
+    @property
+    def components(self) -> Indices:
+        """Numbers of the components of the coordinates (nq,); all are one where nobody tells."""
+        return np.array(self.functions.layout.components[: len(self.q)] or [0] * len(self.q), dtype=np.intp)
 
     @property
     def moment(self) -> Moment:
@@ -186,7 +191,7 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         [_look(plain, point) for point in points],
         [_look(each, q) for each in [*moments, *_branches(flat, plain)]],
         sizes,
-        layout.components,
+        plain.components,
     )
     pattern = found.pattern
     for item in located(flat):

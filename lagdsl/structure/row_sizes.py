@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from lagdsl.numerics.connected_blocks import Flags
+from lagdsl.numerics.connected_blocks import Flags, Indices
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 
@@ -25,6 +25,8 @@ _ERROR = 2.0**-50
 _CHANGED = 1e-3
 # A row that is shorter than this part of the longest one beside it is multiplied.
 _FAR = 1e-4
+# The largest power of two, with room for products: all normal numbers come near the others by it.
+_MOST = 1000
 # An entry of J that is smaller, as a part of its row, at every point looked at is none.
 _ABSENT = 1e-13
 
@@ -41,7 +43,7 @@ class RowSizes:
     pattern: Flags
 
 
-def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Sequence[int]) -> RowSizes:
+def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Indices) -> RowSizes:
     """Medians over the `usual` points, and for rows that are zero there over the `others`. `sizes` (nq,) and
     `components` are those of the coordinates."""
     measured = _measured((*usual, *others), 0.0, sizes)
@@ -53,9 +55,8 @@ def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, comp
         changes = _measured((*usual, *others), _ERROR, sizes)
         noise = in_doubt & (_usual(changes.lengths, len(usual)) > _CHANGED * lengths)
     absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
-    exists = (natural > 0.0) & ~noise
-    factors = _factors(np.where(exists, lengths, 0.0), measured.largest, components)
-    size = np.where(exists, natural, np.where(noise, beside, 1.0))
+    factors = _factors(np.where(noise, 0.0, lengths), measured.largest, components)
+    size = np.where(noise, beside, np.where(natural > 0.0, natural, 1.0))
     return RowSizes(size, factors, measured.largest > absent[:, None])
 
 
@@ -76,27 +77,34 @@ def _measured(looks: Sequence[Look], error: float, sizes: Floats) -> Measured:
         entries = np.abs(look(error) - look(0.0) if error else look(0.0))
         scaled = entries * sizes
         natural.append(np.linalg.norm(scaled, axis=1))
-        lengths.append(np.linalg.norm(entries, axis=1))
+        lengths.append(_lengths(entries))
         seen = np.where(np.isfinite(scaled), scaled, np.inf)
         largest = seen if largest is None else np.maximum(largest, seen)
     assert largest is not None
     return Measured(np.array(natural), np.array(lengths), largest)
 
 
-def _factors(lengths: Floats, largest: Floats, components: Sequence[int]) -> Floats:
+def _lengths(rows: Floats) -> Floats:
+    """Of rows (nc, nq) whose squares may be no numbers any more."""
+    largest = np.max(rows, axis=1, initial=0.0)
+    unit = np.where((largest > 0.0) & np.isfinite(largest), largest, 1.0)
+    return np.asarray(unit * np.linalg.norm(rows / unit[:, None], axis=1))
+
+
+def _factors(lengths: Floats, largest: Floats, components: Indices) -> Floats:
     """Powers of two, which round nothing."""
     beside = _largest_beside(lengths, largest, components)
     far = (lengths > 0.0) & (lengths < _FAR * beside) & np.isfinite(beside)
-    return np.where(far, 2.0 ** np.round(np.log2(np.where(far, beside / np.where(far, lengths, 1.0), 1.0))), 1.0)
+    power = np.round(np.log2(np.where(far, beside, 1.0)) - np.log2(np.where(far, lengths, 1.0)))
+    return np.where(far, 2.0 ** np.minimum(power, _MOST), 1.0)
 
 
-def _largest_beside(row_sizes: Floats, entries: Floats, components: Sequence[int]) -> Floats:
+def _largest_beside(row_sizes: Floats, entries: Floats, components: Indices) -> Floats:
     """The largest size (nc,) of a row in the component of each row, which is that of its largest entry in `entries`
     (nc, nq)."""
     if not len(row_sizes) or not entries.shape[1]:
         return np.zeros(len(row_sizes))
-    of_coordinate = np.array(components[: entries.shape[1]] if len(components) else [0] * entries.shape[1])
-    own = of_coordinate[np.argmax(entries, axis=1)]
+    own = components[np.argmax(entries, axis=1)]
     most = np.zeros(int(np.max(own)) + 1)
     np.maximum.at(most, own, row_sizes)
     return np.asarray(most[own])

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel, Input
+from lagdsl.flat.row_factors import row_factors
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.record import record
@@ -23,7 +24,8 @@ class Directions:
 
 
 class Symbols:
-    """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative."""
+    """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative,
+    `row_factors` are those of the `rows`."""
 
     def __init__(self, graph: Graph, flat: FlatModel) -> None:
         time = graph.symbol(Group.TIME)
@@ -38,6 +40,7 @@ class Symbols:
         p = graph.symbols(Group.P, len(independent))
         self.rows = [row for constraint in flat.constraints for row in constraint.rows]
         self.lam = graph.symbols(Group.LAMBDA, len(self.rows))
+        self.row_factors = [graph.constant(factor) for factor in row_factors(flat)]
         self.coordinate_index = {item.name: index for index, item in enumerate(flat.coordinates)}
         self.by_name = {"time": time}
         self.by_name |= {item.name: graph.constant(item.value) for item in flat.parameters if item.structural}
