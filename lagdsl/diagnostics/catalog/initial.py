@@ -217,7 +217,7 @@ ROWS: dict[str, Row] = {
         help="write a contact for each side: `y >= x` and `y >= -x` instead of `y >= abs(x)`",
     ),
     "E0842": error(
-        "with these parameters `{name}` is {part} times as large as the constraints that share coordinates with it",
+        "with these parameters the equations of `{name}` are {part} times as large as those of constraints beside it",
         "the simulation cannot tell it from round-off",
         "write the values into the model and compile it again, or divide the constraint by the parameter that is small",
     ),

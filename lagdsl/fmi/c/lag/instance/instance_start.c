@@ -72,7 +72,7 @@ static lag_status explain(lag_instance *instance, lag_status status, const lag_i
     case LAG_INITIAL_RANK:
         return lag_instance_fail(instance, status, "start: with these parameters more constraints are independent than when it was exported");
     case LAG_INITIAL_SIZES:
-        return lag_instance_fail(instance, status, "start: with these parameters %s is %.0e times as large as constraints beside it; export it with them",
+        return lag_instance_fail(instance, status, "start: with these parameters the equations of %s are %.0e times as large as those beside them; export it with these parameters",
             model->constraints[i].name, told->residual);
     case LAG_INITIAL_PARAMETERS:
         return lag_instance_fail(instance, status, "start: no initial equation decides the parameter %s", model->parameters[i].name);
