@@ -44,8 +44,8 @@ class Provider:
         found = self._dynamics.energies.inertial_elements
         match expression:
             case flat.Multiplier(row):
-                index = symbols.rows.index(row)
-                return self._lowering.graph.multiply(symbols.row_factors[index], symbols.lam[index])
+                multiplier, factor = symbols.rows[row]
+                return self._lowering.graph.multiply(factor, multiplier)
             case flat.FrameReaction(frame, kind):
                 return self._frame_reaction(frame, kind)
             case flat.ReactionAlong():

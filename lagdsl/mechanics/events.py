@@ -55,7 +55,7 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
     which it opens, relations see zero."""
     symbols = lowering.symbols
     rows = [row for each in flat.constraints if each.contact for row in each.rows]
-    forces = [symbols.lam[symbols.rows.index(row)] for row in rows]
+    forces = [symbols.rows[row][0] for row in rows]
     pushing = {force: lowering.graph.binary(Op.MAX, force, lowering.graph.constant(0.0)) for force in forces}
     differences = [lowering.scalar(each.difference) for each in flat.events.relations]
     return Substitution(lowering.graph, pushing).of_all(differences)
@@ -174,8 +174,7 @@ def impacts(flat: FlatModel) -> list[Contact | Impact]:
 def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     graph = lowering.graph
     found = impacts(flat)
-    by_row = dict(zip(lowering.symbols.rows, lowering.symbols.row_factors, strict=True))
-    factors = [by_row[each.name] for each in flat.events.contacts]  # gaps are as their rows are
+    factors = [lowering.symbols.rows[each.name][1] for each in flat.events.contacts]  # gaps are as their rows are
     plain = [lowering.scalar(each.gap) for each in found]
     gaps = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
     speeds = [lowering.rate.of(gap) for gap in gaps]

@@ -25,7 +25,7 @@ class Directions:
 
 class Symbols:
     """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative,
-    `row_factors` are those of the `rows`."""
+    `rows` for the name of a row its multiplier and its factor."""
 
     def __init__(self, graph: Graph, flat: FlatModel) -> None:
         time = graph.symbol(Group.TIME)
@@ -38,9 +38,10 @@ class Symbols:
         self.previous = dict(zip((e.name for e in discretes), graph.symbols(Group.W, len(discretes)), strict=True))
         independent = [parameter for parameter in flat.parameters if not parameter.structural]
         p = graph.symbols(Group.P, len(independent))
-        self.rows = [row for constraint in flat.constraints for row in constraint.rows]
-        self.lam = graph.symbols(Group.LAMBDA, len(self.rows))
-        self.row_factors = [graph.constant(factor) for factor in row_factors(flat)]
+        rows = [row for constraint in flat.constraints for row in constraint.rows]
+        factors = [graph.constant(factor) for factor in row_factors(flat)]
+        self.lam = graph.symbols(Group.LAMBDA, len(rows))
+        self.rows = dict(zip(rows, zip(self.lam, factors, strict=True), strict=True))
         self.coordinate_index = {item.name: index for index, item in enumerate(flat.coordinates)}
         self.by_name = {"time": time}
         self.by_name |= {item.name: graph.constant(item.value) for item in flat.parameters if item.structural}
