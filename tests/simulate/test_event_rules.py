@@ -129,7 +129,7 @@ def test_a_gap_that_a_discrete_opens_is_open(engine: EngineName) -> None:
     """
     motion = model(text, engine).simulate(stop=1.0)
     kinds = [(event.kind, round(event.time, 9)) for event in motion.events if event.name == "c"]
-    assert kinds == [("opened", 0.5), ("closed", 0.7)]
+    assert kinds == [("opened", 0.5), ("impact", 0.7), ("closed", 0.7)]
     assert motion["h"][-1] == pytest.approx(-0.2, abs=1e-12)
 
 

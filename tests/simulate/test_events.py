@@ -75,7 +75,7 @@ def test_ball_with_reinit_counts_its_bounces() -> None:
 def test_rebound_is_slower_than_v_stick() -> None:
     motion = ball(items="contact floor: h >= 0 with restitution = e, v_stick = 3 m/s;").simulate(stop=3.0)
     kinds = [event.kind for event in motion.events]
-    assert kinds == ["impact", "closed"]  # 4.43 m/s come back as 3.54, then as 2.83
+    assert kinds == ["impact", "impact", "closed"]  # 4.43 m/s come back as 3.54, then as 2.83
     assert motion.events[-1].time == pytest.approx(impact_times(0.8, 2)[1], abs=1e-9)
 
 
@@ -99,7 +99,7 @@ def test_touching_balls_hand_the_blow_on() -> None:
     rates = [motion[f"der(x[{i}])"][-1] for i in range(1, 5)]
     np.testing.assert_allclose(rates, [0.0, 0.0, 0.0, 1.0], atol=1e-10)
     np.testing.assert_allclose(motion.energy, 0.1, rtol=1e-10)
-    assert [event.time for event in motion.events] == pytest.approx([0.1] * 3, abs=1e-9)
+    assert [event.time for event in motion.events if event.kind == "impact"] == pytest.approx([0.1] * 3, abs=1e-9)
 
 
 BOX = """

@@ -14,8 +14,6 @@ from stepping.state import AHEAD, NOW, State, System
 # Blows that a row of bodies passes on become weaker by a constant factor, often by less than a tenth.
 _BLOWS = 2000
 _PASSES = 100
-# Words for a contact that struck, by whether it was closed and whether it stays.
-_KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impact", (True, False): "opened"}
 # Of the run: how long bounces may still go on in a contact that is at rest; of that, how long the next flight is
 # where bounces do not become shorter.
 _REST, _SHORT = 1e-6, 1e-3
@@ -215,9 +213,11 @@ class Instant:
             left = self._left(found, i, float(speed[i]), was, float(back[i]), float(scale[i]), float(noise[i]))
             stays = left < np.inf
             w[system.contacts[i]] = float(stays)
-            self._tell(s.t, i, "impact" if left and stays else _KINDS[bool(closed[i]), stays])
+            self._tell(s.t, i, "impact")
             if left and stays:
                 self._tell(s.t + left, i, "closed")
+            elif bool(closed[i]) != stays:
+                self._tell(s.t, i, "closed" if stays else "opened")
         s = replace(s, w=w)
         rows = system.call("velocity_constraint", s, b)
         mass = system.call("dynamics", s, b)["M"]
@@ -325,7 +325,7 @@ class Instant:
         told = self._memory.told
         here = next((each for each in reversed(told) if each.name == name and each.time == t), None)
         if kind == "opened" and here is not None and here.kind == "closed":
-            here.kind = "impact"  # it struck and does not stay
+            told.remove(here)  # it struck and does not stay
         else:
             told.append(Happening(t, name, kind))
 

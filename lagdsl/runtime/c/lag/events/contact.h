@@ -33,6 +33,7 @@ typedef struct lag_contacts {
     double *order;           /* (ncontact) those that struck, in the order in which they did, */
     size_t struck;           /* so many, */
     double *before;          /* (ncontact) which contacts were closed before it */
+    double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
     double *closing;         /* (ncontact) */
     double *back;            /* (ncontact) accelerations of gaps while they are open */
     double *part, *rows, *speeds, *factor; /* (ngap) (ngap, nq) (ngap) (ngap) of one impact */
@@ -74,7 +75,7 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
 int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 
 /*
- * Impacts until nothing closes any more, first with those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
+ * Impacts until nothing closes any more, first with those of contacts flagged in `met` and those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
  * Closed contacts that are driven in take part without restitution, those that move apart afterwards, or would pull, open. Changes the rates in x and,
  * in w, contacts and their counts. LAG_EVENT_ITERATION_FAILED: impacts without end.
  */

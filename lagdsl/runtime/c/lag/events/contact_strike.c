@@ -49,13 +49,18 @@ static void add(lag_contacts *contacts, lag_blow *blow, size_t i, double factor)
     ++blow->count;
 }
 
+/* True if contact i touches: it was located so at this instant, or its gap is zero. */
+static int touches(const lag_contacts *contacts, size_t i)
+{
+    return contacts->met[i] != 0.0 || contacts->gap[i] <= lag_contacts_touch(contacts, i);
+}
+
 /* Flags of open contacts that close; whether there are any. */
 static int find_closing(lag_contacts *contacts)
 {
     int any = 0;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        const int touching = contacts->gap[i] <= lag_contacts_touch(contacts, i);
-        const int closing = touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
+        const int closing = touches(contacts, i) && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
         contacts->closing[i] = closing;
         any = any || closing;
     }
@@ -233,7 +238,7 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
     }
     const lag_status status = lag_contacts_look(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (contacts->gap[i] > lag_contacts_touch(contacts, i) || contacts->speed[i] > lag_contacts_creep(contacts, i)) {
+        if (!touches(contacts, i) || contacts->speed[i] > lag_contacts_creep(contacts, i)) {
             *flag(contacts, i) = 0.0;
         }
     }
@@ -264,8 +269,7 @@ static lag_status keep(lag_contacts *contacts, double t, const double *x)
     fly(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const int falls = contacts->closing[i] != 0.0 && contacts->speed[i] > 0.0 && contacts->back[i] < 0.0;
-        const int touches = contacts->gap[i] <= lag_contacts_touch(contacts, i);
-        *flag(contacts, i) = falls && touches && is_lost(contacts, i, 2.0 * contacts->speed[i] / -contacts->back[i]) ? 1.0 : *flag(contacts, i);
+        *flag(contacts, i) = falls && touches(contacts, i) && is_lost(contacts, i, 2.0 * contacts->speed[i] / -contacts->back[i]) ? 1.0 : *flag(contacts, i);
     }
     return status;
 }

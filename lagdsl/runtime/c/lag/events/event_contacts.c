@@ -15,29 +15,30 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
     return lag_event_iteration_tell(iteration, t, x, what, i);
 }
 
-/* Reports the impact, opening or closing of a contact. A contact that is held for the rest of its bounces has struck. */
-static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
+/* Reports that a contact has opened or closed, if it has; one that is held for the rest of its bounces closes at their end. */
+static lag_status tell_mode(const lag_event_iteration *iteration, double t, const double *x, size_t i)
 {
-    const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;
-    const int bounces = now && iteration->contacts->until[i] < (double)INFINITY;
-    return before == now || bounces ? lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i)
-                                    : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
+    const lag_contacts *contacts = iteration->contacts;
+    const int before = contacts->before[i] != 0.0;
+    const int now = *lag_contacts_flag(contacts, i) != 0.0;
+    const int bounces = now && contacts->until[i] < (double)INFINITY;
+    return before == now || bounces ? LAG_OK : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
 }
 
 lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted)
 {
     const lag_contacts *contacts = iteration->contacts;
-    const double *closed = iteration->motion->w + iteration->places.contact;
     lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
     int any = contacts->struck > 0;
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
         const size_t i = (size_t)contacts->order[k];
-        status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+        status = lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i);
+        status = status == LAG_OK ? tell_mode(iteration, t, x, i) : status;
     }
     for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
-        if (contacts->approach[i] == 0.0 && (contacts->before[i] != 0.0) != (closed[i] != 0.0)) {
-            any = 1;
-            status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+        if (contacts->approach[i] == 0.0) {
+            any = any || (contacts->before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
+            status = tell_mode(iteration, t, x, i);
         }
     }
     *acted = *acted || any;
@@ -214,32 +215,46 @@ static void open_pulling(lag_event_iteration *iteration, double t, const double 
     memcpy(iteration->pulling, opened, count * sizeof(double));
 }
 
+/* Contacts that have met without approach speed close, as far as they do not pull and are not on their way apart. */
+static lag_status close_met(lag_event_iteration *iteration, double t, double *x)
+{
+    lag_contacts *contacts = iteration->contacts;
+    const size_t count = iteration->motion->model->ncontact;
+    const double *closed = iteration->motion->w + iteration->places.contact;
+    lag_status status = LAG_OK;
+    double *closing = contacts->closing;
+    for (size_t i = 0; i < count; ++i) {
+        closing[i] = contacts->met[i] != 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
+    }
+    lag_contacts_press(contacts, t, x, closing);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = closing[i] != 0.0 && closed[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+    }
+    return status;
+}
+
 lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
 {
     const size_t count = iteration->motion->model->ncontact;
     double *closed = iteration->motion->w + iteration->places.contact;
-    double *meeting = iteration->meeting;
+    double *met = iteration->contacts->met;
     double *pulling = iteration->pulling;
     lag_status status = LAG_OK;
     int acted = 0;
     for (size_t i = 0; i < count; ++i) {
-        meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        met[i] = changed[i] != 0.0 && closed[i] == 0.0;
         pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
     }
     open_pulling(iteration, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         status = pulling[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
     }
-    const int any = lag_any(count, meeting) || lag_any(count, pulling);
+    const int any = lag_any(count, met) || lag_any(count, pulling);
     if (any && status == LAG_OK) {
         status = lag_event_iteration_collide(iteration, t, x, NULL, &acted);
     }
-    if (!any || acted || status != LAG_OK) {
-        return status;
-    }
-    lag_contacts_press(iteration->contacts, t, x, meeting);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = meeting[i] != 0.0 && closed[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+    if (any && !acted && status == LAG_OK) {
+        status = close_met(iteration, t, x);
     }
     return status;
 }
@@ -253,7 +268,8 @@ static lag_status cross(lag_event_iteration *iteration, double t, double *x, siz
     double *truth = iteration->motion->w + iteration->places.relation;
     memcpy(x, iteration->aside, lag_motion_size(model) * sizeof(double));
     memcpy(truth, iteration->sides, model->nindicator * sizeof(double));
-    return lag_refraction_cross(iteration->refraction, t, x, which, iteration->lookahead, refracted, back);
+    const int located = iteration->located != NULL && iteration->located[which] != 0.0;
+    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->lookahead, refracted, back);
 }
 
 /* True if the rates behind the step, which were looked at last, drive in a contact that is closed and does not hold. */

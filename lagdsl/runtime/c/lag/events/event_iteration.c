@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 3 * model->ncontact;
+           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact;
 }
 
 void lag_event_iteration_place(
@@ -56,7 +56,6 @@ void lag_event_iteration_place(
     iteration->aside = lag_take(&memory, size);
     iteration->sides = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
-    iteration->meeting = lag_take(&memory, model->ncontact);
     iteration->pulling = memory;
 }
 

@@ -36,10 +36,11 @@ typedef struct lag_event_iteration {
     double *states;        /* (nz) before the clauses of this pass set them */
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
+    const double *located; /* (nindicator) relations that were located at their zeros, wherever a projection moves them; null: none */
     double *now, *then, *soon, *half; /* (nindicator) */
     double *truth;         /* (nindicator) relations before a pass turns them */
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
-    double *closed, *meeting, *pulling; /* (ncontact) */
+    double *closed, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */

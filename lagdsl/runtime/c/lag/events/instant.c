@@ -340,7 +340,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     return status;
 }
 
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int ticks)
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks)
 {
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
@@ -348,6 +348,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     status = ticks && status == LAG_OK ? lag_event_iteration_reach(&instants->iteration, t, x, changed) : status;
     int any = 0;
+    instants->iteration.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
@@ -356,10 +357,12 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
             status = turn_relation(instants, t, x, i);
         }
     }
+    instants->iteration.located = NULL;
     if (status == LAG_OK) {
         instants->iteration.turned = any || ticks;
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
+    lag_fill(model->ncontact, 0.0, instants->contacts.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
     const int sunk = status == LAG_OK && any && instants->late > 0.0 &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);

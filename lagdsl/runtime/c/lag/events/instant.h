@@ -66,10 +66,10 @@ int lag_instants_due(const lag_instants *instants, double t);
 double lag_instants_same(const lag_instants *instants, double t);
 
 /*
- * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact). With `ticks`,
- * also the ticks at t; flags of relations that do not turn then are cleared. LAG_CHATTER: events crowd.
+ * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact); `located`: at zeros that the motion
+ * passes, not by a jump of inputs. With `ticks`, also the ticks at t; flags of relations that do not turn then are cleared. LAG_CHATTER: events crowd.
  */
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int ticks);
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks);
 
 /* Events at t follow on a step of length h. */
 void lag_instants_after(lag_instants *instants, double t, double h);

@@ -49,7 +49,7 @@ size_t lag_refraction_memory(const lag_model *model);
 void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory);
 
 /*
- * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. If the
+ * Relation `which` is about to change at x, at time t but for `lookahead` [s], infinite where it was located; its entry of w is that of before. If the
  * Lagrangian or the direction of a constraint jumps with the relation and the relation depends on positions: sets the rates behind it and *refracted to 1;
  * sets *back to 1 if the motion turns back and the relation stays. Otherwise changes nothing. Other relations between quantities that
  * jump with it, abs(mod(x, 2) - 1), have turned where it is refracted and not thrown back. LAG_CHATTER: the motion turns back at once, again

@@ -157,7 +157,7 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
     }
     status = status == LAG_OK ? begin(run, run->crossings.changed) : status;
     if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, ticks));
+        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, 1, ticks));
     }
     return status;
 }
@@ -285,7 +285,7 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
     status = begin(run, run->pending);
     run->motion.until = (double)INFINITY;
-    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, due)) : status;
+    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0, due)) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)

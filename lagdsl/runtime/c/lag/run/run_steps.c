@@ -5,6 +5,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
+#include "lag/run/scan.h"
 
 /* Steps are at least so many units in the last place of time. */
 static const double ULPS = 16.0;
@@ -196,6 +197,21 @@ static lag_status advance_over_corners(lag_run *run, double limit)
     return status;
 }
 
+/* What was located at the end of a step that was done again up to there changes there, unless it is clear of its border on the new polynomial. */
+static lag_status change_at_end(lag_run *run, const double *located, double *own)
+{
+    lag_zero_crossing *crossings = &run->crossings;
+    const lag_model *model = run->motion.model;
+    const lag_stepper *s = &run->stepper;
+    lag_noise_find(crossings->noise, s->t, s->x);
+    const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
+    for (size_t i = 0; i < model->nindicator + model->ncontact && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+        crossings->changed[i] = located[i] != 0.0 && lag_zero_crossing_value(crossings, i) <= lag_zero_crossing_noise(crossings, i);
+        *own = crossings->changed[i] != 0.0 ? s->t : *own;
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
 /*
  * One step that ends at a corner, if there is one in it, and what happens then. Where corners are near and something else happens first, the step is
  * done again up to there: its polynomial may not be that of the equations, as it may have led across a corner behind what happens. So it is by
@@ -217,6 +233,9 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own, dou
         run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
         const int watched = run->crossings.corners > 0 || s->method->implicit;
         status = status == LAG_OK ? find(run, own, other, &corner) : status;
+        if (at_event && status == LAG_OK && !(fmin(fmin(*own, *other), corner) < (double)INFINITY)) {
+            status = change_at_end(run, run->pending, own);
+        }
         const int found = corner < (double)INFINITY;
         const int inside = found && !lag_run_is_at_end(run, corner);
         const double event = fmin(*own, *other);
@@ -227,6 +246,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own, dou
         }
         half->corner = 0;
         at_event = !inside;
+        memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
         end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
@@ -285,6 +305,10 @@ lag_status lag_run_step(lag_run *run, double stop)
     double other = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_run_instant(run)), &own, &other);
     half->left = 0.0;
+    memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    if (status == LAG_OK && own < (double)INFINITY) {
+        own = lag_scan_on_constraints(run, run->pending, own);
+    }
     half->length = s->t - t;
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
@@ -302,7 +326,6 @@ lag_status lag_run_step(lag_run *run, double stop)
     half->own = own < (double)INFINITY;
     half->other = other < (double)INFINITY;
     half->open = 1;
-    memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
     return LAG_OK;
 }
 

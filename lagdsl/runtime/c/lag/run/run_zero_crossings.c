@@ -9,6 +9,10 @@
 
 /* So often an interval is halved before nothing is left of it. */
 enum { HALVES = 60 };
+/* So often the time of a change is corrected where the state is moved onto the constraints, */
+enum { CORRECTIONS = 6 };
+/* along a secant over this part of the way from the beginning of the step. */
+static const double SECANT = 1e-3;
 /* At least this part of the other is no round-off. */
 static const double ALIKE = 1e-6;
 /* A value that is so many times as far from zero just before its root as on a straight line jumps there. */
@@ -112,4 +116,55 @@ double lag_scan_earliest(lag_run *run, double a, double b)
         run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
     }
     return with_corners(run, first);
+}
+
+/* The same value with the state on the constraints, which is the state that the event will see. */
+static double value_on_constraints(change *one, double t)
+{
+    lag_run *run = one->run;
+    int moved = 0;
+    lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
+    status = status == LAG_OK ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
+    status = status == LAG_OK ? lag_zero_crossing_look(&run->crossings, t, run->point) : status;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? lag_zero_crossing_value(&run->crossings, one->which) : (double)NAN;
+}
+
+/* The located value that constraints move away from its zero at t; the number of all where none is. */
+static size_t find_moved(lag_run *run, const double *located, size_t count, double t)
+{
+    size_t which = count;
+    for (size_t i = 0; i < count && which == count; ++i) {
+        change one = {run, i};
+        if (located[i] != 0.0) {
+            const double off = fabs(value_of(&one, t));
+            which = fabs(value_on_constraints(&one, t)) > 2.0 * off ? i : count;
+        }
+    }
+    return which;
+}
+
+double lag_scan_on_constraints(lag_run *run, const double *located, double t)
+{
+    const lag_model *model = run->motion.model;
+    const lag_stepper *s = &run->stepper;
+    const size_t count = model->nindicator + model->ncontact;
+    change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count};
+    double before = t - SECANT * (t - s->t_before);
+    if (one.which == count || !(before < t)) {
+        return t;
+    }
+    double value_before = value_on_constraints(&one, before);
+    double value = value_on_constraints(&one, t);
+    for (int k = 0; k < CORRECTIONS; ++k) {
+        const double next = fmin(t - value * (t - before) / (value - value_before), s->t);
+        const double there = next > s->t_before && next != t ? value_on_constraints(&one, next) : (double)NAN;
+        if (!(fabs(there) < fabs(value))) {
+            break;
+        }
+        before = t;
+        value_before = value;
+        t = next;
+        value = there;
+    }
+    return t;
 }
