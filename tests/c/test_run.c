@@ -213,121 +213,6 @@ static void fixed_steps_stay_on_the_circle(void)
     }
 }
 
-/* ---- a mass in a field of gravity, for bounces, and as the plant of a sampled controller ---- */
-
-static lag_status free_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
-{
-    (void)at;
-    (void)z;
-    (void)u;
-    q[0] = 1.0;
-    qd[0] = 0.0;
-    return LAG_OK;
-}
-
-static lag_status free_dynamics(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
-{
-    (void)jacobian;
-    (void)gamma;
-    mass[0] = 1.0;
-    force[0] = at->p[0] + at->w[0];
-    return LAG_OK;
-}
-
-static lag_status free_mass(const lag_arguments *at, double *mass)
-{
-    (void)at;
-    mass[0] = 1.0;
-    return LAG_OK;
-}
-
-static const lag_slot FREE_Q[1] = {{"h", "m", NULL}};
-static const lag_slot FREE_W[1] = {{"F", "N", NULL}};
-static const double GRAVITY[1] = {-9.81};
-
-static const lag_model FREE = {
-    .version = LAG_MODEL_VERSION,
-    .size = sizeof(lag_model),
-    .name = "Free",
-    .nq = 1,
-    .nw = 1,
-    .np = 1,
-    .coordinates = FREE_Q,
-    .discretes = FREE_W,
-    .defaults = GRAVITY,
-    .context = &given,
-    .prepare = no_preparation,
-    .start = free_start,
-    .mass_matrix = free_mass,
-    .dynamics = free_dynamics,
-};
-
-typedef struct bounces {
-    size_t count;
-    double time[64];
-} bounces;
-
-static lag_status height(void *context, lag_run *run, double t, const double *x, double *value)
-{
-    (void)context;
-    (void)run;
-    (void)t;
-    value[0] = x[0];
-    return LAG_OK;
-}
-
-static lag_status bounce(void *context, lag_run *run, const lag_event *event)
-{
-    bounces *seen = context;
-    if (event->crossed[0] < 0.0) {
-        CHECK(seen->count < 64);
-        seen->time[seen->count++] = event->t;
-        run->stepper.x[1] *= -0.9;
-    }
-    return LAG_OK;
-}
-
-static void a_ball_bounces_on_time(const lag_method *method)
-{
-    bounces seen = {.count = 0};
-    const lag_run_options options = {
-        .method = method, .context = &seen, .indicators = 1, .indicate = height, .event = bounce, .tolerance = 1e-10};
-    lag_run *run = place(&FREE, &options);
-    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 6.0, 0) == LAG_OK);
-    double time = sqrt(2.0 / 9.81);
-    double flight = 2.0 * time;
-    double worst = 0.0;
-    for (size_t i = 0; i < seen.count; ++i) {
-        worst = fmax(worst, fabs(seen.time[i] - time));
-        flight *= 0.9;
-        time += flight;
-    }
-    (void)printf("%s: %zu bounces, error in time %.1e, %zu steps\n", run->stepper.method->name, seen.count, worst,
-        run->stepper.steps);
-    CHECK(seen.count == 11);
-    CHECK(worst < 1e-9);
-    free(run);
-}
-
-static lag_status stays_down(void *context, lag_run *run, const lag_event *event)
-{
-    (void)context;
-    (void)event;
-    run->stepper.x[0] = event->pass % 2 == 0 ? 1.0 : -1.0; /* every pass undoes the one before */
-    return LAG_OK;
-}
-
-static void chatter_ends(void)
-{
-    const lag_run_options options = {.indicators = 1, .indicate = height, .event = stays_down};
-    lag_run *run = place(&FREE, &options);
-    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0, 0) == LAG_CHATTER);
-    CHECK_NEAR(run->stepper.t, sqrt(2.0 / 9.81), 1e-9);
-    free(run);
-}
-
 /* Many lives of a run in the same memory: nothing is kept, nothing is lost. */
 static void a_run_can_be_placed_again_and_again(void)
 {
@@ -344,63 +229,6 @@ static void a_run_can_be_placed_again_and_again(void)
         CHECK(memcmp(first, run->stepper.x, sizeof first) == 0);
         free(run);
     }
-}
-
-typedef struct control {
-    size_t count;
-    double sum;
-} control;
-
-/* A controller that samples: the force is held in between. */
-static lag_status sample(void *context, lag_run *run, const lag_event *event)
-{
-    control *c = context;
-    const double *x = run->stepper.x;
-    CHECK(event->ticked[0] == 1.0);
-    CHECK(event->t == (double)c->count / 50.0);
-    run->motion.w[0] = 9.81 - 40.0 * (x[0] - 2.0) - 8.0 * x[1];
-    ++c->count;
-    return LAG_OK;
-}
-
-/* The same bits whatever rows are asked for, and those of the closed form of a held force. */
-static void a_sampled_controller(void)
-{
-    static const double first = 0.0;
-    static const double period = 0.02;
-    double ends[2][2];
-    double times[1000];
-    double rows[2000];
-    for (int i = 0; i < 1000; ++i) {
-        times[i] = (double)i * 0.00273;
-    }
-    for (int k = 0; k < 2; ++k) {
-        control seen = {0, 0.0};
-        const lag_run_options options = {.context = &seen,
-            .clocks = 1,
-            .first = &first,
-            .period = &period,
-            .event = sample,
-            .count = k == 0 ? 0 : 1000,
-            .times = times,
-            .rows = rows};
-        lag_run *run = place(&FREE, &options);
-        CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-        CHECK(lag_run_to(run, 3.0, 0) == LAG_OK);
-        CHECK(seen.count == 151);
-        memcpy(ends[k], run->stepper.x, sizeof ends[k]);
-        free(run);
-    }
-    CHECK(memcmp(ends[0], ends[1], sizeof ends[0]) == 0);
-    double x = 1.0;
-    double v = 0.0;
-    for (int i = 0; i < 150; ++i) {
-        const double a = -40.0 * (x - 2.0) - 8.0 * v;
-        x += v * period + 0.5 * a * period * period;
-        v += a * period;
-    }
-    CHECK_NEAR(ends[0][0], x, 1e-10);
-    CHECK_NEAR(ends[0][1], v, 1e-10);
 }
 
 /* ---- van der Pol's oscillator ---- */
@@ -432,11 +260,7 @@ int main(void)
     what_is_violated_stops();
     runs_do_not_know_of_each_other();
     fixed_steps_stay_on_the_circle();
-    a_ball_bounces_on_time(&lag_dop853);
-    a_ball_bounces_on_time(NULL);
-    chatter_ends();
     a_run_can_be_placed_again_and_again();
-    a_sampled_controller();
     stiffness_is_found(1e-6, 1);
     stiffness_is_found(1.0, 0);
     (void)printf("run: ok\n");

@@ -30,14 +30,6 @@
 typedef struct lag_run lag_run;
 struct lag_initial;
 
-/* An event, for callbacks. */
-typedef struct lag_event {
-    double t;
-    const double *crossed; /* (indicators) 1: became >= 0, -1: became < 0, 0: neither */
-    const double *ticked;  /* (clocks) 1: its instant is now */
-    unsigned pass;         /* 0, and more where the event itself let indicators change their signs */
-} lag_event;
-
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
@@ -71,19 +63,6 @@ typedef struct lag_run_options {
     lag_status (*output)(void *context, lag_run *run, double t, const double *x);
     lag_results *results; /* whole rows at these times and at events, and what happens; null: not wanted */
 
-    /* Events of the caller's. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
-    size_t indicators;
-    lag_status (*indicate)(void *context, lag_run *run, double t, const double *x, double *value);
-    size_t clocks;
-    const double *first, *period; /* (clocks) [s] */
-    /*
-     * At an event: may change x, which run->stepper.x is, and run->motion.w. Rates are moved onto the constraints afterwards.
-     * Called again where that lets indicators change their signs.
-     */
-    lag_status (*event)(void *context, lag_run *run, const lag_event *event);
-    unsigned looks;
-    double time_tolerance;
-
     /* Invariants and assertions; null tolerances: not watched. The arrays may be null, the block holds them then. */
     const double *invariant_tolerance;                      /* (ni) */
     double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
@@ -108,7 +87,7 @@ enum { LAG_CHANGES = 16 };
 /* A step of which what happens at its end is still to come. */
 typedef struct lag_half {
     int open;            /* there is one */
-    int own, other;      /* something of the model's, of the caller's happens at its end */
+    int own;             /* something happens at its end */
     int corner;          /* a corner is at its end */
     double t;            /* where that is; the end of the step where nothing happens */
     double length, next; /* of the step, as far as the method went; proposed for the next one */
@@ -138,18 +117,15 @@ struct lag_run {
     double *p;                /* (np) the parameters, where some are found with the start */
     double *lost;             /* (2 nq + nz) the state that could not be accepted, at time */
     double lost_time;         /* infinite: none */
-    double *sign, *value, *crossed, *other; /* (indicators) */
-    double *ticked;           /* (clocks) */
     double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
     double *waiting;          /* (nindicator + ncontact) what waits for the ticks there */
     double *u_before;         /* (nu) the inputs before a jump */
     lag_half half;
-    lag_clock *clock;         /* (clocks) */
+    lag_clock *clock;         /* (nclock) */
     size_t row;               /* the next one */
     size_t steps;             /* of this call */
     size_t events;            /* all */
-    unsigned idle;            /* events in a row between which no time passed */
-    double event_time;        /* of the last one */
+    double entered;           /* time at which the run was put into its state from outside */
     lag_change change[LAG_CHANGES];
     size_t changes;           /* all; the first LAG_CHANGES are kept */
     double *memory;           /* (numbers) all arrays of it, one after the other */
@@ -178,7 +154,7 @@ typedef struct lag_run_report {
 /* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
 size_t lag_run_size(const lag_model *model, const lag_run_options *options);
 /* Of these, the doubles that its arrays take, without those of which nothing is remembered. */
-size_t lag_run_numbers(const lag_model *model, const lag_run_options *options);
+size_t lag_run_numbers(const lag_model *model);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
 
 /*
@@ -305,16 +281,8 @@ int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
 /* Records the rows before time t, or up to it, from the last step. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
-/* Takes the signs of the indicators at the present state. */
-lag_status lag_run_signs(lag_run *run);
-/* The first crossing within the last step: *t its time, or infinite. */
-lag_status lag_run_crossing(lag_run *run, double *t);
-/* Time of the next tick of a clock, the model's or the caller's; infinite without clocks. */
-double lag_run_instant(const lag_run *run);
-/* Carries out the events of now: clocks, crossings that lag_run_crossing found. *happened: 1 if there was any. */
-lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
 /*
- * LAG_EVENT_PENDING: something of the model's happens within the last step, first at *t; run->crossings.changed marks it
+ * LAG_EVENT_PENDING: something happens within the last step, first at *t; run->crossings.changed marks it
  * (see lag/run/scan.h).
  */
 lag_status lag_run_happening(lag_run *run, double *t);

@@ -29,7 +29,7 @@ static lag_status accelerations(lag_instance *instance)
         return lag_motion_solve(motion, held->t, instance->x);
     }
     if (held->phase == LAG_PHASE_MOTION && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
-        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->event_time);
+        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->entered);
         return LAG_OK;
     }
     return lag_motion_pulled(motion, 0.0, held->t, instance->x, motion->qdd, motion->lam);

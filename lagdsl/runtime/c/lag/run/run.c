@@ -9,18 +9,17 @@
 static const double TOLERANCE = 1e-8;
 static const double PART = 1e-3;
 
-
 int lag_run_crosses(const lag_model *model, const lag_run_options *options)
 {
     return options->careful && model->nc > 0;
 }
 
-size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
+size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
-           lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
            2 * (model->nindicator + model->ncontact) + model->np + model->nu + 1;
 }
 
@@ -38,8 +37,8 @@ static size_t padded(size_t bytes)
 
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) +
-           (lag_run_numbers(model, options) + scratch(model, options)) * sizeof(double);
+    return padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)) +
+           (lag_run_numbers(model) + scratch(model, options)) * sizeof(double);
 }
 
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
@@ -74,7 +73,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
 {
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
-    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
+    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
     lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
     run->crossings.tolerance = options->tolerance;
     run->instants.iteration.tell = tell;
@@ -110,13 +109,11 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_run *run = block;
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
-    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
-        padded((options->clocks + model->nclock) * sizeof(lag_clock)));
+    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)));
     run->memory = memory;
-    run->numbers = lag_run_numbers(model, options);
+    run->numbers = lag_run_numbers(model);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
-    run->options.looks = options->looks > 0 ? options->looks : 4;
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
@@ -148,11 +145,6 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->lost_time = (double)INFINITY;
     place_watch(run, model, &memory);
     lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
-    run->sign = lag_take(&memory, options->indicators);
-    run->value = lag_take(&memory, options->indicators);
-    run->crossed = lag_take(&memory, options->indicators);
-    run->other = lag_take(&memory, options->indicators);
-    run->ticked = lag_take(&memory, options->clocks);
     run->pending = lag_take(&memory, model->nindicator + model->ncontact);
     run->waiting = lag_take(&memory, model->nindicator + model->ncontact);
     run->u_before = lag_take(&memory, model->nu);

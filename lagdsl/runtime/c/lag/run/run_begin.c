@@ -76,7 +76,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     lag_stepper *s = &run->stepper;
     lag_status status = prepare(run, t);
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
-    s->t = s->t_before = run->event_time = t;
+    s->t = s->t_before = run->entered = t;
     s->h = h;
     run->half.open = 0;
     run->half.left = 0.0;
@@ -98,14 +98,9 @@ static lag_status find_start(lag_run *run, double t)
 lag_status lag_run_begin(lag_run *run, double t, const double *x)
 {
     lag_stepper *s = &run->stepper;
-    int happened = 0;
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
         status = find_start(run, t);
-    }
-    for (size_t i = 0; i < run->options.clocks; ++i) {
-        run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);
-        lag_clock_seek(&run->clock[i], t);
     }
     while (run->row < run->options.count && run->options.times[run->row] < t) {
         ++run->row;
@@ -116,12 +111,6 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     }
     const int stopped = status == LAG_STOPPED;
     status = stopped ? LAG_OK : status;
-    if (status == LAG_OK) {
-        status = lag_run_signs(run);
-    }
-    if (status == LAG_OK) {
-        status = lag_run_fire(run, 0, &happened);
-    }
     if (status == LAG_OK) {
         status = lag_stepper_rates(s, t, s->x, s->f);
     }

@@ -29,7 +29,7 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 {
     lag_motion *motion = &run->motion;
     if (which == LAG_OUTPUT) {
-        lag_run_solve(run, t, x, t <= run->event_time);
+        lag_run_solve(run, t, x, t <= run->entered);
     } else {
         lag_event_iteration_solve(motion, t, x);
     }

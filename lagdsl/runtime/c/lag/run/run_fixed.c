@@ -70,7 +70,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
     }
     const double end = end_of_step(&run->pace, s->t, h);
     run->motion.until = end; /* inputs that jump there do so as the next step begins */
-    status = lag_run_instant(run) < end - SAME * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
+    status = lag_instants_next(&run->instants) < end - SAME * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
     if (status == LAG_EVENT_PENDING) {
         if (s->t == end) {
             s->t = s->t_before;

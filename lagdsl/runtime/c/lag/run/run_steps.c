@@ -163,26 +163,7 @@ static lag_status give_back(lag_run *run, double t, lag_status status)
     return status;
 }
 
-/*
- * Finds the first event in the last step: the model's at *own, the caller's at *other, a corner at *corner; infinite if
- * there is none.
- */
-static lag_status find(lag_run *run, double *own, double *other, double *corner)
-{
-    *own = *other = (double)INFINITY;
-    lag_status status = lag_run_next_corner(run, own, corner);
-    if (status == LAG_OK && run->options.indicators > 0) {
-        status = lag_run_crossing(run, other);
-    }
-    if (status == LAG_OK && *other < *own) {
-        *own = (double)INFINITY;
-    } else if (*own < (double)INFINITY) {
-        *other = (double)INFINITY;
-    }
-    return status;
-}
-
-/* The same. Where a rate jumps by more than the tolerance in the shortest step, that step leads over the corner. */
+/* One step. Where a rate jumps by more than the tolerance in the shortest step, that step leads over the corner. */
 static lag_status advance_over_corners(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
@@ -217,14 +198,14 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
  * done again up to there: its polynomial may not be that of the equations, as it may have led across a corner behind what happens. So it is by
  * implicit methods: what is stiff is in its equilibrium at the ends of their steps, and would return to it behind the event.
  */
-static lag_status advance_to_corner(lag_run *run, double limit, double *own, double *other)
+static lag_status advance_to_corner(lag_run *run, double limit, double *own)
 {
     lag_stepper *s = &run->stepper;
     lag_half *half = &run->half;
     double corner = (double)INFINITY;
     double end = corner;
     int at_event = 0;
-    *own = *other = (double)INFINITY;
+    *own = (double)INFINITY;
     lag_status status = advance_over_corners(run, limit);
     half->next = s->h;
     half->corner = 0;
@@ -232,13 +213,13 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own, dou
         status = lag_run_face_corners(run);
         run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
         const int watched = run->crossings.corners > 0 || s->method->implicit;
-        status = status == LAG_OK ? find(run, own, other, &corner) : status;
-        if (at_event && status == LAG_OK && !(fmin(fmin(*own, *other), corner) < (double)INFINITY)) {
+        status = status == LAG_OK ? lag_run_next_corner(run, own, &corner) : status;
+        if (at_event && status == LAG_OK && !(fmin(*own, corner) < (double)INFINITY)) {
             status = change_at_end(run, run->pending, own);
         }
         const int found = corner < (double)INFINITY;
         const int inside = found && !lag_run_is_at_end(run, corner);
-        const double event = fmin(*own, *other);
+        const double event = *own;
         const int before = watched && !at_event && !lag_run_is_at_end(run, event) && lag_run_before_corner(run, event) > s->t_before;
         half->corner = found || (s->t == end && run->motion.model->ncorner > 0 && !(event < (double)INFINITY));
         if (status != LAG_OK || !(inside || before)) {
@@ -268,13 +249,12 @@ static int left_to_ticks(const lag_run *run, double stop)
     return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
 }
 
-/* Carries out the events at the end of a step: the model's, the caller's, and clocks before `stop`. */
+/* Carries out the events at the end of a step, and clocks before `stop`. */
 static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
 {
     const double t = run->stepper.t;
     const double h = scale_of(run, half);
     const int due = t < stop && lag_run_due(run, t);
-    int fired = 0;
     const int left = half->own && left_to_ticks(run, stop);
     const int own = half->own && !left;
     if (left) {
@@ -289,10 +269,6 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     } else if (due) {
         status = lag_run_ticks(run);
     }
-    if (status == LAG_OK) {
-        status = lag_run_fire(run, half->other, &fired);
-    }
-    *happened = *happened || fired;
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
@@ -302,15 +278,14 @@ lag_status lag_run_step(lag_run *run, double stop)
     lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
-    double other = (double)INFINITY;
-    lag_status status = advance_to_corner(run, fmin(stop, lag_run_instant(run)), &own, &other);
+    lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
     memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
         own = lag_scan_on_constraints(run, run->pending, own);
     }
     half->length = s->t - t;
-    half->t = fmin(fmin(own, other), s->t);
+    half->t = fmin(own, s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
     }
@@ -324,7 +299,6 @@ lag_status lag_run_step(lag_run *run, double stop)
         return give_back(run, t, status);
     }
     half->own = own < (double)INFINITY;
-    half->other = other < (double)INFINITY;
     half->open = 1;
     return LAG_OK;
 }
@@ -338,7 +312,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         return LAG_OK;
     }
     half->open = 0;
-    lag_status status = half->own || half->other ? lag_run_back(run, half->t) : LAG_OK;
+    lag_status status = half->own ? lag_run_back(run, half->t) : LAG_OK;
     if (status != LAG_OK) {
         return give_back(run, s->t_before, status);
     }
@@ -349,7 +323,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
-        lag_run_pass_corner(run, fmin(stop, lag_run_instant(run)));
+        lag_run_pass_corner(run, fmin(stop, lag_instants_next(&run->instants)));
         s->h = fmin(fmax(s->h, half->next), s->h_most);
         status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;
     } else if (status == LAG_OK) {
@@ -370,7 +344,7 @@ lag_status lag_run_restart(lag_run *run, double stop)
     run->half.open = 0;
     run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);
-    if (status == LAG_OK && lag_run_instant(run) > s->t) {
+    if (status == LAG_OK && lag_instants_next(&run->instants) > s->t) {
         status = lag_timed_seek(&run->instants.timed, s->t);
     }
     if (status == LAG_OK) {

@@ -145,12 +145,10 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->row);
     RECORD(run->steps);
     RECORD(run->events);
-    RECORD(run->idle);
-    RECORD(run->event_time);
+    RECORD(run->entered);
     RECORD(run->changes);
     RECORD(run->half.open);
     RECORD(run->half.own);
-    RECORD(run->half.other);
     RECORD(run->half.corner);
     RECORD(run->half.t);
     RECORD(run->half.length);
@@ -178,7 +176,7 @@ void lag_run_record(lag_run *run, lag_record *record)
 {
     const lag_model *model = run->motion.model;
     record_members(run, record);
-    for (size_t i = 0; i < run->options.clocks + model->nclock; ++i) {
+    for (size_t i = 0; i < model->nclock; ++i) {
         record_clock(&run->clock[i], record);
     }
     lag_record_doubles(record, run->numbers, run->memory);
@@ -212,8 +210,8 @@ unsigned long long lag_record_sum(const unsigned char *bytes, size_t count)
 unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options)
 {
     const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->workspace,
-        model->prepared, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk, options->indicators,
-        options->clocks, options->count, lag_run_size(model, options), sizeof(lag_run)};
+        model->prepared, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk,
+        options->count, lag_run_size(model, options), sizeof(lag_run)};
     const double one = 1.0; /* how numbers are written */
     unsigned long long sum = mixed(lag_record_sum((const unsigned char *)&one, sizeof one), LAG_MODEL_VERSION);
     for (const char *letter = model->name; *letter != '\0'; ++letter) {
@@ -235,9 +233,10 @@ size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options
     static const lag_run none; /* to be counted, nothing else */
     lag_record record = {NULL, NULL, sizeof(head)};
     lag_record clock = {NULL, NULL, 0};
+    (void)options; /* none of them changes what is kept */
     record_members((lag_run *)&none, &record);
     record_clock((lag_clock *)&none.pace, &clock);
-    return record.count + (options->clocks + model->nclock) * clock.count + lag_run_numbers(model, options) * sizeof(double);
+    return record.count + model->nclock * clock.count + lag_run_numbers(model) * sizeof(double);
 }
 
 void lag_run_save(const lag_run *run, unsigned char *bytes)
