@@ -178,7 +178,10 @@ static lag_status advance_over_corners(lag_run *run, double limit)
     return status;
 }
 
-/* What was located at the end of a step that was done again up to there changes there, unless it is clear of its border on the new polynomial. */
+/*
+ * What was located at the end of a step that was done again up to there changes there, if it was clear of its border in the step and is not so at the
+ * end, on the new polynomial.
+ */
 static lag_status change_at_end(lag_run *run, const double *located, double *own)
 {
     lag_zero_crossing *crossings = &run->crossings;
@@ -187,7 +190,9 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     lag_noise_find(crossings->noise, s->t, s->x);
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
     for (size_t i = 0; i < model->nindicator + model->ncontact && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
-        crossings->changed[i] = located[i] != 0.0 && lag_zero_crossing_value(crossings, i) <= lag_zero_crossing_noise(crossings, i);
+        const double noise = lag_zero_crossing_noise(crossings, i);
+        const int was_clear = crossings->start[i] > noise || (crossings->moved[i] > fabs(crossings->start[i]) + noise && !lag_zero_crossing_rests(crossings, i));
+        crossings->changed[i] = located[i] != 0.0 && was_clear && lag_zero_crossing_value(crossings, i) <= noise;
         *own = crossings->changed[i] != 0.0 ? s->t : *own;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
