@@ -14,7 +14,7 @@ static const double NOTHING = 1e-9;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 15 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 9 * model->nq + model->nz + lag_impact_memory(model);
+    return 15 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 9 * model->nq + model->nz;
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -88,7 +88,6 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     for (size_t j = 0; j < model->nq; ++j) {
         contacts->least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
     }
-    lag_impact_place(&contacts->impact, motion, memory);
 }
 
 /* Force that pushes, positive; a force that is not a number counts as one that pulls. */

@@ -11,12 +11,12 @@
 #ifndef LAG_CONTACT_H
 #define LAG_CONTACT_H
 
-#include "lag/events/impact.h"
+#include "lag/impulses/impulse.h"
 
 typedef struct lag_contacts {
     lag_motion *motion;      /* its w tells which contacts are closed */
     lag_places places;
-    lag_impact impact;
+    lag_impulse *impulse;    /* its arrays are used */
     double length;           /* of the experiment [s] */
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
     double lookahead;           /* gaps that close so soon at their present speed close now [s] */

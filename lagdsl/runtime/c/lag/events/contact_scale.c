@@ -113,7 +113,7 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
     double acceleration = 0.0;
     double compliance = 0.0;
     for (size_t j = 0; j < n; ++j) {
-        const double mass = weighted ? contacts->impact.mass[j * n + j] : 1.0;
+        const double mass = weighted ? contacts->impulse->mass[j * n + j] : 1.0;
         if (mass > 0.0) {
             acceleration += fabs(row[j]) * contacts->forces[j] / mass;
             compliance += row[j] * row[j] / mass;
@@ -189,7 +189,7 @@ lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
     lag_motion_look(motion, t, x);
     lag_status status = find_forces(contacts, x);
     if (status == LAG_OK) {
-        status = model->mass_matrix(&motion->at, contacts->impact.mass);
+        status = model->mass_matrix(&motion->at, contacts->impulse->mass);
     }
     if (status == LAG_OK) {
         hand_on(contacts);

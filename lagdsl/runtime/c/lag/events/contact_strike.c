@@ -155,7 +155,7 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
             return LAG_OK;
         }
         const lag_blow blow = gather(contacts, struck ? collision : NULL, restitution);
-        status = lag_impact_strike(&contacts->impact, t, x, &blow);
+        status = lag_impulse_strike(contacts->impulse, t, x, &blow);
         if (status != LAG_OK) {
             return status;
         }
@@ -172,22 +172,22 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
 static void fly(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
-    lag_impact *impact = &contacts->impact;
+    lag_impulse *impulse = contacts->impulse;
     const lag_model *model = motion->model;
     lag_contacts_solve(contacts, t, x);
-    memcpy(impact->opened, motion->w, model->nw * sizeof(double));
+    memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
-        double *opened = impact->opened + contacts->places.contact + i;
+        double *opened = impulse->w + contacts->places.contact + i;
         *opened = contacts->closing[i] != 0.0 ? 1.0 : *opened;
     }
-    motion->at.w = impact->opened;
-    const lag_status status = model->dynamics(&motion->at, impact->mass, impact->force, impact->jacobian, impact->residual);
+    motion->at.w = impulse->w;
+    const lag_status status = model->dynamics(&motion->at, impulse->mass, impulse->size, impulse->jacobian, impulse->residual);
     motion->at.w = motion->w;
     for (size_t i = 0; i < model->ncontact; ++i) {
         const size_t row = model->contact_rows[i];
-        double acceleration = -impact->residual[row];
+        double acceleration = -impulse->residual[row];
         for (size_t j = 0; j < model->nq; ++j) {
-            acceleration += impact->jacobian[row * model->nq + j] * motion->qdd[j];
+            acceleration += impulse->jacobian[row * model->nq + j] * motion->qdd[j];
         }
         contacts->back[i] = status == LAG_OK ? acceleration : 0.0;
     }

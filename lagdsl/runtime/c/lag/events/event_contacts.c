@@ -278,7 +278,7 @@ static int is_driven_in(const lag_event_iteration *iteration, size_t i)
     const lag_contacts *contacts = iteration->contacts;
     const double creep = lag_contacts_creep(contacts, i);
     const int bends = fabs(contacts->speed[i] - iteration->pulling[i]) > creep; /* a gap with a corner at the step */
-    return *lag_contacts_flag(contacts, i) != 0.0 && iteration->momentum->holding[i] == 0.0 && !bends && contacts->speed[i] < -creep;
+    return *lag_contacts_flag(contacts, i) != 0.0 && iteration->impulse->holding[i] == 0.0 && !bends && contacts->speed[i] < -creep;
 }
 
 /* Turns the relation and looks at rates of gaps behind it; the contact that is driven in most, in round-offs of its own; ncontact without. */
@@ -312,7 +312,7 @@ static lag_status attempt(lag_event_iteration *iteration, double t, double *x, s
 static lag_status cross_on_contacts(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
 {
     const size_t count = iteration->motion->model->ncontact;
-    double *holding = iteration->momentum->holding;
+    double *holding = iteration->impulse->holding;
     size_t worst = count;
     size_t other = count;
     lag_status status = attempt(iteration, t, x, which, refracted, back, &worst);

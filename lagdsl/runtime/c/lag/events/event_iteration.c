@@ -13,11 +13,11 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact;
+           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact + lag_position_maps_memory(model);
 }
 
 void lag_event_iteration_place(
-    lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    lag_event_iteration *iteration, lag_contacts *contacts, lag_impulse *impulse, lag_timed *timed, lag_projection *projection, lag_noise *noise,
     double *memory)
 {
     const lag_model *model = contacts->motion->model;
@@ -25,7 +25,7 @@ void lag_event_iteration_place(
     memset(iteration, 0, sizeof *iteration);
     iteration->motion = contacts->motion;
     iteration->contacts = contacts;
-    iteration->momentum = momentum;
+    iteration->impulse = impulse;
     iteration->timed = timed;
     iteration->projection = projection;
     iteration->noise = noise;
@@ -56,7 +56,8 @@ void lag_event_iteration_place(
     iteration->aside = lag_take(&memory, size);
     iteration->sides = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
-    iteration->pulling = memory;
+    iteration->pulling = lag_take(&memory, model->ncontact);
+    lag_position_maps_place(&iteration->maps, iteration->motion, memory);
 }
 
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)
@@ -240,10 +241,10 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
     const double *was = with_states(iteration, x, iteration->states);
-    lag_status status = lag_momentum_keep(iteration->momentum, t, was, settled_before(iteration));
+    lag_status status = lag_impulse_keep(iteration->impulse, t, was, settled_before(iteration));
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
-        status = lag_momentum_balance(iteration->momentum, t, x, held, &jumped);
+        status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
     }
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }
@@ -251,9 +252,9 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x)
 {
     int jumped = 0;
-    const lag_status status = lag_momentum_keep(iteration->momentum, t, x, iteration->motion->w);
+    const lag_status status = lag_impulse_keep(iteration->impulse, t, x, iteration->motion->w);
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
-    return status == LAG_OK ? lag_momentum_balance(iteration->momentum, t, x, NULL, &jumped) : status;
+    return status == LAG_OK ? lag_impulse_balance(iteration->impulse, t, x, NULL, &jumped) : status;
 }
 
 /*
@@ -349,7 +350,7 @@ lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, 
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }
-    status = lag_momentum_ways(iteration->momentum, t, x, was, iteration->stood, moment, iteration->noise->peak);
+    status = lag_position_maps_continue(&iteration->maps, t, x, was, iteration->stood, moment, iteration->noise->peak);
     for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
         iteration->guilty[i] = iteration->motion->w[i] != iteration->stood[i];
     }

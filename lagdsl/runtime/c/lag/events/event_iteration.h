@@ -6,9 +6,10 @@
 #include "lag/events/contact.h"
 #include "lag/event_notice.h"
 #include "lag/events/noise.h"
-#include "lag/events/momentum.h"
+#include "lag/impulses/impulse.h"
 #include "lag/events/refraction.h"
 #include "lag/equations/projection.h"
+#include "lag/impulses/position_maps.h"
 #include "lag/events/timed.h"
 
 /* A relation moves clearly if it does so by this many round-offs. */
@@ -17,11 +18,12 @@ static const double LAG_MOVES_CLEARLY = 16.0;
 typedef struct lag_event_iteration {
     lag_motion *motion;
     lag_contacts *contacts;
-    lag_momentum *momentum;
+    lag_impulse *impulse;
     lag_timed *timed;
     lag_projection *projection;
     lag_noise *noise;
     lag_refraction *refraction;
+    lag_position_maps maps;
     lag_places places;
     double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
     double moment;            /* the shortest such time; one that turns back within the longer one is looked at after this [s] */
@@ -53,7 +55,7 @@ typedef struct lag_event_iteration {
 size_t lag_event_iteration_memory(const lag_model *model);
 
 void lag_event_iteration_place(
-    lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    lag_event_iteration *iteration, lag_contacts *contacts, lag_impulse *impulse, lag_timed *timed, lag_projection *projection, lag_noise *noise,
     double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
@@ -87,7 +89,7 @@ lag_status lag_event_iteration_lie(lag_event_iteration *iteration, double t, con
 void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
 
 /*
- * At an instant gaps do not become negative, and ways of masses are the same with the discretes and states of now:
+ * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
  * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not. The instant is known up to a `moment` [s].
  */
 lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment);

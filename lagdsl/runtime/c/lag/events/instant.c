@@ -13,7 +13,7 @@ static const double ULPS = 4096.0;
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
+           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -29,15 +29,16 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     memory = instants->period + model->nclock;
     lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
     instants->contacts.limits = projection->limits;
+    instants->contacts.impulse = &instants->impulse;
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
-    lag_momentum_place(&instants->momentum, motion, lag_take(&memory, lag_momentum_memory(model)));
+    lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
     lag_refraction_place(
-        &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
+        &instants->refraction, motion, &instants->impulse, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
     instants->departed = lag_take(&memory, model->nindicator);
-    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
+    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
     instants->iteration.from = instants->x_before;
     instants->iteration.stood = instants->w_before;
@@ -201,7 +202,7 @@ static lag_status keep_with(lag_instants *instants, double t, const double *x, d
     lag_motion_look(motion, t, x);
     motion->inputs = NULL;
     exchange(motion->model->nu, motion->u, u);
-    const lag_status status = lag_momentum_keep(&instants->momentum, t, x, motion->w);
+    const lag_status status = lag_impulse_keep(&instants->impulse, t, x, motion->w);
     exchange(motion->model->nu, motion->u, u);
     motion->inputs = inputs;
     return status;
@@ -212,7 +213,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
     int jumped = 0;
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
-        status = lag_momentum_balance(&instants->momentum, t, x, NULL, &jumped);
+        status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact == 0) {
         return status;
@@ -224,13 +225,13 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
 /* Carries out the changes with time that are due now, with their impulses. */
 static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
 {
-    lag_momentum *momentum = &instants->momentum;
+    lag_impulse *impulse = &instants->impulse;
     *jumped = 0;
-    lag_status status = lag_momentum_keep(momentum, t, x, instants->motion->w);
+    lag_status status = lag_impulse_keep(impulse, t, x, instants->motion->w);
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
+    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */
@@ -249,7 +250,7 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
     return status;
 }
 
-/* Gaps and ways of masses are continuous. */
+/* Gaps and position maps are continuous. */
 static lag_status follow(lag_instants *instants, double t, const double *x)
 {
     const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));

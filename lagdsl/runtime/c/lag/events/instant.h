@@ -16,7 +16,7 @@ typedef struct lag_instants {
     lag_contacts contacts;
     lag_noise noise;
     lag_event_iteration iteration;
-    lag_momentum momentum;
+    lag_impulse impulse;
     lag_timed timed;
     lag_refraction refraction;
     double *x_before, *w_before; /* (2 nq + nz) (nw) */

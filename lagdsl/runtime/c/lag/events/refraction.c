@@ -20,10 +20,10 @@ size_t lag_refraction_memory(const lag_model *model)
     return 4 * model->nq + 2 * lag_motion_size(model) + 3 * model->nindicator + model->nc * (model->nq + 1);
 }
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory)
+void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_impulse *impulse, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
-    *refraction = (lag_refraction){.motion = motion, .momentum = momentum, .noise = noise, .places = lag_places_of(model)};
+    *refraction = (lag_refraction){.motion = motion, .impulse = impulse, .noise = noise, .places = lag_places_of(model)};
     refraction->gradient = lag_take(&memory, model->nq);
     refraction->along = lag_take(&memory, model->nq);
     refraction->before = lag_take(&memory, model->nq);
@@ -54,7 +54,7 @@ static int is_determined(const lag_refraction *r, const double *x)
     for (size_t i = 0; i < n; ++i) {
         const double size = lag_noise_extent(r->noise, x, i);
         most = fmax(most, fabs(r->gradient[i]) * size);
-        moved = fmax(moved, fabs(lag_dot(n, r->momentum->mass + i * n, r->along)) * size);
+        moved = fmax(moved, fabs(lag_dot(n, r->impulse->mass + i * n, r->along)) * size);
     }
     return moved <= ALONG * most;
 }
@@ -76,14 +76,14 @@ static size_t steepest(const lag_refraction *r, const double *x)
 static int rows_bend(const lag_refraction *r, const double *x, double drift)
 {
     const size_t n = r->motion->model->nq;
-    const lag_momentum *momentum = r->momentum;
+    const lag_impulse *impulse = r->impulse;
     int off = 0;
     const size_t most_of_g = steepest(r, x);
     for (size_t i = 0; i < r->motion->model->nc; ++i) {
-        const double *row = momentum->jacobian + i * n;
+        const double *row = impulse->jacobian + i * n;
         const double *was = r->rows + i * n;
         const double part = (row[most_of_g] - was[most_of_g]) / r->gradient[most_of_g];
-        const double speed = momentum->rows[i] - lag_dot(n, row, x + n);
+        const double speed = impulse->residual[i] - lag_dot(n, row, x + n);
         const double own = r->speeds[i] - lag_dot(n, was, x + n);
         double size = fabs(speed) + fabs(own) + fabs(part * drift);
         double most = 0.0;
@@ -96,7 +96,7 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
         if (aside > ALONG * most || fabs(speed - own - part * drift) > ALONG * size) {
             return 0;
         }
-        off = off || fabs(momentum->rows[i]) > LEFT * size;
+        off = off || fabs(impulse->residual[i]) > LEFT * size;
     }
     return off;
 }
@@ -105,11 +105,11 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
 static lag_status keep(lag_refraction *r, double t, const double *x, double *h, double *size)
 {
     const lag_model *model = r->motion->model;
-    lag_status status = lag_momentum_look(r->momentum, t, x);
-    memcpy(r->rows, r->momentum->jacobian, model->nc * model->nq * sizeof(double));
-    memcpy(r->speeds, r->momentum->rows, model->nc * sizeof(double));
-    status = status == LAG_OK ? lag_momentum_keep(r->momentum, t, x, r->motion->w) : status;
-    memcpy(r->before, r->momentum->before, model->nq * sizeof(double));
+    lag_status status = lag_impulse_look(r->impulse, t, x);
+    memcpy(r->rows, r->impulse->jacobian, model->nc * model->nq * sizeof(double));
+    memcpy(r->speeds, r->impulse->residual, model->nc * sizeof(double));
+    status = status == LAG_OK ? lag_impulse_keep(r->impulse, t, x, r->motion->w) : status;
+    memcpy(r->before, r->impulse->before, model->nq * sizeof(double));
     return status == LAG_OK ? lag_refraction_energy(r, t, x, h, size) : status;
 }
 
@@ -118,9 +118,9 @@ static lag_status cross(lag_refraction *r, double t, const double *x, const lag_
 {
     int jumped = 0;
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
-    memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
-    lag_status status = lag_momentum_balance(r->momentum, t, r->rate, NULL, &jumped);
-    status = status == LAG_OK ? lag_refraction_respond(r) : status;
+    memcpy(r->impulse->before, r->before, r->motion->model->nq * sizeof(double));
+    lag_status status = lag_impulse_balance(r->impulse, t, r->rate, NULL, &jumped);
+    status = status == LAG_OK ? lag_impulse_respond(r->impulse, r->gradient, r->along) : status;
     if (status == LAG_OK && is_determined(r, x)) {
         *refracted = 1; /* the balance of momenta says it all */
         return LAG_OK;
@@ -133,8 +133,8 @@ static lag_status turn_back(lag_refraction *r, double t, const double *x, const 
 {
     const lag_side own = {.energy = side->energy, .drift = side->drift, .sense = -side->sense};
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
-    memcpy(r->momentum->before, r->before, r->motion->model->nq * sizeof(double));
-    const lag_status status = lag_momentum_look(r->momentum, t, r->rate);
+    memcpy(r->impulse->before, r->before, r->motion->model->nq * sizeof(double));
+    const lag_status status = lag_impulse_look(r->impulse, t, r->rate);
     return status == LAG_OK ? lag_refraction_find(r, t, r->rate, &own, back) : status;
 }
 
@@ -186,10 +186,10 @@ static int matters(lag_refraction *r, double t, const double *x, size_t which)
     double after = 0.0;
     lag_status status = see(r, t, x, r->before, r->rows, r->speeds, &before);
     turn(r, t, x, which);
-    status = status == LAG_OK ? see(r, t, x, r->along, r->momentum->jacobian, r->momentum->rows, &after) : status;
+    status = status == LAG_OK ? see(r, t, x, r->along, r->impulse->jacobian, r->impulse->residual, &after) : status;
     memcpy(truth, r->truth, model->nindicator * sizeof(double));
     return status != LAG_OK || before != after || !lag_same(model->nq, r->before, r->along) ||
-           !lag_same(model->nc, r->speeds, r->momentum->rows) || !lag_same(model->nc * model->nq, r->rows, r->momentum->jacobian);
+           !lag_same(model->nc, r->speeds, r->impulse->residual) || !lag_same(model->nc * model->nq, r->rows, r->impulse->jacobian);
 }
 
 lag_status lag_refraction_cross(
@@ -220,8 +220,8 @@ lag_status lag_refraction_cross(
     status = keep(r, t, x, &side.energy, &size);
     turn(r, t, x, which);
     status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
-    status = status == LAG_OK ? lag_momentum_look(r->momentum, t, x) : status;
-    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_momentum_differs(r->momentum, x + n, JUMP) || rows_bend(r, x, side.drift);
+    status = status == LAG_OK ? lag_impulse_look(r->impulse, t, x) : status;
+    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
     if (status != LAG_OK || !jumps || !is_there) {
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
         return status;

@@ -17,12 +17,12 @@
 #ifndef LAG_REFRACTION_H
 #define LAG_REFRACTION_H
 
-#include "lag/events/momentum.h"
+#include "lag/impulses/impulse.h"
 #include "lag/events/noise.h"
 
 typedef struct lag_refraction {
     lag_motion *motion;
-    lag_momentum *momentum; /* its arrays are used */
+    lag_impulse *impulse;   /* its arrays are used */
     lag_noise *noise;
     lag_places places;
     double length;          /* of the experiment [s] */
@@ -46,7 +46,7 @@ typedef struct lag_side {
 /* Doubles for it. */
 size_t lag_refraction_memory(const lag_model *model);
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory);
+void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_impulse *impulse, lag_noise *noise, double *memory);
 
 /*
  * Relation `which` is about to change at x, at time t but for `lookahead` [s], infinite where it was located; its entry of w is that of before. If the
@@ -61,11 +61,8 @@ lag_status lag_refraction_cross(
 /* The energy h at x, and the size of what it is made of. */
 lag_status lag_refraction_energy(const lag_refraction *refraction, double t, const double *x, double *h, double *size);
 
-/* refraction->along: the change of rates for an impulse along the gradient, with the M and the rows that the momentum has looked at. */
-lag_status lag_refraction_respond(lag_refraction *refraction);
-
 /*
- * Rates that the balance of energy asks for, from those that the momentum has balanced; *found: 0, there are none on the side to which g moves.
+ * Rates that the balance of energy asks for, from those that the impulse problem has balanced; *found: 0, there are none on the side to which g moves.
  * The balance is convex in the impulse, as its slope is the rate of g and M is positive definite: Newton's method, with the curvature, between
  * impulses that are known to be too small and too large. Where T is quadratic the first step is the last one.
  */

@@ -24,20 +24,6 @@ lag_status lag_refraction_energy(const lag_refraction *r, double t, const double
     return status;
 }
 
-lag_status lag_refraction_respond(lag_refraction *r)
-{
-    const lag_model *model = r->motion->model;
-    lag_momentum *momentum = r->momentum;
-    lag_system system;
-    lag_system_place(&system, model->nq, model->nc, model->components, momentum->system);
-    const lag_status status = lag_system_factor(&system, momentum->mass, momentum->jacobian, model->rank, &r->motion->coordinate);
-    lag_fill(model->nc, 0.0, momentum->right);
-    if (status == LAG_OK) {
-        lag_system_solve(&system, r->gradient, momentum->right, r->along, momentum->lam);
-    }
-    return status;
-}
-
 /* The balance of energy for an impulse along the gradient. */
 typedef struct lag_energy_balance {
     double rest;  /* h behind the place, less h before it and what the place and the constraints that move add to it, */
@@ -46,7 +32,7 @@ typedef struct lag_energy_balance {
 } lag_energy_balance;
 
 /*
- * The balance at rates that the momentum has balanced, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add,
+ * The balance at rates that the impulse problem has balanced, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add,
  * with b' P = -v+ J' P, as J v+ + b = 0.
  */
 static lag_status look(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
@@ -56,8 +42,8 @@ static lag_status look(lag_refraction *r, double t, const double *x, const lag_s
     double h = 0.0;
     double size = 0.0;
     lag_status status = lag_refraction_energy(r, t, x, &h, &size);
-    status = status == LAG_OK ? lag_refraction_respond(r) : status;
-    const double change = lag_dot(n, qd, r->momentum->now) - lag_dot(n, qd, r->before);
+    status = status == LAG_OK ? lag_impulse_respond(r->impulse, r->gradient, r->along) : status;
+    const double change = lag_dot(n, qd, r->impulse->now) - lag_dot(n, qd, r->before);
     const double along = lag_dot(n, r->gradient, qd) + side->drift;
     *balance = (lag_energy_balance){
         .rest = h - side->energy + mu * along - change,
@@ -85,13 +71,13 @@ static lag_status push(lag_refraction *r, double t, double *x, double sense, dou
     lag_status status = LAG_MOMENTUM_UNREACHABLE;
     int jumped = 0;
     memcpy(r->point, x, size * sizeof(double));
-    memcpy(r->aim, r->momentum->before, n * sizeof(double));
+    memcpy(r->aim, r->impulse->before, n * sizeof(double));
     for (int k = 0; k < MOST_HALVES && status == LAG_MOMENTUM_UNREACHABLE; ++k) {
         *by *= k > 0 ? 0.5 : 1.0;
         memcpy(x, r->point, size * sizeof(double));
-        memcpy(r->momentum->before, r->aim, n * sizeof(double));
-        lag_axpy(n, sense * *by, r->gradient, r->momentum->before);
-        status = lag_momentum_balance(r->momentum, t, x, NULL, &jumped);
+        memcpy(r->impulse->before, r->aim, n * sizeof(double));
+        lag_axpy(n, sense * *by, r->gradient, r->impulse->before);
+        status = lag_impulse_balance(r->impulse, t, x, NULL, &jumped);
     }
     return status;
 }
@@ -101,13 +87,15 @@ lag_status lag_refraction_find(lag_refraction *r, double t, double *x, const lag
     double low = -(double)INFINITY;
     double high = (double)INFINITY;
     double u = 0.0; /* the impulse, counted in the sense of the motion */
+    int suffices = 0; /* the energy does, at an impulse that was looked at */
     lag_energy_balance b;
     *found = 0;
     for (int k = 0; k < MOST_STEPS; ++k) {
         lag_status status = look(r, t, x, side, side->sense * u, &b);
-        if (status != LAG_OK || (b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
+        if (status != LAG_OK || (!suffices && b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
             return status;
         }
+        suffices = suffices || (b.speed > 0.0 && b.rest <= 0.0);
         const int beyond = b.speed > 0.0 && b.rest >= 0.0;
         low = beyond ? low : u;
         high = beyond ? u : high;

@@ -179,8 +179,8 @@ static lag_status advance_over_corners(lag_run *run, double limit)
 }
 
 /*
- * What was located at the end of a step that was done again up to there changes there, if it was clear of its border in the step and is not so at the
- * end, on the new polynomial.
+ * A guard that was located at the end of a step that was done again up to there changes there, if it was clear of its border in the step and is not so
+ * at the end, on the new polynomial.
  */
 static lag_status change_at_end(lag_run *run, const double *located, double *own)
 {

@@ -1,0 +1,313 @@
+#include "lag/impulses/impulse.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/impulses/impulse_step.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
+/* Newton's method for rates: one step where T is quadratic in them. A step that overshoots is halved so often. */
+enum { MOST_STEPS = 60, MOST_HALVES = 300 };
+/* The iteration ends when the residual of the momenta is this part of their size, that of the rows this part of their terms. */
+static const double ROUNDING = 1e-11;
+static const double OF_ROWS = 1e-12;
+/* Momenta that are off by less than this part of their size are where they were: there is nothing to balance. */
+static const double NONE = 1e-13;
+/* A residual of a row below this part of its terms is no jump: projection leaves more. Momenta that are off by more are not reached. */
+static const double LEFT = 1e-9;
+/* A step overshoots where the momenta behind it are beyond their aim by this part of what they were short of it. */
+static const double BEYOND = 0.5;
+/* Less than this part of a step changes no rate. */
+static const double NOTHING = 1e-60;
+/* A momentum of so many round-offs of the energy is round-off. */
+static const double FEW = 16.0;
+
+size_t lag_impulse_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    return 7 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
+}
+
+void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
+{
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    *impulse = (lag_impulse){.motion = motion, .places = lag_places_of(model)};
+    impulse->before = lag_take(&memory, n);
+    impulse->now = lag_take(&memory, n);
+    impulse->aim = lag_take(&memory, n);
+    impulse->from = lag_take(&memory, n);
+    impulse->size = lag_take(&memory, n);
+    impulse->change = lag_take(&memory, n);
+    impulse->chosen = lag_take(&memory, n);
+    impulse->mass = lag_take(&memory, n * n);
+    impulse->jacobian = lag_take(&memory, model->nc * n);
+    impulse->residual = lag_take(&memory, model->nc);
+    impulse->w = lag_take(&memory, model->nw);
+    impulse->holding = lag_take(&memory, model->ncontact);
+    impulse->point = lag_take(&memory, lag_motion_size(model));
+    impulse->work = memory;
+    lag_fill(model->ncontact, 0.0, impulse->holding);
+}
+
+/* ---- momenta and rows ---- */
+
+/* dL/dqd, which is M qd where the model does not tell it, but for what no instant changes. */
+static lag_status momenta(lag_impulse *impulse, const double *w, const double *qd, double *momentum)
+{
+    lag_motion *motion = impulse->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    motion->at.w = w;
+    const lag_status status = model->momenta != NULL ? model->momenta(&motion->at, momentum) : model->mass_matrix(&motion->at, impulse->mass);
+    for (size_t i = 0; i < n && model->momenta == NULL; ++i) {
+        momentum[i] = lag_dot(n, impulse->mass + i * n, qd);
+    }
+    motion->at.w = motion->w;
+    return status;
+}
+
+lag_status lag_impulse_keep(lag_impulse *impulse, double t, const double *x, const double *w)
+{
+    lag_motion_look(impulse->motion, t, x);
+    return momenta(impulse, w, x + impulse->motion->model->nq, impulse->before);
+}
+
+lag_status lag_impulse_look(lag_impulse *impulse, double t, const double *x)
+{
+    lag_motion *motion = impulse->motion;
+    const lag_model *model = motion->model;
+    memcpy(impulse->w, motion->w, model->nw * sizeof(double));
+    memcpy(impulse->w + impulse->places.contact, impulse->holding, model->ncontact * sizeof(double));
+    lag_motion_look(motion, t, x);
+    lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
+    motion->at.w = impulse->w;
+    status = status == LAG_OK ? model->mass_matrix(&motion->at, impulse->mass) : status;
+    if (status == LAG_OK && model->nc > 0) {
+        status = model->velocity_constraint(&motion->at, impulse->residual, impulse->jacobian);
+    }
+    motion->at.w = motion->w;
+    return status;
+}
+
+/* Row i of M times the rates or their change (nq), for chosen coordinates; `sum` of magnitudes, too. */
+static double times_mass(const lag_impulse *impulse, size_t i, const double *rates, double *sum)
+{
+    const double *row = impulse->mass + i * impulse->motion->model->nq;
+    double along = 0.0;
+    *sum = 0.0;
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const double term = row[lag_impulse_place_of(impulse, k)] * rates[lag_impulse_place_of(impulse, k)];
+        along += term;
+        *sum += fabs(term);
+    }
+    return along;
+}
+
+/* Sizes of the terms of the momenta: below a part of these, a momentum is round-off. */
+static void find_sizes(lag_impulse *impulse, const double *qd)
+{
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const size_t i = lag_impulse_place_of(impulse, k);
+        double terms = 0.0;
+        (void)times_mass(impulse, i, qd, &terms);
+        impulse->size[i] = fabs(impulse->aim[i]) + fabs(impulse->now[i]) + terms;
+    }
+}
+
+/* 1: momenta differ from those that they are to be by more than `part` of their sizes. */
+static int differs(const lag_impulse *impulse, double part)
+{
+    int off = 0;
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const size_t i = lag_impulse_place_of(impulse, k);
+        off = off || fabs(impulse->aim[i] - impulse->now[i]) > part * impulse->size[i];
+    }
+    return off;
+}
+
+/* 1: momenta or rows are off by more than `part` of what enters them. */
+static int is_off(const lag_impulse *impulse, const double *qd, double part, double rows)
+{
+    const size_t n = impulse->motion->model->nq;
+    int off = differs(impulse, part);
+    for (size_t i = 0; i < impulse->motion->model->nc; ++i) {
+        double size = 0.0;
+        double along = 0.0;
+        int takes_part = impulse->count == n;
+        for (size_t k = 0; k < impulse->count; ++k) {
+            takes_part = takes_part || impulse->jacobian[i * n + lag_impulse_place_of(impulse, k)] != 0.0;
+            const double term = impulse->jacobian[i * n + lag_impulse_place_of(impulse, k)] * qd[lag_impulse_place_of(impulse, k)];
+            size += fabs(term);
+            along += term;
+        }
+        size += fabs(impulse->residual[i] - along);
+        off = off || (takes_part && fabs(impulse->residual[i]) > rows * size);
+    }
+    return off;
+}
+
+int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part)
+{
+    lag_impulse_choose(impulse, NULL);
+    memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
+    find_sizes(impulse, qd);
+    return differs(impulse, part);
+}
+
+/* ---- one step of Newton's method ---- */
+
+/*
+ * 1: the part of the step that was taken overshoots: momenta behind it are no numbers, or far beyond the aim as seen from where the
+ * step began. A convex T has no rates that a whole step of Newton's method must miss twice as far, so half of it is nearer.
+ */
+static int overshoots(const lag_impulse *impulse)
+{
+    double start = 0.0;
+    double rest = 0.0;
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const size_t i = lag_impulse_place_of(impulse, k);
+        start += impulse->change[i] * (impulse->aim[i] - impulse->from[i]);
+        rest += impulse->change[i] * (impulse->aim[i] - impulse->now[i]);
+    }
+    return !isfinite(rest) || (start > 0.0 && rest < -BEYOND * start);
+}
+
+/*
+ * LAG_MOMENTUM_UNREACHABLE if the momenta are not those that the balance asks for, with the coordinate that is farthest from its own. A rate that is
+ * zero but for the round-off of the others has a momentum of its round-off: sqrt(M_ii qd'M qd) is the momentum that all the energy would give.
+ */
+static lag_status judge(const lag_impulse *impulse, const double *qd)
+{
+    const size_t n = impulse->motion->model->nq;
+    double action = 0.0;
+    double sum = 0.0;
+    double most = LEFT;
+    lag_status status = LAG_OK;
+    for (size_t k = 0; k < impulse->count; ++k) {
+        action += qd[lag_impulse_place_of(impulse, k)] * times_mass(impulse, lag_impulse_place_of(impulse, k), qd, &sum);
+    }
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const size_t i = lag_impulse_place_of(impulse, k);
+        const double noise = FEW * DBL_EPSILON * sqrt(fabs(impulse->mass[i * n + i]) * fabs(action));
+        const double off = fabs(impulse->aim[i] - impulse->now[i]);
+        const double part = off <= noise ? 0.0 : off / fmax(impulse->size[i], DBL_MIN);
+        if (!(part <= most)) {
+            most = isfinite(part) ? part : (double)INFINITY;
+            impulse->motion->coordinate = i;
+            status = LAG_MOMENTUM_UNREACHABLE;
+        }
+    }
+    return status;
+}
+
+/* Adds the change to the rates, or as much of it as does not overshoot the momenta that it leads to in the first order. */
+static lag_status step(lag_impulse *impulse, double t, double *x)
+{
+    const size_t n = impulse->motion->model->nq;
+    double sum = 0.0;
+    impulse->part = 1.0;
+    memcpy(impulse->from, impulse->now, n * sizeof(double));
+    for (size_t k = 0; k < impulse->count; ++k) {
+        const size_t i = lag_impulse_place_of(impulse, k);
+        impulse->aim[i] = impulse->now[i] + times_mass(impulse, i, impulse->change, &sum);
+    }
+    lag_axpy(n, impulse->part, impulse->change, x + n);
+    lag_status status = lag_impulse_look(impulse, t, x);
+    for (int k = 0; k < MOST_HALVES && status == LAG_OK && overshoots(impulse); ++k) {
+        impulse->part *= 0.5;
+        lag_axpy(n, -impulse->part, impulse->change, x + n);
+        status = lag_impulse_look(impulse, t, x);
+        if (status == LAG_OK && k + 1 == MOST_HALVES) {
+            status = judge(impulse, x + n);
+        }
+    }
+    return status;
+}
+
+/* From rates at which momenta do not grow with the rates, a quarter of the last step back. */
+static lag_status retreat(lag_impulse *impulse, double t, double *x)
+{
+    const size_t n = impulse->motion->model->nq;
+    lag_axpy(n, -0.25 * impulse->part, impulse->change, x + n);
+    impulse->part *= 0.75;
+    return lag_impulse_look(impulse, t, x);
+}
+
+/* ---- the problem ---- */
+
+static int are_finite(const lag_impulse *impulse)
+{
+    size_t i = 0;
+    while (i < impulse->motion->model->nq && isfinite(impulse->now[i])) {
+        ++i;
+    }
+    return i == impulse->motion->model->nq;
+}
+
+/* Looks at x. If there are no momenta at the rates there, as beyond the speed of light on a carriage that starts, at smaller ones. */
+static lag_status begin(lag_impulse *impulse, double t, double *x)
+{
+    const size_t n = impulse->motion->model->nq;
+    double *qd = x + n;
+    lag_status status = lag_impulse_look(impulse, t, x);
+    if (status != LAG_OK || are_finite(impulse)) {
+        return status;
+    }
+    memcpy(impulse->point, qd, n * sizeof(double));
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK && !are_finite(impulse); ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            qd[i] *= 0.5;
+        }
+        status = lag_impulse_look(impulse, t, x);
+    }
+    if (status == LAG_OK && !are_finite(impulse)) { /* the rates are not to blame */
+        memcpy(qd, impulse->point, n * sizeof(double));
+    }
+    return status;
+}
+
+/* Newton's method from rates that were looked at. */
+static lag_status iterate(lag_impulse *impulse, double t, double *x, const double *held, const lag_blow *blow)
+{
+    const double *qd = x + impulse->motion->model->nq;
+    for (int k = 0; k < MOST_STEPS; ++k) {
+        lag_status status = lag_impulse_step_find(impulse, held, blow, qd);
+        status = status == LAG_SINGULAR && k > 0 ? retreat(impulse, t, x) : status == LAG_OK ? step(impulse, t, x) : status;
+        if (status != LAG_OK) {
+            return status;
+        }
+        find_sizes(impulse, qd);
+        if (impulse->part < NOTHING || !is_off(impulse, qd, ROUNDING, OF_ROWS)) {
+            return LAG_OK;
+        }
+    }
+    return judge(impulse, qd);
+}
+
+lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, int *jumped)
+{
+    const double *qd = x + impulse->motion->model->nq;
+    const lag_status status = begin(impulse, t, x);
+    *jumped = 0;
+    if (status != LAG_OK) {
+        return status;
+    }
+    lag_impulse_choose(impulse, NULL);
+    memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
+    find_sizes(impulse, qd);
+    *jumped = is_off(impulse, qd, NONE, LEFT);
+    return *jumped ? iterate(impulse, t, x, held, NULL) : LAG_OK;
+}
+
+lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, const lag_blow *blow)
+{
+    const size_t n = impulse->motion->model->nq;
+    const lag_status status = lag_impulse_look(impulse, t, x);
+    lag_impulse_choose(impulse, blow);
+    memcpy(impulse->before, impulse->now, n * sizeof(double));
+    memcpy(impulse->point, x + n, n * sizeof(double));
+    return status == LAG_OK ? iterate(impulse, t, x, NULL, blow) : status;
+}

@@ -1,0 +1,25 @@
+/* One step of Newton's method in the impulse problem (lag/impulses/impulse.h). */
+#ifndef LAG_IMPULSE_STEP_H
+#define LAG_IMPULSE_STEP_H
+
+#include "lag/impulses/impulse.h"
+
+/* Doubles of its work. */
+size_t lag_impulse_step_memory(const lag_model *model);
+
+/* Chooses the coordinates of the components in which the blow has a gap, as what is beside them does not move; all of them without a blow. */
+void lag_impulse_choose(lag_impulse *impulse, const lag_blow *blow);
+
+/*
+ * impulse->change of the rates in the first order, from momenta, M and rows that were looked at, for the chosen coordinates; `held` rates stay if
+ * the others can do it, gaps of a `blow` strike (null: none). Rates before the blow are in impulse->point, those so far are qd (nq).
+ */
+lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, const lag_blow *blow, const double *qd);
+
+/* The coordinate of which the chosen number k is. */
+static inline size_t lag_impulse_place_of(const lag_impulse *impulse, size_t k)
+{
+    return (size_t)impulse->chosen[k];
+}
+
+#endif

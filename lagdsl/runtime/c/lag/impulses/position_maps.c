@@ -1,0 +1,68 @@
+#include "lag/impulses/position_maps.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
+/* A map changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
+static const double CONTINUOUS = 1e-9;
+static const double FEW = 16.0;
+
+size_t lag_position_maps_memory(const lag_model *model)
+{
+    return 4 * model->nway + lag_motion_size(model);
+}
+
+void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, double *memory)
+{
+    maps->motion = motion;
+    maps->way = lag_take(&memory, 4 * motion->model->nway);
+    maps->point = memory;
+}
+
+/* Ways of masses at x with discretes w. */
+static lag_status look_at_ways(lag_motion *motion, double t, const double *x, const double *w, double *way)
+{
+    lag_motion_look(motion, t, x);
+    motion->at.w = w;
+    const lag_status status = motion->model->way(&motion->at, way);
+    motion->at.w = motion->w;
+    return status;
+}
+
+/* The same where the motion from x has come after a moment. */
+static lag_status look_later(lag_position_maps *maps, double t, const double *x, const double *w, double moment, double *way)
+{
+    const size_t n = maps->motion->model->nq;
+    memcpy(maps->point, x, lag_motion_size(maps->motion->model) * sizeof(double));
+    lag_axpy(n, moment, x + n, maps->point);
+    return look_at_ways(maps->motion, t + moment, maps->point, w, way);
+}
+
+lag_status lag_position_maps_continue(
+    lag_position_maps *maps, double t, const double *x, const double *stood, const double *before, double moment, const double *peak)
+{
+    lag_motion *motion = maps->motion;
+    const lag_model *model = motion->model;
+    double *was = maps->way;
+    double *now = was + model->nway;
+    double *later = now + model->nway;
+    double *behind = later + model->nway;
+    double size = 0.0;
+    for (size_t j = 0; j < model->nq; ++j) {
+        size = fmax(size, fmax(peak[j], fabs(x[j])));
+    }
+    lag_status status = look_at_ways(motion, t, stood, before, was);
+    status = status == LAG_OK ? look_at_ways(motion, t, x, motion->w, now) : status;
+    status = status == LAG_OK ? look_later(maps, t, stood, before, moment, later) : status;
+    status = status == LAG_OK ? look_later(maps, t, x, motion->w, moment, behind) : status;
+    for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
+        const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
+        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));
+        status = fabs(now[i] - was[i]) > own + noise ? LAG_WAY_JUMP : LAG_OK;
+    }
+    return status;
+}
