@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from sympy import Symbol
 
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import (
     Box,
@@ -36,10 +36,11 @@ from lagdsl.report.document import (
     Text,
     text,
 )
-from lagdsl.report.names import own_name, statement
+from lagdsl.report.names import letters_note, own_name, owned_statement, statement
 from lagdsl.report.notation import Notation, notation
 from lagdsl.report.sections.instants import event_list
 from lagdsl.report.sections.system import machine
+from lagdsl.report.unit_text import unit_of
 from lagdsl.textbook.extent import Extent
 from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.symbols import symbols
@@ -53,7 +54,7 @@ def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple
     signs = notation(flat, symbols(flat), (), tuple(row for each in flat.constraints for row in each.rows))
     letter = signs.letter
     reasons = "; ".join(extent.reasons)
-    blocks: list[Block] = [
+    opening: list[Block] = [
         Paragraph(
             text(
                 f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
@@ -61,7 +62,7 @@ def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple
             )
         )
     ]
-    blocks += machine(flat, signs) if drawn else []
+    blocks = machine(flat, signs) if drawn else []
     blocks += _coordinates(flat, signs)
     blocks += kinematics(familiar, letter)
     blocks += energies(familiar, letter)
@@ -70,7 +71,9 @@ def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple
     blocks += _parts("Constraints", [each for each in flat.constraints if not each.contact])
     blocks += _parts("Contacts", flat.events.contacts)
     blocks += event_list(flat)
-    return (*blocks, *_equations(flat, letter, signs.of(symbols(flat).time)), *at_the_start(familiar, letter))
+    blocks += _equations(flat, letter, signs.of(symbols(flat).time))
+    blocks += at_the_start(familiar, letter)
+    return (*opening, *letters_note(signs), *blocks)
 
 
 def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
@@ -79,7 +82,7 @@ def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
         (
             (Math(signs.of(Symbol(c.name))),),
             own_name(signs.of(Symbol(c.name)), c.name),
-            text("" if c.unit == "1" else c.unit),
+            text(unit_of(c)),
             text(c.doc or ""),
         )
         for c in shown
@@ -98,7 +101,7 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
         return []
     counts: dict[str, int] = {}
     for item in items:
-        words = statement(item, type(item).__name__)
+        words = (statement if isinstance(item, Constraint) else owned_statement)(item, type(item).__name__)
         counts[words] = counts.get(words, 0) + 1
     entries: list[Inline] = [
         (Code(words), Text(f" ({number} times)")) if number > 1 else (Code(words),)

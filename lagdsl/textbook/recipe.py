@@ -44,6 +44,7 @@ from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Re
 from lagdsl.textbook.symbols import Symbols, occurring, replaced
 from lagdsl.textbook.tidy import size, times
 
+_LONGEST_PLACE = 60
 _LARGEST = 1000
 """Nodes of an expression that is looked through term by term."""
 
@@ -71,6 +72,7 @@ class CoordinateStep:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ActionStep:
     """One thing that acts: `load` is the index of the load in the flat model, `back` marks the reaction at `from`.
+    `carrier` is the index of the mass or body whose centre a force acts on, or on whose frame a torque does.
 
     `variations` and `works` have one entry per coordinate: dr/dq_j (or domega/dqd_j, dx/dq_j) and F . dr/dq_j.
     """
@@ -81,6 +83,7 @@ class ActionStep:
     variations: tuple[Vector | Expr, ...]
     works: tuple[Expr, ...]
     contribution: Contribution
+    carrier: int | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -301,7 +304,36 @@ def _action(reading: Reading, load: int, back: bool, action: Applied) -> ActionS
         variations=tuple(variations),
         works=works,
         contribution=_contribution(action, variations, works),
+        carrier=_carrier(reading, action, variations),
     )
+
+
+def _carrier(reading: Reading, action: Applied, variations: Sequence[Vector | Expr]) -> int | None:
+    """The first mass or body there. A material point that its frame takes elsewhere is another one."""
+    inertials = reading.parts.inertials
+    match action:
+        case AppliedForce(position=position, frame=frame):
+            moved = (_moved(reading, position, q) for q in reading.symbols.q)
+            if frame is not None and tuple(moved) != tuple(variations):
+                return None
+            return next((k for k, each in enumerate(inertials) if _same(reading, each.position, position)), None)
+        case AppliedTorque(frame=frame):
+            return next((k for k, each in enumerate(inertials) if each.frame == frame), None)
+        case AppliedGeneralizedForce():
+            return None
+        case _:
+            assert_never(action)
+
+
+def _moved(reading: Reading, position: Vector, q: Symbol) -> Vector:
+    return geometry.each(lambda x: reading.tidy(partial(x, q)), position)
+
+
+def _same(reading: Reading, one: Vector, other: Vector) -> bool:
+    if one == other:
+        return True
+    short = all(size(each) < _LONGEST_PLACE for each in (*one, *other))
+    return short and all(reading.tidy(a - b) == 0 for a, b in zip(one, other, strict=True))
 
 
 def _contribution(action: Applied, variations: Sequence[Vector | Expr], works: Sequence[Expr]) -> Contribution:
