@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, sqrt
 
 from lagdsl.textbook.symbols import postorder, replaced
 from lagdsl.textbook.tidy import size
@@ -22,6 +22,7 @@ _SMALLEST = 8
 _LEAST_GAIN = 24
 _LONGEST_UNNAMED = 60
 
+_LONG_ROOT = 16
 _LARGEST = 20_000
 _HANDFUL = 14
 
@@ -67,6 +68,11 @@ class Intermediates:
     def short(self, expression: Expr) -> tuple[Expr, Rules]:
         """The expression itself if it is short enough, else one with symbols. A part of it becomes a part of that one
         by the same replacements, one after the other."""
+        rooted, roots = self._with_roots(expression)
+        found, rules = self._rooted(rooted)
+        return found, [*roots, *rules]
+
+    def _rooted(self, expression: Expr) -> tuple[Expr, Rules]:
         total = size(expression)
         if total <= _LONGEST_UNNAMED:
             return expression, []
@@ -74,6 +80,21 @@ class Intermediates:
             found = self._with_names(expression)
             return found, [dict(self.named)] if found is not expression else []
         return self._shortened(expression)
+
+    def _with_roots(self, expression: Expr) -> tuple[Expr, Rules]:
+        """Long square roots by a name, as the length of a spring: one that stands there twice, or has its name."""
+        alone = expression.is_Pow or expression in self.named or expression in self._by_value
+        powers = {} if alone else _roots(expression)
+        names: dict[Expr, Expr] = {}
+        for base, found in powers.items():
+            root = sqrt(base)
+            symbol = self.named.get(root, self._by_value.get(root))
+            if symbol is None and sum(found.values()) > 1:
+                symbol = self._named(root)
+            if symbol is not None:
+                self.used |= {symbol} & {*self.named.values()}
+                names |= {base**power: symbol ** (2 * power) for power in found}
+        return (expression.xreplace(names), [names]) if names else (expression, [])
 
     def _with_names(self, expression: Expr) -> Expr:
         if not self.named:
@@ -106,6 +127,20 @@ class Intermediates:
             self._by_value |= {value: symbol, part: symbol, replaced(part, self._values): symbol}
             self._values[symbol] = replaced(value, self._values)
         return symbol
+
+
+def _roots(expression: Expr) -> dict[Expr, dict[Expr, int]]:
+    """Long sums under square roots that are in no other one, with their powers and how often these occur."""
+    found: dict[Expr, dict[Expr, int]] = {}
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2 and node.base.is_Add and size(node) >= _LONG_ROOT:
+            own = found.setdefault(node.base, {})
+            own[node.exp] = own.get(node.exp, 0) + 1
+            continue
+        stack.extend(node.args)
+    return found
 
 
 def _sizes(expression: Expr) -> dict[Expr, int]:

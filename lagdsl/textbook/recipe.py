@@ -113,6 +113,7 @@ class Derivation:
 
     symbols: Symbols
     constants: frozenset[Symbol]
+    sums: frozenset[Expr]
     count: Count
     inertials: tuple[Inertial, ...]
     own_kinetic: tuple[Expr, ...]
@@ -219,6 +220,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     return Derivation(
         symbols=table,
         constants=tidy.constants,
+        sums=tidy.sums,
         count=count(flat, table, parts, ((STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE), *constants), position, velocities),
         inertials=parts.inertials,
         own_kinetic=own,

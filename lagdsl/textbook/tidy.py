@@ -15,6 +15,8 @@ from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.settle import step
+from lagdsl.textbook.shortening.choices import without_twin_choices
+from lagdsl.textbook.shortening.constant_sums import known_sums, oriented
 from lagdsl.textbook.symbols import occurring
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
@@ -24,6 +26,8 @@ _MOST_UNKNOWNS_TO_FACTOR = 8
 _DEEPEST = 60
 _DEEPEST_NESTING = 12
 _WORTH_OF_BRACKETS = 4
+_WORTH_OF_SUMS = 2
+_LONGEST_SIGN = 6
 
 
 class TooLargeError(Exception):
@@ -35,14 +39,18 @@ class Tidy:
     """Shortens expressions. `constants` do not change during a motion, `positive` symbols have positive values.
 
     `budget` counts products of monomials over the life of the object; when it is used up all is returned as given.
-    Sums in `whole`, as r - l0 of a spring, stay brackets where all their terms have one factor.
+    Sums in `whole`, as r - l0 of a spring, stay brackets where all their terms have one factor. Constant `sums`, as
+    R - r, are those that the model has as factors.
     """
 
     constants: frozenset[Symbol]
     positive: frozenset[Symbol]
     budget: int = 100_000
     whole: tuple[Expr, ...] = ()
+    sums: frozenset[Expr] = frozenset()
     _constant_kernels: dict[int, bool] = field(default_factory=dict)
+    _rooted: dict[Expr, Expr] | None = None
+    _opened: dict[Symbol, Expr] = field(default_factory=dict)
     _nesting: int = 0
     _kernels: list[Expr] = field(default_factory=list)
     _index: dict[Expr, int] = field(default_factory=dict)
@@ -63,8 +71,40 @@ class Tidy:
 
     def keep_whole(self, sums: tuple[Expr, ...]) -> None:
         """Sums that stay brackets from now on."""
-        self.whole = tuple(dict.fromkeys(each for each in map(self, sums) if each.is_Add))
+        pairs = [(each, self(each)) for each in sums]
+        self.whole = tuple(dict.fromkeys(short for _, short in pairs if short.is_Add))
+        rooted = {short: Symbol(f"whole {n}") for n, short in enumerate(self.whole) if _has_root(short)}
+        closed = {each: rooted[short] for each, short in pairs if short in rooted} | rooted
+        # SymPy multiplies a number into a sum: the derivative of a square has twice the sum.
+        closed |= {n * each: n * symbol for each, symbol in closed.items() for n in (-2, -1, 2)}
+        self._rooted = closed or None
+        self._opened = {symbol: short for short, symbol in rooted.items()}
         self._memo.clear()
+
+    def _closed(self, expression: Expr) -> Expr:
+        """The expression with the sums that have roots as symbols: multiplied out, they would lose their squares."""
+        closed = expression.xreplace(self._rooted or {})
+        if closed == expression:
+            return expression
+        polynomial = self.reduced(closed)
+        found = (self._bracketed(polynomial, self._best(polynomial)), self._by_roots(polynomial))
+        return min((each.xreplace(self._opened) for each in found), key=self._length)
+
+    def _by_roots(self, polynomial: Polynomial) -> Expr:
+        """Sum over square roots and the sums that have them: each before a bracket."""
+        groups: dict[Monomial, Polynomial] = {}
+        for monomial, coefficient in polynomial.items():
+            rooted = tuple(pair for pair in monomial if self._is_rooted(self._kernels[pair[0]]))
+            rest = tuple(pair for pair in monomial if pair not in rooted)
+            groups.setdefault(rooted, {})[rest] = coefficient
+        return Add(*(self.monomial(rooted) * self._product_or_sum(rest) for rooted, rest in groups.items()))
+
+    def _product_or_sum(self, polynomial: Polynomial) -> Expr:
+        content, rest = self._factor(polynomial)
+        return min(_times(content, Integer(1), rest), self._best(polynomial), key=self._length)
+
+    def _is_rooted(self, kernel: Expr) -> bool:
+        return kernel in self._opened or (kernel.is_Pow and kernel.base.is_Add)
 
     def _shortest(self, expression: Expr) -> Expr:
         if self._nesting >= _DEEPEST_NESTING:
@@ -72,7 +112,8 @@ class Tidy:
         self._nesting += 1
         try:
             polynomial = self.reduced(expression)
-            return self._bracketed(polynomial, min(self._collect(polynomial), expression, key=size))
+            found = self._bracketed(polynomial, min(self._best(polynomial), expression, key=self._length))
+            return found if self._rooted is None else min(found, self._closed(expression), key=self._length)
         except TooLargeError:
             return expression
         finally:
@@ -80,12 +121,22 @@ class Tidy:
 
     def collected(self, polynomial: Polynomial) -> Expr:
         """A reduced polynomial as a short expression."""
-        return self._bracketed(polynomial, self._collect(polynomial))
+        return self._bracketed(polynomial, self._best(polynomial))
+
+    def _best(self, polynomial: Polynomial) -> Expr:
+        """Collected by constants or by what moves, whichever is shorter."""
+        found = oriented(self._collect(polynomial), self.sums)
+        other = self._by_motion(polynomial)
+        return found if other is None else min(found, oriented(other, self.sums), key=self._length)
+
+    def _length(self, expression: Expr) -> int:
+        """Sums that the model has itself count less."""
+        return size(expression) - _WORTH_OF_SUMS * known_sums(expression, self.sums)
 
     def _bracketed(self, polynomial: Polynomial, collected: Expr) -> Expr:
         """The sums that stay whole as brackets, where that is about as short as `collected`."""
         if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
-            whole = self._collect(bracketed)
+            whole = self._best(bracketed)
             return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
         return collected
 
@@ -111,7 +162,7 @@ class Tidy:
 
     def reduced(self, expression: Expr) -> Polynomial:
         """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
-        polynomial = self._polynomial(expression, 0)
+        polynomial = without_twin_choices(self._polynomial(expression, 0), self._kernels, self.kernel)
         angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
         return self._cancelled(reduce_trigonometry(polynomial, angles), angles)
 
@@ -135,7 +186,7 @@ class Tidy:
             power, numerator = self._over(polynomial, kernel, divisor)
             reduced = power
             while reduced < 0 and numerator:
-                result = quotient(numerator, divisor)
+                result = quotient(numerator, divisor) or quotient(without_squares(numerator, angles), divisor)
                 if result is None:
                     break
                 numerator, reduced = result, reduced + 1
@@ -223,12 +274,19 @@ class Tidy:
         """The square root; squares of positive symbols leave it."""
         outside, inside = [], []
         for factor, power in base.as_powers_dict().items():
-            if factor in self.positive and power.is_Integer:
+            if power.is_Integer and self._is_positive(factor):
                 outside.append(factor ** (power // 2))
                 inside.append(factor ** (power % 2))
             else:
                 inside.append(factor**power)
         return Mul(*outside, sympy.sqrt(Mul(*inside)))
+
+    def _is_positive(self, factor: Expr) -> bool:
+        if factor.is_Symbol:
+            return factor in self.positive
+        symbols = factor.free_symbols if factor.is_Add and len(factor.args) <= _LONGEST_SIGN else set()
+        positive = bool(symbols) and symbols <= self.positive
+        return positive and bool(factor.xreplace({s: Symbol(s.name, positive=True) for s in symbols}).is_positive)
 
     def _single(self, expression: Expr, power: int) -> Polynomial:
         return {((self.kernel(expression), power),): Integer(1)}
@@ -258,6 +316,27 @@ class Tidy:
             content, bracket = self._factor(moving_part)
             brackets.setdefault(bracket, []).append((content, fixed))
         return Add(*(self._common(terms) * bracket for bracket, terms in brackets.items()))
+
+    def _by_motion(self, polynomial: Polynomial) -> Expr | None:
+        """Sum over what moves: its factor of constants, factored, times it; None where no factor is a sum."""
+        groups: dict[Monomial, Polynomial] = {}
+        for monomial, coefficient in polynomial.items():
+            fixed = tuple(pair for pair in monomial if self._is_constant(pair[0]))
+            moving = tuple(pair for pair in monomial if not self._is_constant(pair[0]))
+            groups.setdefault(moving, {})[fixed] = coefficient
+        if all(len(constants) == 1 for constants in groups.values()):
+            return None
+        brackets: dict[Expr, Polynomial] = {}
+        for moving, constants in groups.items():
+            content, factor = self._factor(constants)
+            if -factor in brackets:
+                content, factor = -content, -factor
+            brackets.setdefault(factor, {})[moving] = content
+        terms = []
+        for factor, moving_part in brackets.items():
+            content, bracket = self._factor(moving_part)
+            terms.append(_times(content, factor, bracket))
+        return Add(*terms)
 
     def _common(self, terms: list[tuple[Expr, Monomial]]) -> Expr:
         """A sum of products of constants, common factors before it. SymPy would look for factors inside of kernels,
@@ -306,6 +385,17 @@ class Tidy:
 
     def _sum(self, polynomial: Polynomial) -> Expr:
         return Add(*(c * self.monomial(monomial) for monomial, c in polynomial.items()))
+
+
+def _has_root(expression: Expr) -> bool:
+    return any(node.exp.is_Rational and not node.exp.is_Integer for node in expression.atoms(Pow))
+
+
+def _times(number: Expr, factor: Expr, bracket: Expr) -> Expr:
+    """Their product; a number before a sum stays there, which SymPy would multiply out."""
+    if bracket == 1 and factor.is_Add and number != 1:
+        return Mul(number, factor, evaluate=False)
+    return Mul(number, factor, bracket)
 
 
 def _mostly_negative(polynomial: Polynomial) -> bool:

@@ -62,6 +62,7 @@ def balance(flat: FlatModel, derivation: Derivation, closed: frozenset[str] = fr
         derivation.constants | {*defaults(flat, table)},
         frozenset({*(symbol for symbol, value in values.items() if value > 0), STANDARD_GRAVITY}),
         budget=_BUDGET,
+        sums=derivation.sums,
     )
     tidy.keep_whole(tuple(whole_sums(derivation.potential, derivation.constants)))
     numbers = {STANDARD_GRAVITY: float(STANDARD_GRAVITY_VALUE), **values}

@@ -10,15 +10,15 @@ from sympy import Expr, Integer, nan, oo, pi, zoo
 from lagdsl.flat.quantity import is_angle
 from lagdsl.textbook.small_motions.balance import Balance
 from lagdsl.textbook.small_motions.statics import Place
-from lagdsl.textbook.tidy import size
 
 _MOST_ANGLES = 3
-_LONGEST = 4000
+LONGEST_LIKELY = 3000
+"""Nodes of an equation of motion that is looked at."""
 
 
 def likely(balance: Balance, statics: Sequence[Expr]) -> list[Place]:
     """Those of them at which the equations hold identically; none under constraints."""
-    if balance.rows or any(size(each, _LONGEST) >= _LONGEST for each in statics):
+    if balance.rows:
         return []
     coordinates = balance.flat.coordinates
     turns = sum(map(is_angle, coordinates)) <= _MOST_ANGLES

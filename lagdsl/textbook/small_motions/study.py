@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
-from sympy import Expr, Function, Integer, Symbol, nan, oo, zoo
+from sympy import Expr, Integer, Symbol, nan, oo, zoo
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook import functions
@@ -19,11 +19,12 @@ from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.accelerations import Accelerations, accelerations
 from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, defaults, written_out
 from lagdsl.textbook.small_motions.contacts import MOST_CONTACTS, admissible, cases
-from lagdsl.textbook.small_motions.likely import likely
+from lagdsl.textbook.small_motions.likely import LONGEST_LIKELY, likely
 from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, is_determined, linear
 from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
 from lagdsl.textbook.small_motions.statics import Place, places, vanishes
 from lagdsl.textbook.small_motions.steady import Steady, steady
+from lagdsl.textbook.symbols import occurring, postorder
 from lagdsl.textbook.tidy import TooLargeError, size
 
 _ROUNDING = 1e-9
@@ -92,7 +93,7 @@ def study(flat: FlatModel, derivation: Derivation) -> Study:
     if not complete and not together:
         reason = _TOO_LONG if any(size(each) > LONGEST for each in residuals) else _NOT_SOLVED
         return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
-    present = {symbol for each in written_out(derivation, found.residuals) for symbol in each.free_symbols}
+    present = {symbol for each in written_out(derivation, found.residuals) for symbol in occurring(each)}
     return Study(
         accelerations=solved,
         statics=_statics(flat, derivation, found, residuals),
@@ -112,7 +113,7 @@ def _residuals(balance: Balance) -> tuple[Expr, ...]:
     count = len(balance.derivation.symbols.q)
     rows = tuple(row.residual for row in balance.rows)
     found = written_out(balance.derivation, (*balance.residuals[:count], *rows))
-    read = {symbol for each in _switches(found) for symbol in each.free_symbols}
+    read = {symbol for each in _switches(found) for symbol in occurring(each)}
     values = defaults(balance.flat, balance.derivation.symbols)
     put_in = {u: value for u, value in values.items() if value == 0 or u in read}
     return tuple(each.xreplace(put_in) for each in found)
@@ -138,20 +139,26 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     table = balance.derivation.symbols
     if any(row.level != "position" for row in balance.rows):
         return _ROLLING
-    present = {symbol for each in residuals for symbol in each.free_symbols}
+    if any(size(each, LONGEST_LIKELY) >= LONGEST_LIKELY for each in residuals):
+        return _TOO_LONG
+    present = {symbol for each in residuals for symbol in occurring(each)}
     if present & {*table.z}:
         return _STATES
     if table.time in present:
         return _TIME
     moving = {*table.q, *table.qd, *table.qdd}
     known = {*moving, *balance.unknowns, *table.u, *balance.numbers}
-    if any(node.free_symbols & moving for node in _switches(residuals)) or not present <= known:
+    if any(occurring(node) & moving for node in _switches(residuals)) or not present <= known:
         return _SWITCHES
     return None
 
 
 def _switches(residuals: Sequence[Expr]) -> set[Expr]:
-    return {n for each in residuals for n in each.atoms(Function) if type(n).__module__ == functions.__name__}
+    known: dict[Expr, None] = {}
+    for each in residuals:
+        for node in postorder(each, known):
+            known[node] = None
+    return {node for node in known if node.is_Function and type(node).__module__ == functions.__name__}
 
 
 def _equilibria(balance: Balance, residuals: Sequence[Expr]) -> tuple[list[tuple[Equilibrium, bool]], bool]:
