@@ -81,7 +81,7 @@ def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Doc
     """`drawn`: with the drawing of the system."""
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
-        blocks = outline(recipe.familiar, recipe.extent, drawn=drawn)
+        blocks = outline(recipe, drawn=drawn)
     else:
         page = _page(recipe.familiar, derivation, units)
         first, *others = [with_intermediates(page, section) for section in _SECTIONS]

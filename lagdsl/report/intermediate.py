@@ -12,6 +12,7 @@ from typing import TypeAlias
 
 from sympy import Expr, Symbol, sqrt
 
+from lagdsl.textbook.contributions import HALF
 from lagdsl.textbook.symbols import postorder, replaced
 from lagdsl.textbook.tidy import size
 
@@ -46,6 +47,12 @@ class Intermediates:
     most: int | None = None
     _by_value: dict[Expr, Expr] = field(default_factory=dict)
     _values: dict[Symbol, Expr] = field(default_factory=dict)
+    _names: dict[Expr, Expr] = field(init=False)
+
+    def __post_init__(self) -> None:
+        roots = {value.base: symbol for value, symbol in self.named.items() if value.is_Pow and value.exp == HALF}
+        powers = {base ** (HALF * n): symbol**n for base, symbol in roots.items() for n in (-3, -1, 3)}
+        self._names = {**powers, **self.named}
 
     def define(self, lines: Iterable[tuple[Symbol, Expr]]) -> None:
         """Symbols that others have made, each once."""
@@ -68,23 +75,23 @@ class Intermediates:
     def short(self, expression: Expr) -> tuple[Expr, Rules]:
         """The expression itself if it is short enough, else one with symbols. A part of it becomes a part of that one
         by the same replacements, one after the other."""
-        rooted, roots = self._with_roots(expression)
-        found, rules = self._rooted(rooted)
-        return found, [*roots, *rules]
-
-    def _rooted(self, expression: Expr) -> tuple[Expr, Rules]:
-        total = size(expression)
-        if total <= _LONGEST_UNNAMED:
+        if expression in self.named or expression in self._by_value:
             return expression, []
-        if total <= LONGEST:
+        rules: Rules = []
+        if size(expression) > _LONGEST_UNNAMED:
             found = self._with_names(expression)
-            return found, [dict(self.named)] if found is not expression else []
-        return self._shortened(expression)
+            rules += [self._names] if found is not expression else []
+            expression = found
+        expression, roots = self._with_roots(expression)
+        rules += roots
+        if size(expression) <= LONGEST:
+            return expression, rules
+        found, more = self._shortened(expression)
+        return found, [*rules, *more]
 
     def _with_roots(self, expression: Expr) -> tuple[Expr, Rules]:
         """Long square roots by a name, as the length of a spring: one that stands there twice, or has its name."""
-        alone = expression.is_Pow or expression in self.named or expression in self._by_value
-        powers = {} if alone else _roots(expression)
+        powers = {} if expression.is_Pow else _roots(expression)
         names: dict[Expr, Expr] = {}
         for base, found in powers.items():
             root = sqrt(base)
@@ -99,14 +106,14 @@ class Intermediates:
     def _with_names(self, expression: Expr) -> Expr:
         if not self.named:
             return expression
-        found = expression.xreplace(self.named)
+        found = expression.xreplace(self._names)
         if found == expression:
             return expression
         self.used |= found.free_symbols - expression.free_symbols
         return found
 
     def _shortened(self, expression: Expr) -> tuple[Expr, Rules]:
-        rules: Rules = [dict(self.named), dict(self._by_value)]
+        rules: Rules = [self._names, dict(self._by_value)]
         found = self._with_names(expression).xreplace(self._by_value)
         while (total := size(found)) > _SHORT:
             part = _best(found, self.unnamed, forced=total > LONGEST)

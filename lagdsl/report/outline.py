@@ -38,27 +38,31 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.names import letters_note, own_name, owned_statement, statement
 from lagdsl.report.notation import Notation, notation
+from lagdsl.report.sections.in_symbols import in_symbols
 from lagdsl.report.sections.instants import event_list
 from lagdsl.report.sections.system import machine
 from lagdsl.report.unit_text import unit_of
-from lagdsl.textbook.extent import Extent
-from lagdsl.textbook.familiar import Familiar
+from lagdsl.textbook.recipe import Recipe
 from lagdsl.textbook.symbols import symbols
 
 _MOST = 12
+_SHORT_ONES = "the short equations in symbols, "
 
 
-def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple[Block, ...]:
+def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
     """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole."""
-    flat = familiar.flat
-    signs = notation(flat, symbols(flat), (), tuple(row for each in flat.constraints for row in each.rows))
+    familiar, flat, short = recipe.familiar, recipe.flat, recipe.short
+    named = () if short is None else (*short.dependent_parameters, *short.definitions)
+    rows = tuple(row for each in flat.constraints for row in each.rows)
+    signs = notation(flat, symbols(flat), tuple(symbol for symbol, _ in named), rows)
     letter = signs.letter
-    reasons = "; ".join(extent.reasons)
+    reasons = "; ".join(recipe.extent.reasons)
     opening: list[Block] = [
         Paragraph(
             text(
                 f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
-                "kinematics, energies, loads, constraints, and the equations in numbers where the motion starts."
+                f"kinematics, energies, loads, constraints, {'' if short is None else _SHORT_ONES}and the equations in "
+                "numbers where the motion starts."
             )
         )
     ]
@@ -72,6 +76,7 @@ def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple
     blocks += _parts("Contacts", flat.events.contacts)
     blocks += event_list(flat)
     blocks += _equations(flat, letter, signs.of(symbols(flat).time))
+    blocks += [] if short is None else in_symbols(flat, short, signs)
     blocks += at_the_start(familiar, letter)
     return (*opening, *letters_note(signs), *blocks)
 

@@ -27,6 +27,4 @@ def unit_of(item: Quantity) -> str:
 
 def value_and_unit(value: float, item: Quantity) -> tuple[str, str]:
     """The value of a quantity in the unit that the model shows it in, and this unit."""
-    if item.base == "Boolean":
-        return ("true" if value else "false"), ""
     return f"{to_display(value, item.display_unit):.6g}", readable_unit(item.display_unit or item.unit)

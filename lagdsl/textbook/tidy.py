@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, igcd, ilcm
 
 from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
@@ -28,6 +28,7 @@ _DEEPEST_NESTING = 12
 _WORTH_OF_BRACKETS = 4
 _WORTH_OF_SUMS = 2
 _LONGEST_SIGN = 6
+_LARGEST_BY_MOTION = 100
 
 
 class TooLargeError(Exception):
@@ -324,7 +325,7 @@ class Tidy:
             fixed = tuple(pair for pair in monomial if self._is_constant(pair[0]))
             moving = tuple(pair for pair in monomial if not self._is_constant(pair[0]))
             groups.setdefault(moving, {})[fixed] = coefficient
-        if all(len(constants) == 1 for constants in groups.values()):
+        if len(polynomial) > _LARGEST_BY_MOTION or all(len(constants) == 1 for constants in groups.values()):
             return None
         brackets: dict[Expr, Polynomial] = {}
         for moving, constants in groups.items():
@@ -334,8 +335,9 @@ class Tidy:
             brackets.setdefault(factor, {})[moving] = content
         terms = []
         for factor, moving_part in brackets.items():
-            content, bracket = self._factor(moving_part)
-            terms.append(_times(content, factor, bracket))
+            number = _content(moving_part)
+            content, bracket = self._factor({m: c / number for m, c in moving_part.items()})
+            terms.append(_times(number * content, factor, bracket))
         return Add(*terms)
 
     def _common(self, terms: list[tuple[Expr, Monomial]]) -> Expr:
@@ -389,6 +391,12 @@ class Tidy:
 
 def _has_root(expression: Expr) -> bool:
     return any(node.exp.is_Rational and not node.exp.is_Integer for node in expression.atoms(Pow))
+
+
+def _content(polynomial: Polynomial) -> Rational:
+    """The greatest rational number of which all coefficients are whole multiples."""
+    values = list(polynomial.values())
+    return Rational(igcd(0, *(v.p for v in values)), ilcm(1, *(v.q for v in values)))
 
 
 def _times(number: Expr, factor: Expr, bracket: Expr) -> Expr:

@@ -19,7 +19,8 @@ from lagdsl.source import SourceFile
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower, symbol_nodes
 from lagdsl.textbook.reading import STANDARD_GRAVITY
-from lagdsl.textbook.recipe import Contribution, Derivation, Recipe, recipe
+from lagdsl.textbook.recipe import Derivation, Recipe, recipe
+from lagdsl.textbook.steps.actions import Contribution
 from lagdsl.textbook.symbols import symbols
 from lagdsl.textbook.to_graph import ToGraph
 from textbook import models

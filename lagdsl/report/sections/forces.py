@@ -27,7 +27,7 @@ from lagdsl.report.page import Page, added, partial, vector_lines
 from lagdsl.report.sections.places import Place, places_of
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.contributions import Applied, AppliedForce, AppliedGeneralizedForce, AppliedTorque
-from lagdsl.textbook.recipe import ActionStep, Contribution
+from lagdsl.textbook.steps.actions import ActionStep, Contribution
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
 _NO_LOADS = (

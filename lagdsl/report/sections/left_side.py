@@ -241,4 +241,6 @@ def _kinetic(page: Page) -> Box:
 
 def value(item: Parameter) -> str:
     """The number in the unit that the model shows it in."""
+    if item.kind == "Boolean":
+        return "true" if item.value else "false"
     return " ".join(value_and_unit(item.value, item)).rstrip()

@@ -14,7 +14,7 @@ from lagdsl.report.names import indexed
 from lagdsl.report.notation import name_box
 from lagdsl.report.page import Page
 from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce, AppliedTorque
-from lagdsl.textbook.recipe import ActionStep
+from lagdsl.textbook.steps.actions import ActionStep
 
 
 @dataclass(frozen=True, slots=True)
