@@ -10,13 +10,22 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, igcd, ilcm
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
 from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.settle import step
+from lagdsl.textbook.shortening.by_motion import by_motion
 from lagdsl.textbook.shortening.choices import without_twin_choices
 from lagdsl.textbook.shortening.constant_sums import known_sums, oriented
+from lagdsl.textbook.shortening.products import (
+    has_root,
+    mostly_negative,
+    numbered,
+    revealed,
+    squares,
+    turned_positive,
+)
 from lagdsl.textbook.symbols import occurring
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
@@ -26,9 +35,10 @@ _MOST_UNKNOWNS_TO_FACTOR = 8
 _DEEPEST = 60
 _DEEPEST_NESTING = 12
 _WORTH_OF_BRACKETS = 4
-_WORTH_OF_SUMS = 2
+_WORTH_OF_SUMS = 4
+_WORTH_OF_SQUARES = 12
+_MARGIN = 4
 _LONGEST_SIGN = 6
-_LARGEST_BY_MOTION = 100
 
 
 class TooLargeError(Exception):
@@ -74,7 +84,7 @@ class Tidy:
         """Sums that stay brackets from now on."""
         pairs = [(each, self(each)) for each in sums]
         self.whole = tuple(dict.fromkeys(short for _, short in pairs if short.is_Add))
-        rooted = {short: Symbol(f"whole {n}") for n, short in enumerate(self.whole) if _has_root(short)}
+        rooted = {short: Symbol(f"whole {n}") for n, short in enumerate(self.whole) if has_root(short)}
         closed = {each: rooted[short] for each, short in pairs if short in rooted} | rooted
         # SymPy multiplies a number into a sum: the derivative of a square has twice the sum.
         closed |= {n * each: n * symbol for each, symbol in closed.items() for n in (-2, -1, 2)}
@@ -102,7 +112,7 @@ class Tidy:
 
     def _product_or_sum(self, polynomial: Polynomial) -> Expr:
         content, rest = self._factor(polynomial)
-        return min(_times(content, Integer(1), rest), self._best(polynomial), key=self._length)
+        return min(numbered(content, Integer(1), rest), self._best(polynomial), key=self._length)
 
     def _is_rooted(self, kernel: Expr) -> bool:
         return kernel in self._opened or (kernel.is_Pow and kernel.base.is_Add)
@@ -125,10 +135,15 @@ class Tidy:
         return self._bracketed(polynomial, self._best(polynomial))
 
     def _best(self, polynomial: Polynomial) -> Expr:
-        """Collected by constants or by what moves, whichever is shorter."""
+        """Collected by constants, or by what moves where that is clearly shorter: products of one constant, and squares
+        of sums, are as the model builds its energies."""
         found = oriented(self._collect(polynomial), self.sums)
-        other = self._by_motion(polynomial)
-        return found if other is None else min(found, oriented(other, self.sums), key=self._length)
+        other = by_motion(polynomial, self._is_constant, self._factor)
+        if other is None:
+            return found
+        other = oriented(other, self.sums)
+        lost = _WORTH_OF_SQUARES * max(squares(found) - squares(other), 0)
+        return other if self._length(other) + _MARGIN + lost <= self._length(found) else found
 
     def _length(self, expression: Expr) -> int:
         """Sums that the model has itself count less."""
@@ -318,28 +333,6 @@ class Tidy:
             brackets.setdefault(bracket, []).append((content, fixed))
         return Add(*(self._common(terms) * bracket for bracket, terms in brackets.items()))
 
-    def _by_motion(self, polynomial: Polynomial) -> Expr | None:
-        """Sum over what moves: its factor of constants, factored, times it; None where no factor is a sum."""
-        groups: dict[Monomial, Polynomial] = {}
-        for monomial, coefficient in polynomial.items():
-            fixed = tuple(pair for pair in monomial if self._is_constant(pair[0]))
-            moving = tuple(pair for pair in monomial if not self._is_constant(pair[0]))
-            groups.setdefault(moving, {})[fixed] = coefficient
-        if len(polynomial) > _LARGEST_BY_MOTION or all(len(constants) == 1 for constants in groups.values()):
-            return None
-        brackets: dict[Expr, Polynomial] = {}
-        for moving, constants in groups.items():
-            content, factor = self._factor(constants)
-            if -factor in brackets:
-                content, factor = -content, -factor
-            brackets.setdefault(factor, {})[moving] = content
-        terms = []
-        for factor, moving_part in brackets.items():
-            number = _content(moving_part)
-            content, bracket = self._factor({m: c / number for m, c in moving_part.items()})
-            terms.append(_times(number * content, factor, bracket))
-        return Add(*terms)
-
     def _common(self, terms: list[tuple[Expr, Monomial]]) -> Expr:
         """A sum of products of constants, common factors before it. SymPy would look for factors inside of kernels,
         which are short already, so that those of several nodes are hidden in symbols."""
@@ -354,7 +347,7 @@ class Tidy:
             for content, monomial in terms
         ]
         total = Add(*shown)
-        return _revealed(sympy.factor_terms(total) if total.is_Add else total, hidden)
+        return revealed(sympy.factor_terms(total) if total.is_Add else total, hidden)
 
     def _is_constant(self, index: int) -> bool:
         known = self._constant_kernels.get(index)
@@ -381,47 +374,12 @@ class Tidy:
         if key not in self._factors:
             self._factors[key] = factors(shifted)
         content, parts = self._factors[key]
-        if sum(1 for part, power in parts if power % 2 and _mostly_negative(part)) % 2:
+        if sum(1 for part, power in parts if power % 2 and mostly_negative(part)) % 2:
             content = -content
-        return content, Mul(common, *(self._sum(_positive(part)) ** power for part, power in parts))
+        return content, Mul(common, *(self._sum(turned_positive(part)) ** power for part, power in parts))
 
     def _sum(self, polynomial: Polynomial) -> Expr:
         return Add(*(c * self.monomial(monomial) for monomial, c in polynomial.items()))
-
-
-def _has_root(expression: Expr) -> bool:
-    return any(node.exp.is_Rational and not node.exp.is_Integer for node in expression.atoms(Pow))
-
-
-def _content(polynomial: Polynomial) -> Rational:
-    """The greatest rational number of which all coefficients are whole multiples."""
-    values = list(polynomial.values())
-    return Rational(igcd(0, *(v.p for v in values)), ilcm(1, *(v.q for v in values)))
-
-
-def _times(number: Expr, factor: Expr, bracket: Expr) -> Expr:
-    """Their product; a number before a sum stays there, which SymPy would multiply out."""
-    if bracket == 1 and factor.is_Add and number != 1:
-        return Mul(number, factor, evaluate=False)
-    return Mul(number, factor, bracket)
-
-
-def _mostly_negative(polynomial: Polynomial) -> bool:
-    negative = sum(1 for coefficient in polynomial.values() if coefficient < 0)
-    return 2 * negative > len(polynomial)
-
-
-def _positive(polynomial: Polynomial) -> Polynomial:
-    return {m: -c for m, c in polynomial.items()} if _mostly_negative(polynomial) else polynomial
-
-
-def _revealed(expression: Expr, hidden: dict[Expr, Expr]) -> Expr:
-    """Symbols replaced; a number before a sum stays there, which SymPy would multiply out."""
-    if not hidden or expression.is_Atom:
-        return hidden.get(expression, expression)
-    inner = [_revealed(argument, hidden) for argument in expression.args]
-    kept = expression.is_Mul and len(inner) == 2 and inner[0].is_Rational and inner[1].is_Add
-    return Mul(*inner, evaluate=False) if kept else expression.func(*inner)
 
 
 def times(factor: Expr, symbol: Symbol) -> Expr:

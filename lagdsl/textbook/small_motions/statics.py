@@ -79,7 +79,7 @@ def _choice(
             split = list(_split(balance, equation, unknowns))
         except NotSolvedError:
             continue
-        found.append((max(present for present, _, _ in split), len(split), number, split))
+        found.append((max((present for present, _, _ in split), default=0), len(split), number, split))
     if not found:
         raise NotSolvedError
     _, _, number, split = min(found, key=lambda each: each[:3])
