@@ -62,10 +62,8 @@ _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` fi
 _OF_CONTACTS = (
     "Of each contact the gap or the multiplier is zero, and neither is negative: it is open, or closed and pushes."
 )
-_CLOSED = " Small motions that keep the contacts closed have no equations of their own here."
 _OPEN = "While all contacts are open, so that their multipliers are zero:"
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
-_OTHERS = "There may be other equilibria, without short roots; `lag trim` finds one in numbers."
 _SINGULAR = (
     "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
 )
@@ -138,7 +136,7 @@ def small_motions(page: Page) -> list[Block]:
             blocks.append(_unless(page, group[0]))
         else:
             blocks += _equilibrium(page, group, constrained=found.constrained)
-    blocks += [] if found.complete else [Paragraph(with_code(_OTHERS))]
+    blocks += [] if found.not_all_because is None else [Paragraph(with_code(found.not_all_because))]
     return blocks if found.steady is None else [*blocks, *_steady_motions(page, found.steady)]
 
 

@@ -38,6 +38,7 @@ _ROLLING = (
 _STATES = "First-order states occur in the equations: `lag trim` and `lag modes` look at both together."
 _TIME = "Time occurs in the equations, so that no equilibrium lasts."
 _SWITCHES = "Relations, corners or discrete variables occur in the equations; `lag modes` looks at one side of them."
+_OTHERS = "There may be other equilibria, without short roots; `lag trim` finds one in numbers."
 _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` finds an equilibrium in numbers."
 
 
@@ -73,6 +74,11 @@ class Study:
     constrained: bool = False
     complete: bool = True
     steady: Steady | None = None
+
+    @property
+    def not_all_because(self) -> str | None:
+        """Why the `equilibria` are none, or not all; None if they are all."""
+        return self.reason if self.complete or self.reason is not None else _OTHERS
 
 
 def study(flat: FlatModel, derivation: Derivation) -> Study:
