@@ -19,6 +19,7 @@ from lagdsl.textbook.steps.short_equations import LONGEST, ShortEquations
 
 _ROWS = "The constraints; a positive multiplier pushes towards a larger left-hand side:"
 _DEFINED = "with"
+_MOST = 20
 _LONG = f": more than {LONGEST} terms and factors."
 
 
@@ -30,20 +31,26 @@ def in_symbols(flat: FlatModel, found: ShortEquations, signs: Notation) -> list[
         constants=found.constants,
         intermediates=Intermediates(signs.intermediate, frozenset(found.symbols.qdd)),
     )
-    lines = tuple(Equation(typeset(each.left), typeset(each.right), final=True) for each in found.equations)
+    shown = found.equations[:_MOST]
+    lines = tuple(Equation(typeset(each.left), typeset(each.right), final=True) for each in shown)
     blocks: list[Block] = [Heading("Equations in symbols"), Equations(lines)]
+    blocks += _more(len(found.equations) - len(shown))
     if found.long:
         names = listed([signs.of(q) for q in found.long])
         blocks.append(Paragraph((Text("Not written out are the equations of "), *names, Text(_LONG))))
     if found.rows:
-        rows = tuple(Equation(typeset(row), Number("0"), final=True) for _, row in found.rows)
-        blocks += [Paragraph(text(_ROWS)), Equations(rows)]
+        rows = tuple(Equation(typeset(row), Number("0"), final=True) for _, row in found.rows[:_MOST])
+        blocks += [Paragraph(text(_ROWS)), Equations(rows), *_more(len(found.rows) - len(rows))]
     named = (*found.dependent_parameters, *found.definitions)
     defined = [Equation(signs.of(symbol), typeset(meaning)) for symbol, meaning in named]
     defined += [Equation(signs.of(symbol), typeset(meaning)) for symbol, meaning in typeset.intermediates.made]
     if defined:
         blocks += [Paragraph(text(_DEFINED)), Equations(tuple(defined))]
     return [*blocks, *_parameters(flat, found, signs)]
+
+
+def _more(count: int) -> list[Block]:
+    return [Paragraph(text(f"… and {count} more."))] if count > 0 else []
 
 
 def _parameters(flat: FlatModel, found: ShortEquations, signs: Notation) -> list[Block]:
