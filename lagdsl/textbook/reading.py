@@ -21,6 +21,7 @@ from lagdsl.textbook.convert import Converter, Style
 from lagdsl.textbook.settle import settled
 from lagdsl.textbook.shortening.choices import decided
 from lagdsl.textbook.shortening.constant_sums import constant_sums
+from lagdsl.textbook.shortening.whole_sums import KnownSums
 from lagdsl.textbook.symbols import Symbols, symbols
 from lagdsl.textbook.tidy import Tidy
 
@@ -88,7 +89,7 @@ def read(flat: FlatModel, *, written_out: bool = False) -> Reading:
     settle = decided(tidy.positive)
     named = [item.name for item in (*flat.parameters, *flat.named)]
     fixed = frozenset({name for name in named if Symbol(name) in tidy.constants} | {p.name for p in flat.parameters})
-    tidy.sums = constant_sums(flat, fixed, plain.scalar)
+    tidy.known = KnownSums(constant=constant_sums(flat, fixed, plain.scalar))
     style = Style(number=number, tidy=tidy, settle=settle, opaque=constants)
     places = Converter(model=flat, symbols=table, style=style)
     style = Style(number=number, tidy=tidy, settle=settle, opaque=constants | abbreviations)

@@ -192,7 +192,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     return Derivation(
         symbols=table,
         constants=tidy.constants,
-        sums=tidy.sums,
+        sums=tidy.known.constant,
         count=count(flat, table, parts, ((STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE), *constants), position, velocities),
         inertials=parts.inertials,
         own_kinetic=own,

@@ -19,13 +19,13 @@ from lagdsl.textbook.shortening.by_motion import by_motion
 from lagdsl.textbook.shortening.choices import without_twin_choices
 from lagdsl.textbook.shortening.constant_sums import known_sums, oriented
 from lagdsl.textbook.shortening.products import (
-    has_root,
     mostly_negative,
     numbered,
     revealed,
     squares,
     turned_positive,
 )
+from lagdsl.textbook.shortening.whole_sums import KnownSums, with_whole
 from lagdsl.textbook.symbols import occurring
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
@@ -50,18 +50,14 @@ class Tidy:
     """Shortens expressions. `constants` do not change during a motion, `positive` symbols have positive values.
 
     `budget` counts products of monomials over the life of the object; when it is used up all is returned as given.
-    Sums in `whole`, as r - l0 of a spring, stay brackets where all their terms have one factor. Constant `sums`, as
-    R - r, are those that the model has as factors.
+    `known` are sums of the model: r - l0 of a spring stays a bracket where all terms have that factor, R - r a factor.
     """
 
     constants: frozenset[Symbol]
     positive: frozenset[Symbol]
     budget: int = 100_000
-    whole: tuple[Expr, ...] = ()
-    sums: frozenset[Expr] = frozenset()
+    known: KnownSums = field(default_factory=KnownSums)
     _constant_kernels: dict[int, bool] = field(default_factory=dict)
-    _rooted: dict[Expr, Expr] | None = None
-    _opened: dict[Symbol, Expr] = field(default_factory=dict)
     _nesting: int = 0
     _kernels: list[Expr] = field(default_factory=list)
     _index: dict[Expr, int] = field(default_factory=dict)
@@ -83,23 +79,17 @@ class Tidy:
     def keep_whole(self, sums: tuple[Expr, ...]) -> None:
         """Sums that stay brackets from now on."""
         pairs = [(each, self(each)) for each in sums]
-        self.whole = tuple(dict.fromkeys(short for _, short in pairs if short.is_Add))
-        rooted = {short: Symbol(f"whole {n}") for n, short in enumerate(self.whole) if has_root(short)}
-        closed = {each: rooted[short] for each, short in pairs if short in rooted} | rooted
-        # SymPy multiplies a number into a sum: the derivative of a square has twice the sum.
-        closed |= {n * each: n * symbol for each, symbol in closed.items() for n in (-2, -1, 2)}
-        self._rooted = closed or None
-        self._opened = {symbol: short for short, symbol in rooted.items()}
+        self.known = with_whole(self.known, pairs)
         self._memo.clear()
 
     def _closed(self, expression: Expr) -> Expr:
         """The expression with the sums that have roots as symbols: multiplied out, they would lose their squares."""
-        closed = expression.xreplace(self._rooted or {})
+        closed = expression.xreplace(self.known.closed)
         if closed == expression:
             return expression
         polynomial = self.reduced(closed)
         found = (self._bracketed(polynomial, self._best(polynomial)), self._by_roots(polynomial))
-        return min((each.xreplace(self._opened) for each in found), key=self._length)
+        return min((each.xreplace(self.known.opened) for each in found), key=self._length)
 
     def _by_roots(self, polynomial: Polynomial) -> Expr:
         """Sum over square roots and the sums that have them: each before a bracket."""
@@ -115,7 +105,7 @@ class Tidy:
         return min(numbered(content, Integer(1), rest), self._best(polynomial), key=self._length)
 
     def _is_rooted(self, kernel: Expr) -> bool:
-        return kernel in self._opened or (kernel.is_Pow and kernel.base.is_Add)
+        return kernel in self.known.opened or (kernel.is_Pow and kernel.base.is_Add)
 
     def _shortest(self, expression: Expr) -> Expr:
         if self._nesting >= _DEEPEST_NESTING:
@@ -124,7 +114,7 @@ class Tidy:
         try:
             polynomial = self.reduced(expression)
             found = self._bracketed(polynomial, min(self._best(polynomial), expression, key=self._length))
-            return found if self._rooted is None else min(found, self._closed(expression), key=self._length)
+            return found if not self.known.closed else min(found, self._closed(expression), key=self._length)
         except TooLargeError:
             return expression
         finally:
@@ -137,21 +127,21 @@ class Tidy:
     def _best(self, polynomial: Polynomial) -> Expr:
         """Collected by constants, or by what moves where that is clearly shorter: products of one constant, and squares
         of sums, are as the model builds its energies."""
-        found = oriented(self._collect(polynomial), self.sums)
+        found = oriented(self._collect(polynomial), self.known.constant)
         other = by_motion(polynomial, self._is_constant, self._factor)
         if other is None:
             return found
-        other = oriented(other, self.sums)
+        other = oriented(other, self.known.constant)
         lost = _WORTH_OF_SQUARES * max(squares(found) - squares(other), 0)
         return other if self._length(other) + _MARGIN + lost <= self._length(found) else found
 
     def _length(self, expression: Expr) -> int:
         """Sums that the model has itself count less."""
-        return size(expression) - _WORTH_OF_SUMS * known_sums(expression, self.sums)
+        return size(expression) - _WORTH_OF_SUMS * known_sums(expression, self.known.constant)
 
     def _bracketed(self, polynomial: Polynomial, collected: Expr) -> Expr:
         """The sums that stay whole as brackets, where that is about as short as `collected`."""
-        if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
+        if self.known.whole and (bracketed := self._folded(polynomial)) is not polynomial:
             whole = self._best(bracketed)
             return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
         return collected
@@ -189,7 +179,7 @@ class Tidy:
 
     def _folded(self, polynomial: Polynomial) -> Polynomial:
         """c a + c b as c (a + b) for each sum that stays whole, a symbol from then on."""
-        for bracket in self.whole:
+        for bracket in self.known.whole:
             if len(polynomial) > 1:
                 polynomial = folded(polynomial, self.reduced(bracket), self.kernel(bracket))
         return polynomial

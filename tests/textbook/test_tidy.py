@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from sympy import Symbol, cos, sin, sqrt, symbols
 
 from lagdsl.textbook.functions import Equal, Select
+from lagdsl.textbook.shortening.whole_sums import KnownSums
 from lagdsl.textbook.tidy import Tidy, size
 
 a, b, m, l, R, w, t = symbols("a b m l R w t")
@@ -68,7 +69,7 @@ def test_known_forms(given_form: sympy.Expr, short: sympy.Expr) -> None:
 
 
 def test_sums_that_the_model_writes_are_factors_with_their_sign() -> None:
-    short = Tidy(frozenset({m, l, R}), frozenset({m, l, R}), sums=frozenset({R - l}))
+    short = Tidy(frozenset({m, l, R}), frozenset({m, l, R}), known=KnownSums(frozenset({R - l})))
     energy = m * (R**2 * x**2 - 2 * R * l * x**2 + l**2 * x**2) / 2 + m * l**2 * y**2 / 4
     assert short(energy) == m * (R - l) ** 2 * x**2 / 2 + m * l**2 * y**2 / 4
     assert str(short(l * cos(a) * m - R * cos(a) * m)) == "-m*(R - l)*cos(a)"
@@ -104,7 +105,7 @@ EXPRESSIONS = st.recursive(
 @given(EXPRESSIONS, st.booleans())
 def test_never_changes_the_value(expression: sympy.Expr, whole: bool) -> None:
     constants = frozenset({m, l, R})
-    known = Tidy(constants, constants, sums=frozenset({m - 2, 1 - 2 * m}) if whole else frozenset())
+    known = Tidy(constants, constants, known=KnownSums(frozenset({m - 2, 1 - 2 * m}) if whole else frozenset()))
     if whole:
         known.keep_whole((sqrt(x**2 + m) - y, x - b))
     short = known(expression)

@@ -13,6 +13,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, readable_number, whole_sums
 from lagdsl.textbook.recipe import ConstraintRow, Derivation
+from lagdsl.textbook.shortening.whole_sums import KnownSums
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.tidy import Tidy, size
 
@@ -62,7 +63,7 @@ def balance(flat: FlatModel, derivation: Derivation, closed: frozenset[str] = fr
         derivation.constants | {*defaults(flat, table)},
         frozenset({*(symbol for symbol, value in values.items() if value > 0), STANDARD_GRAVITY}),
         budget=_BUDGET,
-        sums=derivation.sums,
+        known=KnownSums(constant=derivation.sums),
     )
     tidy.keep_whole(tuple(whole_sums(derivation.potential, derivation.constants)))
     numbers = {STANDARD_GRAVITY: float(STANDARD_GRAVITY_VALUE), **values}
