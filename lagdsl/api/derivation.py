@@ -112,7 +112,7 @@ class Derivation:
         about it with `.mass .damping .stiffness` and `.frequencies`, whose `.square` is that of a natural frequency;
         `.damped` has the damping ratio and the square of the damped frequency.
 
-        Empty where there is none, and where `no_equilibria_because` is not None: no short roots, constraints, events.
+        Some or none where `no_equilibria_because` is not None: no short roots, constraints, events.
         """
         return () if self._study is None else self._study.equilibria
 
@@ -124,8 +124,9 @@ class Derivation:
 
     @property
     def no_equilibria_because(self) -> str | None:
-        """The reason, in words, why no equilibria were looked for or found in symbols; None if `equilibria` are all."""
-        return "The model is too large to be written out." if self._study is None else self._study.reason
+        """The reason, in words, why `equilibria` are none or not all: not looked for, no short roots; None if they are
+        all."""
+        return "The model is too large to be written out." if self._study is None else self._study.not_all_because
 
     def __str__(self) -> str:
         return self.to("text")

@@ -12,7 +12,7 @@ import numpy as np
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.expression import FlatExpression, Number, Variable
 from lagdsl.flat.expression_text import flat_expression_text
-from lagdsl.flat.model import Frame, FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
+from lagdsl.flat.model import FlatModel, Frame, FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright
 from lagdsl.report.boxes import Number as Digits
 from lagdsl.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
@@ -29,6 +29,7 @@ _KINEMATICS = (
 _ENERGIES = (
     "The energies of masses and bodies, each with its own velocity and its own axes, and those that are declared:"
 )
+_DECLARED_ENERGIES = "The energies that are declared:"
 _NUMBERS = "Where the motion starts, in SI units and in the order of the coordinates, with the declared start values:"
 
 
@@ -79,6 +80,18 @@ def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
         rows.append((body.label or body.frame, _text(body.mass, zeros), place, ", ".join(shown)))
     if not rows and not flat.energies:
         return []
+    declared = [(term.kind, flat_expression_text(term.value)[:100]) for term in flat.energies]
+    return [
+        Heading("Energies"),
+        Paragraph(text(_ENERGIES if rows else _DECLARED_ENERGIES)),
+        *([Equations(_forms(flat, letter))] if rows else []),
+        *_table(("T of", "mass", "center", "moments of inertia"), rows),
+        *_table(("kind of energy", "value"), declared),
+    ]
+
+
+def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
+    """T of each carrier, and the sums over all."""
     i, half = Upright("i"), Digits("½")
     v, w = (Subscript(letter(each), i) for each in ("v", "ω"))
     m, tensor = (Subscript(Name(each), i) for each in ("m", "I"))
@@ -90,14 +103,7 @@ def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
     if flat.gravity is not None:
         fall = Row((sigma, m, Name("𝐠"), dot, Subscript(letter("r"), i)))
         lines.append(Equation(letter("V"), Sum((("-", fall),))))
-    declared = [(term.kind, flat_expression_text(term.value)[:100]) for term in flat.energies]
-    return [
-        Heading("Energies"),
-        Paragraph(text(_ENERGIES)),
-        Equations(tuple(lines)),
-        *_table(("T of", "mass", "center", "moments of inertia"), rows),
-        *_table(("kind of energy", "value"), declared),
-    ]
+    return tuple(lines)
 
 
 def at_the_start(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:

@@ -14,6 +14,7 @@ from lagdsl.report.html import html
 from lagdsl.report.intermediate import Intermediates
 from lagdsl.report.latex import latex
 from lagdsl.report.markdown import markdown
+from lagdsl.report.names import letters_note
 from lagdsl.report.notation import notation
 from lagdsl.report.outline import outline
 from lagdsl.report.page import Page
@@ -80,11 +81,13 @@ def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Doc
     """`drawn`: with the drawing of the system."""
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
-        blocks = outline(recipe.familiar, recipe.extent, drawn=drawn)
+        blocks = outline(recipe, drawn=drawn)
     else:
         page = _page(recipe.familiar, derivation, units)
-        blocks = filled([block for section in _SECTIONS for block in with_intermediates(page, section)])
-        blocks = (*system(page), *blocks) if drawn else blocks
+        first, *others = [with_intermediates(page, section) for section in _SECTIONS]
+        picture = system(page) if drawn else []
+        note = letters_note(page.notation)  # all letters are known when all is set
+        blocks = filled([*picture, *first, *note, *(block for section in others for block in section)])
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
 
 

@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, sqrt
 
+from lagdsl.textbook.contributions import HALF
 from lagdsl.textbook.symbols import postorder, replaced
 from lagdsl.textbook.tidy import size
 
@@ -22,6 +23,7 @@ _SMALLEST = 8
 _LEAST_GAIN = 24
 _LONGEST_UNNAMED = 60
 
+_LONG_ROOT = 16
 _LARGEST = 20_000
 _HANDFUL = 14
 
@@ -45,6 +47,12 @@ class Intermediates:
     most: int | None = None
     _by_value: dict[Expr, Expr] = field(default_factory=dict)
     _values: dict[Symbol, Expr] = field(default_factory=dict)
+    _names: dict[Expr, Expr] = field(init=False)
+
+    def __post_init__(self) -> None:
+        roots = {value.base: symbol for value, symbol in self.named.items() if value.is_Pow and value.exp == HALF}
+        powers = {base ** (HALF * n): symbol**n for base, symbol in roots.items() for n in (-3, -1, 3)}
+        self._names = {**powers, **self.named}
 
     def define(self, lines: Iterable[tuple[Symbol, Expr]]) -> None:
         """Symbols that others have made, each once."""
@@ -67,25 +75,45 @@ class Intermediates:
     def short(self, expression: Expr) -> tuple[Expr, Rules]:
         """The expression itself if it is short enough, else one with symbols. A part of it becomes a part of that one
         by the same replacements, one after the other."""
-        total = size(expression)
-        if total <= _LONGEST_UNNAMED:
+        if expression in self.named or expression in self._by_value:
             return expression, []
-        if total <= LONGEST:
+        rules: Rules = []
+        if size(expression) > _LONGEST_UNNAMED:
             found = self._with_names(expression)
-            return found, [dict(self.named)] if found is not expression else []
-        return self._shortened(expression)
+            rules += [self._names] if found is not expression else []
+            expression = found
+        expression, roots = self._with_roots(expression)
+        rules += roots
+        if size(expression) <= LONGEST:
+            return expression, rules
+        found, more = self._shortened(expression)
+        return found, [*rules, *more]
+
+    def _with_roots(self, expression: Expr) -> tuple[Expr, Rules]:
+        """Long square roots by a name, as the length of a spring: one that stands there twice, or has its name."""
+        powers = {} if expression.is_Pow else _roots(expression)
+        names: dict[Expr, Expr] = {}
+        for base, found in powers.items():
+            root = sqrt(base)
+            symbol = self.named.get(root, self._by_value.get(root))
+            if symbol is None and sum(found.values()) > 1:
+                symbol = self._named(root)
+            if symbol is not None:
+                self.used |= {symbol} & {*self.named.values()}
+                names |= {base**power: symbol ** (2 * power) for power in found}
+        return (expression.xreplace(names), [names]) if names else (expression, [])
 
     def _with_names(self, expression: Expr) -> Expr:
         if not self.named:
             return expression
-        found = expression.xreplace(self.named)
+        found = expression.xreplace(self._names)
         if found == expression:
             return expression
         self.used |= found.free_symbols - expression.free_symbols
         return found
 
     def _shortened(self, expression: Expr) -> tuple[Expr, Rules]:
-        rules: Rules = [dict(self.named), dict(self._by_value)]
+        rules: Rules = [self._names, dict(self._by_value)]
         found = self._with_names(expression).xreplace(self._by_value)
         while (total := size(found)) > _SHORT:
             part = _best(found, self.unnamed, forced=total > LONGEST)
@@ -106,6 +134,20 @@ class Intermediates:
             self._by_value |= {value: symbol, part: symbol, replaced(part, self._values): symbol}
             self._values[symbol] = replaced(value, self._values)
         return symbol
+
+
+def _roots(expression: Expr) -> dict[Expr, dict[Expr, int]]:
+    """Long sums under square roots that are in no other one, with their powers and how often these occur."""
+    found: dict[Expr, dict[Expr, int]] = {}
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2 and node.base.is_Add and size(node) >= _LONG_ROOT:
+            own = found.setdefault(node.base, {})
+            own[node.exp] = own.get(node.exp, 0) + 1
+            continue
+        stack.extend(node.args)
+    return found
 
 
 def _sizes(expression: Expr) -> dict[Expr, int]:

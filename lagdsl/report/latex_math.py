@@ -29,7 +29,7 @@ from lagdsl.report.boxes import (
     Upright,
 )
 from lagdsl.report.notation import GREEK
-from lagdsl.report.unit_text import EXPONENT
+from lagdsl.report.unit_text import readable_unit
 
 _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
@@ -49,12 +49,16 @@ _OPERATORS = {
     "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
     "or": r"\text{ or }", "→": r"\to", "≈": r"\approx",
 }  # fmt: skip
-_OTHER_FORMS = {letter: rf"\mathcal{{{plain}}}" for plain, letter in zip("LTVDQMJPNBKC", "ℒ𝒯𝒱𝒟𝒬ℳ𝒥𝒫𝒩ℬ𝒦𝒞", strict=True)}
-_OTHER_FORMS |= {letter: rf"\mathfrak{{{plain}}}" for plain, letter in zip("pedkft", "𝔭𝔢𝔡𝔨𝔣𝔱", strict=True)}
+_OTHER_FORMS = {letter: rf"\mathcal{{{plain}}}" for plain, letter in zip("LTVDQMJPNBKCI", "ℒ𝒯𝒱𝒟𝒬ℳ𝒥𝒫𝒩ℬ𝒦𝒞ℐ", strict=True)}
+_OTHER_FORMS |= {letter: rf"\mathfrak{{{plain}}}" for plain, letter in zip("pedkfts", "𝔭𝔢𝔡𝔨𝔣𝔱𝔰", strict=True)}
 _OTHER_FORMS |= {letter: rf"\mathbf{{{plain}}}" for plain, letter in zip("rvFqg", "𝐫𝐯𝐅𝐪𝐠", strict=True)}
 _OTHER_FORMS["𝛚"] = r"\boldsymbol{\omega}"
 _SPECIAL |= {letter: rf"\ensuremath{{{command}}}" for letter, command in _OTHER_FORMS.items()}
 _SPECIAL |= {letter: rf"\ensuremath{{_{digit}}}" for digit, letter in enumerate("₀₁₂₃₄₅₆₇₈₉")}
+_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
+_SPECIAL |= {letter: rf"\ensuremath{{^{{{plain}}}}}" for letter, plain in _RAISED.items() if letter not in "²³"}
+_IN_UNITS = {letter: f"^{{{plain}}}" for letter, plain in _RAISED.items()}
+_IN_UNITS |= {"·": r"{\cdot}", "Ω": r"\Omega", "°": r"{}^\circ "}
 _SIGNS = {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "±": r"\pm", "δ": r"\delta", "-∞": r"-\infty"}
 _SYMBOLS = _OTHER_FORMS | _LETTERS | _SIGNS
 
@@ -131,10 +135,8 @@ def _word(text: str, shape: Literal["rm", "it"]) -> str:
 
 
 def _unit(text: str) -> str:
-    """`kg.m2/s` upright, with thin spaces and exponents."""
-    return (
-        rf"\mathrm{{{EXPONENT.sub(lambda found: f'^{{{found.group()}}}', escape(text)).replace('.', chr(92) + ',')}}}"
-    )
+    """`kg.m2/s` upright, with dots and exponents."""
+    return rf"\mathrm{{{''.join(_IN_UNITS.get(c) or escape(c) for c in readable_unit(text))}}}"
 
 
 def _base(box: Box) -> str:

@@ -71,7 +71,7 @@ def _study(typeset: Typesetter, found: Study) -> dict[str, object]:
     return {
         "accelerations": [{"symbol": s.name, **_written(typeset, value)} for s, value in found.accelerations.values],
         "equilibria": [_equilibrium(typeset, each) for each in found.equilibria],
-        "no_equilibria_because": found.reason,
+        "no_equilibria_because": found.not_all_because,
     }
 
 
@@ -82,6 +82,7 @@ def _equilibrium(typeset: Typesetter, found: Equilibrium) -> dict[str, object]:
         "arbitrary": [q.name for q in found.arbitrary],
         "conditions": [{"kind": each.kind, **_written(typeset, each.value)} for each in found.conditions],
         "exists": found.exists,
+        **({"closed": list(found.closed)} if found.closed else {}),
     }
     if linear is None:
         return result

@@ -8,8 +8,8 @@ from lagdsl.flat.expression import FrameOrigin, PointReference
 from lagdsl.flat.model import FlatModel, PointMass
 from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import Box, Name, Number, Subscript, Upright
-from lagdsl.report.document import Code, Inline, Math, Text
-from lagdsl.report.notation import name_box
+from lagdsl.report.document import Code, Inline, Math, Paragraph, Text
+from lagdsl.report.notation import Notation, name_box
 from lagdsl.report.unicode_math import line
 
 _LONGEST_STATEMENT = 100
@@ -21,6 +21,13 @@ def statement(item: Item, otherwise: str) -> str:
         return otherwise
     words = " ".join(item.spans[0].text.split())
     return words if len(words) <= _LONGEST_STATEMENT else words[: _LONGEST_STATEMENT - 1] + "…"
+
+
+def owned_statement(item: Item, otherwise: str) -> str:
+    """The user's own words with the component that they are in, as `src: force -v on q;`."""
+    components = ".".join(span.text for span in reversed(item.spans[1:]))
+    words = statement(item, otherwise)
+    return f"{components}: {words}" if components else words
 
 
 def carrier_labels(flat: FlatModel) -> list[Box]:
@@ -74,3 +81,12 @@ def gathered(names: Sequence[str]) -> str:
         f"{array}[{'; '.join(indices) if any(',' in i for i in indices) else ', '.join(indices)}]" if indices else array
         for array, indices in arrays.items()
     )
+
+
+def letters_note(signs: Notation) -> list[Paragraph]:
+    """Letters of the derivation that gave way to those of the model."""
+    if not signs.renamed:
+        return []
+    theirs, ours = listed([Name(each) for each in signs.renamed]), listed([*signs.renamed.values()])
+    verb = "are letters" if len(signs.renamed) > 1 else "is a letter"
+    return [Paragraph((*theirs, Text(f" {verb} of the model; the derivation writes "), *ours, Text(".")))]

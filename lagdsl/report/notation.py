@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sympy import Symbol
 
@@ -24,9 +24,11 @@ GREEK = {
 # For a model that has the usual letter itself: script for energies and matrices, bold for vectors, Fraktur for numbers.
 _OTHER_FORMS = {
     "L": "ℒ", "T": "𝒯", "V": "𝒱", "D": "𝒟", "Q": "𝒬", "M": "ℳ", "J": "𝒥", "P": "𝒫", "N": "𝒩", "B": "ℬ", "K": "𝒦",
-    "C": "𝒞", "r": "𝐫", "v": "𝐯", "ω": "𝛚", "F": "𝐅", "x": "ξ", "λ": "Λ", "γ": "Γ",
+    "C": "𝒞", "I": "ℐ", "r": "𝐫", "v": "𝐯", "ω": "𝛚", "F": "𝐅", "x": "ξ", "λ": "Λ", "γ": "Γ",
     "p": "𝔭", "e": "𝔢", "d": "𝔡", "k": "𝔨", "f": "𝔣", "q": "𝐪", "s": "𝔰", "t": "𝔱",
 }  # fmt: skip
+# Letters that the derivation writes alone and with an index.
+_FAMILIES = frozenset("rvωFTMJsλI")
 # The letter of a quantity that moves, by its unit.
 _KINDS = {
     "rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "C": "q", "N": "F", "N.m": "M", "V": "u", "A": "i", "Pa": "p",
@@ -67,17 +69,33 @@ def dotted(box: Box, dots: int) -> Box:
 
 @dataclass(frozen=True)
 class Notation:
-    """Boxes of all symbols of a derivation, no two of them alike; `taken` are the letters that the model uses."""
+    """Boxes of all symbols of a derivation, no two of them alike.
+
+    The model has symbols of the letters `bare`, and of the letters `indexed` with an index. `own` are symbols of the
+    derivation with their letters; `renamed` are letters that had to give way, as far as they were asked for.
+    """
 
     boxes: dict[Symbol, Box]
-    taken: frozenset[str]
+    bare: frozenset[str]
+    indexed: frozenset[str]
+    own: dict[Symbol, str] = field(default_factory=dict)
+    renamed: dict[str, Box] = field(default_factory=dict)
 
     def of(self, symbol: Symbol) -> Box:
+        if symbol in self.own:
+            self.letter(self.own[symbol])
         return self.boxes[symbol] if symbol in self.boxes else name_box(symbol.name)
 
-    def letter(self, letter: str) -> Box:
-        """A letter of the derivation itself, as L or T, in another form where the model has a symbol of that letter."""
-        return Name(letter if letter not in self.taken else _OTHER_FORMS.get(letter, letter + "'"))
+    def letter(self, letter: str, *, indexed: bool = False) -> Box:
+        """A letter of the derivation itself, as L or T, in another form where it could be taken for one of the model:
+        where both stand alone, or both have an index."""
+        taken = self.indexed if indexed else self.bare
+        if letter not in (self.bare | self.indexed if letter in _FAMILIES else taken):
+            return Name(letter)
+        forms = (_OTHER_FORMS.get(letter, letter + "'"), letter + "'", f"{letter}*")
+        found = Name(next((form for form in forms if form not in self.bare | self.indexed), f"{letter}*"))
+        self.renamed.setdefault(letter, found)
+        return found
 
     def intermediate(self, number: int) -> Symbol:
         """A new symbol, s with that number."""
@@ -89,7 +107,9 @@ class Notation:
 def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...], rows: tuple[str, ...]) -> Notation:
     """`rows` are the constraints whose multipliers are printed."""
     boxes = _distinct(_quantities(flat, symbols, abbreviations))
-    taken = frozenset(letter for box in boxes.values() for letter in _letters(box))
+    bare = frozenset(box.text for box in boxes.values() if isinstance(box, Name | Upright))
+    indexed = frozenset(b.base.text for b in boxes.values() if isinstance(b, Subscript) and isinstance(b.base, Name))
+    made = Notation(boxes, bare, indexed, {symbols.time: "t"} | dict.fromkeys(symbols.lam, "λ"))
     for q, qd, qdd in zip(symbols.q, symbols.qd, symbols.qdd, strict=True):
         boxes |= {qd: dotted(boxes[q], 1), qdd: dotted(boxes[q], 2)}
     boxes |= {Symbol(f"der({symbol.name})"): dotted(boxes[symbol], 1) for symbol in abbreviations}
@@ -98,13 +118,14 @@ def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...
             inner = symbol.name.count("der(")
             bare = Symbol(symbol.name[4 * inner : len(symbol.name) - inner])
             boxes[symbol] = dotted(boxes[bare] if bare in boxes else name_box(bare.name), inner)
-    boxes[symbols.time] = Name("t" if "t" not in taken else _OTHER_FORMS["t"])
+    boxes[symbols.time] = made.letter("t")
     boxes.setdefault(STANDARD_GRAVITY, Subscript(Name("g"), Upright("n")))
     known = [row for constraint in flat.constraints for row in constraint.rows]
-    base = Name("λ" if "λ" not in taken else _OTHER_FORMS["λ"])
+    base = made.letter("λ")
     for multiplier, name in zip(symbols.lam, known, strict=True):
         boxes[multiplier] = _multiplier(base, name, rows)
-    return Notation(boxes, taken)
+    made.renamed.clear()
+    return made
 
 
 def _quantities(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...]) -> dict[Symbol, Box]:
@@ -148,11 +169,6 @@ def _distinct(boxes: dict[Symbol, Box]) -> dict[Symbol, Box]:
     for symbol, box in boxes.items():
         bearers.setdefault(box, []).append(symbol)
     return {symbol: box if len(bearers[box]) == 1 else Upright(symbol.name) for symbol, box in boxes.items()}
-
-
-def _letters(box: Box) -> tuple[str, ...]:
-    base = box.base if isinstance(box, Subscript) else box
-    return (base.text,) if isinstance(base, Name | Upright) else ()
 
 
 def _multiplier(base: Box, name: str, rows: tuple[str, ...]) -> Box:

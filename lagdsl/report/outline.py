@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from sympy import Symbol
 
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import (
     Box,
@@ -36,32 +36,37 @@ from lagdsl.report.document import (
     Text,
     text,
 )
-from lagdsl.report.names import own_name, statement
+from lagdsl.report.names import letters_note, own_name, owned_statement, statement
 from lagdsl.report.notation import Notation, notation
+from lagdsl.report.sections.in_symbols import in_symbols
 from lagdsl.report.sections.instants import event_list
 from lagdsl.report.sections.system import machine
-from lagdsl.textbook.extent import Extent
-from lagdsl.textbook.familiar import Familiar
+from lagdsl.report.unit_text import unit_of
+from lagdsl.textbook.recipe import Recipe
 from lagdsl.textbook.symbols import symbols
 
 _MOST = 12
+_SHORT_ONES = "the short equations in symbols, "
 
 
-def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple[Block, ...]:
+def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
     """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole."""
-    flat = familiar.flat
-    signs = notation(flat, symbols(flat), (), tuple(row for each in flat.constraints for row in each.rows))
+    familiar, flat, short = recipe.familiar, recipe.flat, recipe.short
+    named = () if short is None else (*short.dependent_parameters, *short.definitions)
+    rows = tuple(row for each in flat.constraints for row in each.rows)
+    signs = notation(flat, symbols(flat), tuple(symbol for symbol, _ in named), rows)
     letter = signs.letter
-    reasons = "; ".join(extent.reasons)
-    blocks: list[Block] = [
+    reasons = "; ".join(recipe.extent.reasons)
+    opening: list[Block] = [
         Paragraph(
             text(
                 f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
-                "kinematics, energies, loads, constraints, and the equations in numbers where the motion starts."
+                f"kinematics, energies, loads, constraints, {'' if short is None else _SHORT_ONES}and the equations in "
+                "numbers where the motion starts."
             )
         )
     ]
-    blocks += machine(flat, signs) if drawn else []
+    blocks = machine(flat, signs) if drawn else []
     blocks += _coordinates(flat, signs)
     blocks += kinematics(familiar, letter)
     blocks += energies(familiar, letter)
@@ -70,7 +75,10 @@ def outline(familiar: Familiar, extent: Extent, *, drawn: bool = False) -> tuple
     blocks += _parts("Constraints", [each for each in flat.constraints if not each.contact])
     blocks += _parts("Contacts", flat.events.contacts)
     blocks += event_list(flat)
-    return (*blocks, *_equations(flat, letter, signs.of(symbols(flat).time)), *at_the_start(familiar, letter))
+    blocks += _equations(flat, letter, signs.of(symbols(flat).time))
+    blocks += [] if short is None else in_symbols(flat, short, signs)
+    blocks += at_the_start(familiar, letter)
+    return (*opening, *letters_note(signs), *blocks)
 
 
 def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
@@ -79,7 +87,7 @@ def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
         (
             (Math(signs.of(Symbol(c.name))),),
             own_name(signs.of(Symbol(c.name)), c.name),
-            text("" if c.unit == "1" else c.unit),
+            text(unit_of(c)),
             text(c.doc or ""),
         )
         for c in shown
@@ -98,7 +106,7 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
         return []
     counts: dict[str, int] = {}
     for item in items:
-        words = statement(item, type(item).__name__)
+        words = (statement if isinstance(item, Constraint) else owned_statement)(item, type(item).__name__)
         counts[words] = counts.get(words, 0) + 1
     entries: list[Inline] = [
         (Code(words), Text(f" ({number} times)")) if number > 1 else (Code(words),)

@@ -61,7 +61,7 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             plain = f"_({low})" if " " in low else f"_{low}"
             return line(base) + (low.translate(_SUBSCRIPTS) if low.isdigit() else plain)
         case Root(inside):
-            return f"√{_guarded(inside)}"
+            return f"√({line(inside)})" if isinstance(inside, Power) else f"√{_guarded(inside)}"
         case Dotted(base, dots):
             name = line(base)
             return name + _DOTS[dots] if len(name) == 1 and dots in _DOTS else "der(" * dots + name + ")" * dots

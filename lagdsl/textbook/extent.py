@@ -27,13 +27,17 @@ _DEEPEST_TURNS = 6
 _MOST_DEFINITIONS = 200
 _LONGEST_EXPRESSION = 2000
 _COUNTED = 10**6
+_MOST_EQUATIONS = 40
+_MOST_NAMES = 1000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extent:
-    """`reasons` say, in plain words, what is beyond the bounds of a written-out derivation; none if nothing is."""
+    """`reasons` say, in plain words, what is beyond the bounds of a written-out derivation; none if nothing is.
+    `has_short_parts`: single equations may be short, there are just many."""
 
     reasons: tuple[str, ...]
+    has_short_parts: bool
 
 
 def extent(flat: FlatModel) -> Extent:
@@ -47,7 +51,10 @@ def extent(flat: FlatModel) -> Extent:
         (len(flat.named), _MOST_DEFINITIONS, "definitions, points and frames"),
         (_longest(flat), _LONGEST_EXPRESSION, "symbols in one expression, definitions written out"),
     )
-    return Extent(reasons=tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most))
+    reasons = tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most)
+    deep = _turns(flat) > _DEEPEST_TURNS or _longest(flat) > _LONGEST_EXPRESSION
+    many = max(len(flat.coordinates), rows, len(flat.loads)) > _MOST_EQUATIONS or len(flat.named) > _MOST_NAMES
+    return Extent(reasons=reasons, has_short_parts=not deep and not many)
 
 
 def _turns(flat: FlatModel) -> int:

@@ -18,7 +18,10 @@ from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Variability
 from lagdsl.textbook.contributions import Contributions, contributions
 from lagdsl.textbook.convert import Converter, Style
-from lagdsl.textbook.settle import settled, step
+from lagdsl.textbook.settle import settled
+from lagdsl.textbook.shortening.choices import decided
+from lagdsl.textbook.shortening.constant_sums import constant_sums
+from lagdsl.textbook.shortening.whole_sums import KnownSums
 from lagdsl.textbook.symbols import Symbols, symbols
 from lagdsl.textbook.tidy import Tidy
 
@@ -78,13 +81,18 @@ def read(flat: FlatModel, *, written_out: bool = False) -> Reading:
     definitions = [item for item in flat.named if isinstance(item, Definition) and not _is_alias(item)]
     definitions = [] if written_out else definitions
     number = _unnamed if STANDARD_GRAVITY.name in _names(flat) else readable_number
-    constants = _constants(flat, table, number, [d for d in definitions if d.variability is not Variability.CONTINUOUS])
+    fixed_definitions = [d for d in definitions if d.variability is not Variability.CONTINUOUS]
+    constants, plain = _constants(flat, table, number, fixed_definitions)
     abbreviations = {d.name: Symbol(d.name) for d in definitions if d.variability is Variability.CONTINUOUS}
     positive = {symbol for symbol, value in _parameter_values(flat, table) if value > 0}
     tidy = Tidy(frozenset({*table.p, *constants.values(), STANDARD_GRAVITY}), frozenset({*positive, STANDARD_GRAVITY}))
-    style = Style(number=number, tidy=tidy, settle=step, opaque=constants)
+    settle = decided(tidy.positive)
+    named = [item.name for item in (*flat.parameters, *flat.named)]
+    fixed = frozenset({name for name in named if Symbol(name) in tidy.constants} | {p.name for p in flat.parameters})
+    tidy.known = KnownSums(constant=constant_sums(flat, fixed, plain.scalar))
+    style = Style(number=number, tidy=tidy, settle=settle, opaque=constants)
     places = Converter(model=flat, symbols=table, style=style)
-    style = Style(number=number, tidy=tidy, settle=step, opaque=constants | abbreviations)
+    style = Style(number=number, tidy=tidy, settle=settle, opaque=constants | abbreviations)
     values = Converter(model=flat, symbols=table, style=style)
     for name, symbol in abbreviations.items():
         values.rates[symbol] = Symbol(f"der({name})")
@@ -121,8 +129,9 @@ def _is_alias(item: Definition) -> bool:
 
 def _constants(
     flat: FlatModel, table: Symbols, number: Callable[[float], Expr], definitions: list[Definition]
-) -> dict[str, Symbol]:
-    """Dependent parameters that stay symbols: those that are numbers by now are written as numbers."""
+) -> tuple[dict[str, Symbol], Converter]:
+    """Dependent parameters that stay symbols: those that are numbers by now are written as numbers. With what converts
+    expressions in constants."""
     named = tuple(item for item in flat.named if isinstance(item, Definition) and _is_alias(item))
     values = Converter(model=replace(flat, named=named), symbols=table, style=Style(number=number))
     kept: dict[str, Symbol] = {}
@@ -130,7 +139,7 @@ def _constants(
         value = settled(values.scalar(item.value))
         kept |= {} if value.is_number or value.is_Symbol else {item.name: Symbol(item.name)}
         values.known(item.name, value if value.is_number or value.is_Symbol else kept[item.name])
-    return kept
+    return kept, values
 
 
 def _parameter_values(flat: FlatModel, table: Symbols) -> list[tuple[Symbol, float]]:

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
@@ -21,40 +20,29 @@ from lagdsl.flat.model import Definition, FlatModel, Output, computed_outputs
 from lagdsl.flat.row_factors import without_row_factors
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
-    Applied,
     AppliedForce,
     AppliedGeneralizedForce,
     AppliedTorque,
     Contributions,
     HeldRates,
     Inertial,
-    admissible_variation,
     held_rates,
-    work,
 )
 from lagdsl.textbook.counting import Count, count
 from lagdsl.textbook.derive import is_scleronomic, jumps, resets, rheonomic, system_energies
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.extent import Extent, extent
 from lagdsl.textbook.familiar import Familiar, familiar
-from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.mechanical import MechanicalValues
 from lagdsl.textbook.provenance import Parents, Source, Term, shares, sources, terms
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Reading, needed, read
+from lagdsl.textbook.steps.actions import ActionStep, action_steps
+from lagdsl.textbook.steps.short_equations import ShortEquations, short_equations
 from lagdsl.textbook.symbols import Symbols, occurring, replaced
 from lagdsl.textbook.tidy import size, times
 
 _LARGEST = 1000
 """Nodes of an expression that is looked through term by term."""
-
-
-class Contribution(StrEnum):
-    """Effect of an action: it contributes to the equations, or the reason why it does not."""
-
-    CONTRIBUTES = "contributes"
-    PLACE_HELD = "no admissible motion moves its place"
-    PERPENDICULAR = "perpendicular to every admissible motion of its place"
-    ZERO = "zero"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,21 +54,6 @@ class CoordinateStep:
     momentum_rate: Expr
     gradient: Expr
     left: Expr
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ActionStep:
-    """One thing that acts: `load` is the index of the load in the flat model, `back` marks the reaction at `from`.
-
-    `variations` and `works` have one entry per coordinate: dr/dq_j (or domega/dqd_j, dx/dq_j) and F . dr/dq_j.
-    """
-
-    load: int
-    back: bool
-    action: Applied
-    variations: tuple[Vector | Expr, ...]
-    works: tuple[Expr, ...]
-    contribution: Contribution
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,6 +83,7 @@ class Derivation:
 
     symbols: Symbols
     constants: frozenset[Symbol]
+    sums: frozenset[Expr]
     count: Count
     inertials: tuple[Inertial, ...]
     own_kinetic: tuple[Expr, ...]
@@ -140,11 +114,12 @@ class Derivation:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recipe:
     """`familiar` is the model as people write it. `derivation` is None where its extent is beyond what is written out;
-    `extent` says why."""
+    `extent` says why, and `short` has the equations that are short nevertheless."""
 
     familiar: Familiar
     extent: Extent
     derivation: Derivation | None
+    short: ShortEquations | None
 
     @property
     def flat(self) -> FlatModel:
@@ -156,7 +131,8 @@ def recipe(flat: FlatModel) -> Recipe:
     prepared = familiar(without_row_factors(flat))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
-    return Recipe(familiar=prepared, extent=found, derivation=derivation)
+    short = short_equations(prepared.flat, found) if found.reasons else None
+    return Recipe(familiar=prepared, extent=found, derivation=derivation, short=short)
 
 
 def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
@@ -167,7 +143,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     lagrangian, dissipation = kinetic - potential + extra, tidy(parts.dissipation)
     held = held_rates(flat, table, parts)
     steps = tuple(_coordinate(reading, lagrangian, held, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
-    actions = tuple(_action(reading, *each) for each in _numbered(reading))
+    actions = action_steps(reading)
     lost = held.parts.dissipation if held.rates else dissipation
     drags = tuple(tidy(-held.partial(lost, qd)) for qd in table.qd)
     loads = tuple(tidy(Add(*(action.works[j] for action in actions))) for j in range(len(table.q)))
@@ -216,6 +192,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     return Derivation(
         symbols=table,
         constants=tidy.constants,
+        sums=tidy.known.constant,
         count=count(flat, table, parts, ((STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE), *constants), position, velocities),
         inertials=parts.inertials,
         own_kinetic=own,
@@ -277,48 +254,6 @@ def _by_accelerations(reading: Reading, expression: Expr) -> Expr:
     present = occurring(expression)
     rest = replaced(expression, dict.fromkeys(qdd, geometry.ZERO[0]))
     return Add(*(times(tidy(partial(expression, x)), x) for x in qdd if x in present), tidy(rest))
-
-
-def _numbered(reading: Reading) -> list[tuple[int, bool, Applied]]:
-    return [
-        (load, position > 0, action)
-        for load, actions in enumerate(reading.parts.actions)
-        for position, action in enumerate(actions)
-    ]
-
-
-def _action(reading: Reading, load: int, back: bool, action: Applied) -> ActionStep:
-    tidy, table, converter = reading.tidy, reading.symbols, reading.parts.converter
-    variations = []
-    for q, qd in zip(table.q, table.qd, strict=True):
-        variation = admissible_variation(action, converter, q, qd)
-        variations.append(geometry.each(tidy, variation) if isinstance(variation, tuple) else tidy(variation))
-    works = tuple(tidy(work(action, variation)) for variation in variations)
-    return ActionStep(
-        load=load,
-        back=back,
-        action=action,
-        variations=tuple(variations),
-        works=works,
-        contribution=_contribution(action, variations, works),
-    )
-
-
-def _contribution(action: Applied, variations: Sequence[Vector | Expr], works: Sequence[Expr]) -> Contribution:
-    if any(value != 0 for value in works):
-        return Contribution.CONTRIBUTES
-    if not any(component != 0 for variation in variations for component in _components(variation)):
-        return Contribution.PLACE_HELD
-    amounts = work(action, (Symbol("x"), Symbol("y"), Symbol("z")) if _is_vector(variations[0]) else Symbol("x"))
-    return Contribution.PERPENDICULAR if amounts != 0 else Contribution.ZERO
-
-
-def _components(value: Vector | Expr) -> tuple[Expr, ...]:
-    return value if isinstance(value, tuple) else (value,)
-
-
-def _is_vector(value: Vector | Expr) -> bool:
-    return isinstance(value, tuple)
 
 
 def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]:

@@ -15,6 +15,17 @@ from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.settle import step
+from lagdsl.textbook.shortening.by_motion import by_motion
+from lagdsl.textbook.shortening.choices import without_twin_choices
+from lagdsl.textbook.shortening.constant_sums import known_sums, oriented
+from lagdsl.textbook.shortening.products import (
+    mostly_negative,
+    numbered,
+    revealed,
+    squares,
+    turned_positive,
+)
+from lagdsl.textbook.shortening.whole_sums import KnownSums, with_whole
 from lagdsl.textbook.symbols import occurring
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
@@ -24,6 +35,10 @@ _MOST_UNKNOWNS_TO_FACTOR = 8
 _DEEPEST = 60
 _DEEPEST_NESTING = 12
 _WORTH_OF_BRACKETS = 4
+_WORTH_OF_SUMS = 4
+_WORTH_OF_SQUARES = 12
+_MARGIN = 4
+_LONGEST_SIGN = 6
 
 
 class TooLargeError(Exception):
@@ -35,13 +50,13 @@ class Tidy:
     """Shortens expressions. `constants` do not change during a motion, `positive` symbols have positive values.
 
     `budget` counts products of monomials over the life of the object; when it is used up all is returned as given.
-    Sums in `whole`, as r - l0 of a spring, stay brackets where all their terms have one factor.
+    `known` are sums of the model: r - l0 of a spring stays a bracket where all terms have that factor, R - r a factor.
     """
 
     constants: frozenset[Symbol]
     positive: frozenset[Symbol]
     budget: int = 100_000
-    whole: tuple[Expr, ...] = ()
+    known: KnownSums = field(default_factory=KnownSums)
     _constant_kernels: dict[int, bool] = field(default_factory=dict)
     _nesting: int = 0
     _kernels: list[Expr] = field(default_factory=list)
@@ -63,8 +78,34 @@ class Tidy:
 
     def keep_whole(self, sums: tuple[Expr, ...]) -> None:
         """Sums that stay brackets from now on."""
-        self.whole = tuple(dict.fromkeys(each for each in map(self, sums) if each.is_Add))
+        pairs = [(each, self(each)) for each in sums]
+        self.known = with_whole(self.known, pairs)
         self._memo.clear()
+
+    def _closed(self, expression: Expr) -> Expr:
+        """The expression with the sums that have roots as symbols: multiplied out, they would lose their squares."""
+        closed = expression.xreplace(self.known.closed)
+        if closed == expression:
+            return expression
+        polynomial = self.reduced(closed)
+        found = (self._bracketed(polynomial, self._best(polynomial)), self._by_roots(polynomial))
+        return min((each.xreplace(self.known.opened) for each in found), key=self._length)
+
+    def _by_roots(self, polynomial: Polynomial) -> Expr:
+        """Sum over square roots and the sums that have them: each before a bracket."""
+        groups: dict[Monomial, Polynomial] = {}
+        for monomial, coefficient in polynomial.items():
+            rooted = tuple(pair for pair in monomial if self._is_rooted(self._kernels[pair[0]]))
+            rest = tuple(pair for pair in monomial if pair not in rooted)
+            groups.setdefault(rooted, {})[rest] = coefficient
+        return Add(*(self.monomial(rooted) * self._product_or_sum(rest) for rooted, rest in groups.items()))
+
+    def _product_or_sum(self, polynomial: Polynomial) -> Expr:
+        content, rest = self._factor(polynomial)
+        return min(numbered(content, Integer(1), rest), self._best(polynomial), key=self._length)
+
+    def _is_rooted(self, kernel: Expr) -> bool:
+        return kernel in self.known.opened or (kernel.is_Pow and kernel.base.is_Add)
 
     def _shortest(self, expression: Expr) -> Expr:
         if self._nesting >= _DEEPEST_NESTING:
@@ -72,7 +113,8 @@ class Tidy:
         self._nesting += 1
         try:
             polynomial = self.reduced(expression)
-            return self._bracketed(polynomial, min(self._collect(polynomial), expression, key=size))
+            found = self._bracketed(polynomial, min(self._best(polynomial), expression, key=self._length))
+            return found if not self.known.closed else min(found, self._closed(expression), key=self._length)
         except TooLargeError:
             return expression
         finally:
@@ -80,12 +122,27 @@ class Tidy:
 
     def collected(self, polynomial: Polynomial) -> Expr:
         """A reduced polynomial as a short expression."""
-        return self._bracketed(polynomial, self._collect(polynomial))
+        return self._bracketed(polynomial, self._best(polynomial))
+
+    def _best(self, polynomial: Polynomial) -> Expr:
+        """Collected by constants, or by what moves where that is clearly shorter: products of one constant, and squares
+        of sums, are as the model builds its energies."""
+        found = oriented(self._collect(polynomial), self.known.constant)
+        other = by_motion(polynomial, self._is_constant, self._factor)
+        if other is None:
+            return found
+        other = oriented(other, self.known.constant)
+        lost = _WORTH_OF_SQUARES * max(squares(found) - squares(other), 0)
+        return other if self._length(other) + _MARGIN + lost <= self._length(found) else found
+
+    def _length(self, expression: Expr) -> int:
+        """Sums that the model has itself count less."""
+        return size(expression) - _WORTH_OF_SUMS * known_sums(expression, self.known.constant)
 
     def _bracketed(self, polynomial: Polynomial, collected: Expr) -> Expr:
         """The sums that stay whole as brackets, where that is about as short as `collected`."""
-        if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
-            whole = self._collect(bracketed)
+        if self.known.whole and (bracketed := self._folded(polynomial)) is not polynomial:
+            whole = self._best(bracketed)
             return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
         return collected
 
@@ -111,7 +168,7 @@ class Tidy:
 
     def reduced(self, expression: Expr) -> Polynomial:
         """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
-        polynomial = self._polynomial(expression, 0)
+        polynomial = without_twin_choices(self._polynomial(expression, 0), self._kernels, self.kernel)
         angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
         return self._cancelled(reduce_trigonometry(polynomial, angles), angles)
 
@@ -122,7 +179,7 @@ class Tidy:
 
     def _folded(self, polynomial: Polynomial) -> Polynomial:
         """c a + c b as c (a + b) for each sum that stays whole, a symbol from then on."""
-        for bracket in self.whole:
+        for bracket in self.known.whole:
             if len(polynomial) > 1:
                 polynomial = folded(polynomial, self.reduced(bracket), self.kernel(bracket))
         return polynomial
@@ -135,7 +192,7 @@ class Tidy:
             power, numerator = self._over(polynomial, kernel, divisor)
             reduced = power
             while reduced < 0 and numerator:
-                result = quotient(numerator, divisor)
+                result = quotient(numerator, divisor) or quotient(without_squares(numerator, angles), divisor)
                 if result is None:
                     break
                 numerator, reduced = result, reduced + 1
@@ -223,12 +280,19 @@ class Tidy:
         """The square root; squares of positive symbols leave it."""
         outside, inside = [], []
         for factor, power in base.as_powers_dict().items():
-            if factor in self.positive and power.is_Integer:
+            if power.is_Integer and self._is_positive(factor):
                 outside.append(factor ** (power // 2))
                 inside.append(factor ** (power % 2))
             else:
                 inside.append(factor**power)
         return Mul(*outside, sympy.sqrt(Mul(*inside)))
+
+    def _is_positive(self, factor: Expr) -> bool:
+        if factor.is_Symbol:
+            return factor in self.positive
+        symbols = factor.free_symbols if factor.is_Add and len(factor.args) <= _LONGEST_SIGN else set()
+        positive = bool(symbols) and symbols <= self.positive
+        return positive and bool(factor.xreplace({s: Symbol(s.name, positive=True) for s in symbols}).is_positive)
 
     def _single(self, expression: Expr, power: int) -> Polynomial:
         return {((self.kernel(expression), power),): Integer(1)}
@@ -273,7 +337,7 @@ class Tidy:
             for content, monomial in terms
         ]
         total = Add(*shown)
-        return _revealed(sympy.factor_terms(total) if total.is_Add else total, hidden)
+        return revealed(sympy.factor_terms(total) if total.is_Add else total, hidden)
 
     def _is_constant(self, index: int) -> bool:
         known = self._constant_kernels.get(index)
@@ -300,30 +364,12 @@ class Tidy:
         if key not in self._factors:
             self._factors[key] = factors(shifted)
         content, parts = self._factors[key]
-        if sum(1 for part, power in parts if power % 2 and _mostly_negative(part)) % 2:
+        if sum(1 for part, power in parts if power % 2 and mostly_negative(part)) % 2:
             content = -content
-        return content, Mul(common, *(self._sum(_positive(part)) ** power for part, power in parts))
+        return content, Mul(common, *(self._sum(turned_positive(part)) ** power for part, power in parts))
 
     def _sum(self, polynomial: Polynomial) -> Expr:
         return Add(*(c * self.monomial(monomial) for monomial, c in polynomial.items()))
-
-
-def _mostly_negative(polynomial: Polynomial) -> bool:
-    negative = sum(1 for coefficient in polynomial.values() if coefficient < 0)
-    return 2 * negative > len(polynomial)
-
-
-def _positive(polynomial: Polynomial) -> Polynomial:
-    return {m: -c for m, c in polynomial.items()} if _mostly_negative(polynomial) else polynomial
-
-
-def _revealed(expression: Expr, hidden: dict[Expr, Expr]) -> Expr:
-    """Symbols replaced; a number before a sum stays there, which SymPy would multiply out."""
-    if not hidden or expression.is_Atom:
-        return hidden.get(expression, expression)
-    inner = [_revealed(argument, hidden) for argument in expression.args]
-    kept = expression.is_Mul and len(inner) == 2 and inner[0].is_Rational and inner[1].is_Add
-    return Mul(*inner, evaluate=False) if kept else expression.func(*inner)
 
 
 def times(factor: Expr, symbol: Symbol) -> Expr:

@@ -33,8 +33,8 @@ CASES = [
 
 
 def factor(unit: str, scales: tuple[float, float, float]) -> float:
-    """The factor of `kg.m2/s` or `kg m²/s` where m, kg and s have these factors."""
-    above, _, below = unit.translate(_RAISED).replace(" ", ".").partition("/")
+    """The factor of `kg.m2/s` or `kg·m²/s` where m, kg and s have these factors."""
+    above, _, below = unit.translate(_RAISED).replace("·", ".").partition("/")
     result = 1.0
     for part, sign in ((above, 1), (below.strip("()"), -1)):
         for piece in part.split("."):
@@ -83,5 +83,5 @@ def test_units_are_in_json_and_not_in_the_text_that_nobody_asked_for() -> None:
     assert units["der(psi)"] == "rad/s"
     assert units["multiplier(rolling[1])"] == "N"
     assert "Symbols and units" not in str(derivation)
-    assert r"\quad[\mathrm{kg\,m/s}]" in derivation.to("latex", units=True)
-    assert '<mtext class="unit">[N m]</mtext>' in derivation.to("html", units=True)
+    assert r"\quad[\mathrm{kg{\cdot}m/s}]" in derivation.to("latex", units=True)
+    assert '<mtext class="unit">[N·m]</mtext>' in derivation.to("html", units=True)

@@ -6,14 +6,24 @@ texts that are longer than a screen, and files of other tools, lie in `texts` be
 
 from __future__ import annotations
 
+import math
 from math import asin, sqrt
 
 import numpy as np
 import pytest
 
 import lagdsl
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import flatten_file
+from lagdsl.plot.picture.faces import Faces
+from lagdsl.plot.picture.recording import record_motion
+from lagdsl.plot.picture.shapes import parts_of
+from lagdsl.plot.picture.stage import stage_of
+from lagdsl.plot.picture.wishes import Wishes
+from lagdsl.source import SourceFile
 
-# ---- bounces: a contact that is located as closing strikes -------------------------------------------------------------
+# ---- bounces: a contact that is located as closing strikes -----------------------------------------------------------
+
 
 BOB = """
 model Bob "A bob on a rod strikes a floor: its height is no coordinate that a projection leaves alone"
@@ -39,7 +49,8 @@ def test_a_bounce_is_not_lost() -> None:
         assert motion["der(y)"][row : row + 2] == pytest.approx([-speed, 0.6 * speed], rel=1e-6)
 
 
-# ---- fixed steps after bounces -----------------------------------------------------------------------------------------
+# ---- fixed steps after bounces ---------------------------------------------------------------------------------------
+
 
 ARM = """
 model Arm "A pendulum bounces on a stop until it rests"
@@ -62,30 +73,282 @@ def test_bounces_end_with_steps_of_fixed_length(solver: str) -> None:
         assert motion["der(a)"][-1] == pytest.approx(0.0, abs=1e-9)
 
 
-# ---- angles of cut joints: whole turns ---------------------------------------------------------------------------------
+# ---- angles of cut joints: whole turns -------------------------------------------------------------------------------
 
-# ---- a ball joint that closes a loop half a turn from its start --------------------------------------------------------
 
-# ---- starts: guesses choose branches, explicit values hold -------------------------------------------------------------
+# ---- a ball joint that closes a loop half a turn from its start ------------------------------------------------------
 
-# ---- names of connected variables --------------------------------------------------------------------------------------
 
-# ---- models in which nothing is free to move ---------------------------------------------------------------------------
+# ---- starts: guesses choose branches, explicit values hold -----------------------------------------------------------
 
-# ---- certificates of statics -------------------------------------------------------------------------------------------
 
-# ---- linearization of circuits, verdicts on sampled loops --------------------------------------------------------------
+# ---- names of connected variables ------------------------------------------------------------------------------------
 
-# ---- lowest and highest of outputs -------------------------------------------------------------------------------------
 
-# ---- derivations: stability and equilibria -----------------------------------------------------------------------------
+# ---- models in which nothing is free to move -------------------------------------------------------------------------
 
-# ---- derivations: names and letters ------------------------------------------------------------------------------------
 
-# ---- derivations: what is printed is short -----------------------------------------------------------------------------
+# ---- certificates of statics -----------------------------------------------------------------------------------------
 
-# ---- pictures: springs and bars ----------------------------------------------------------------------------------------
 
-# ---- robots: URDF ------------------------------------------------------------------------------------------------------
+# ---- linearization of circuits, verdicts on sampled loops ------------------------------------------------------------
 
-# ---- robots: MJCF ------------------------------------------------------------------------------------------------------
+
+# ---- lowest and highest of outputs -----------------------------------------------------------------------------------
+
+
+# ---- derivations: stability and equilibria ---------------------------------------------------------------------------
+
+
+SPRING_BETWEEN = """
+model Two
+  parameter Mass m = 1 kg;
+  parameter Length l = 1 m, a = 1 m;
+  parameter Stiffness k = 10 N/m;
+  coordinate Angle theta1(start = 10 deg), theta2;
+  point A = {l*sin(theta1), -l*cos(theta1)};
+  point B = {a + l*sin(theta2), -l*cos(theta2)};
+  mass m at A;
+  mass m at B;
+  Lag.Forces.Spring s(a = A, b = B, k = k, rest = a);
+  gravity = -g_n*world.y;
+end Two;
+"""
+TWO_MESHES = """
+model Meshes
+  import Lag.Electrical.*;
+  VoltageSource src(v = 5 V*sin(20*time/(1 s)));
+  Resistor R(R = 2 Ohm);
+  Inductor L1(L = 10 mH), L2(L = 10 mH);
+  Capacitor C1(C = 1 mF), C2(C = 1 mF);
+  Ground g;
+  connect(src.p, R.p);
+  connect(R.n, L1.p);
+  connect(L1.n, C1.p, L2.p);
+  connect(L2.n, C2.p);
+  connect(src.n, C1.n, C2.n, g.p);
+end Meshes;
+"""
+
+
+def derived(text: str) -> str:
+    return str(lagdsl.compile(text).derive())
+
+
+def test_growth_against_damping_is_that_of_the_eigenvalue() -> None:
+    """s = -d/2 + sqrt(d^2/4 + g/l) with d = c/(m l^2): 1/s is 10.2 s, without damping it were 0.32 s."""
+    text = derived(
+        """model Upright
+          parameter RotationalDamping c = 100 N.m.s/rad;
+          coordinate Angle theta;
+          gravity = -9.81 m/s2*world.y;
+          mass 1 kg at {sin(theta), cos(theta)}*(1 m);
+          dissipation 1/2*c*der(theta)^2;
+        end Upright;"""
+    )
+    growth = -50.0 + math.sqrt(50.0**2 + 9.81)
+    assert f"deviations grow by a factor of e in {1 / growth:.4g} s" in " ".join(text.split())
+
+
+def test_a_dashpot_that_drives_is_unstable() -> None:
+    """x'' - 2 a x' + w^2 x = 0 grows as exp(a t)."""
+    body = "mass 1 kg at {x, 0}; gravity = 0; potential 1/2*(9 N/m)*x^2; dissipation -1/2*(0.5 N.s/m)*der(x)^2;"
+    text = " ".join(derived(f"model Driven coordinate Length x; {body} end Driven;").split())
+    assert "ω = 3 rad/s, 0.4775 Hz, unstable: deviations grow by a factor of e in 4 s" in text
+    assert "without swinging" not in text
+
+
+def test_a_ball_rests_on_the_floor() -> None:
+    text = derived(
+        """model Ball
+          parameter Mass m = 2 kg;
+          coordinate Length h(start = 1 m);
+          gravity = -g_n*world.y;
+          mass m at {0, h};
+          contact floor: h >= 0 with restitution = 0.5;
+        end Ball;"""
+    )
+    assert "Equilibrium h = 0, λ = m g_n: the contact floor is closed." in text
+    assert "While all contacts are open, so that their multipliers are zero:\n    ḧ = −g_n" in text
+    assert "nowhere" not in text
+
+
+def test_a_contact_on_the_wrong_side_holds_nothing() -> None:
+    """Under a ceiling the contact would have to pull."""
+    body = "gravity = -g_n*world.y; mass 1 kg at {0, h}; contact ceiling: -h >= 0 with restitution = 0;"
+    assert "nowhere at rest" in derived(f"model Up coordinate Length h(start = -1 m); {body} end Up;")
+
+
+def test_constants_that_must_vanish_for_rest_are_named() -> None:
+    """Two masses over a pulley: none rests unless (m1 - m2) g = 0, whatever x is."""
+    body = "coordinate Length x; gravity = g_n*world.y; mass a at {0, x}; mass b at {1 m, -x};"
+    text = derived(f"model Pulley parameter Mass a = 3 kg, b = 1 kg; {body} end Pulley;")
+    assert "There is no equilibrium unless (b − a) g_n = 0." in text
+    even = derived(f"model Pulley parameter Mass a = 3 kg, b = 3 kg; {body} end Pulley;")
+    assert "with any x, where (b − a) g_n = 0" in even
+
+
+def test_roots_that_are_the_same_are_told_once() -> None:
+    """1 - cos x = 0 has one root, and cos x = 2 none."""
+    body = "coordinate Angle x; gravity = 0; kinetic 1/2*(1 kg.m2)*der(x)^2; torque (1 N.m)*({} - cos(x)) on x;"
+    once = derived(f"model Once {body.format(1)} end Once;")
+    assert once.count("Equilibrium x = 0") == 1 and "≤" not in once
+    assert "nowhere at rest" in derived(f"model No {body.format(2)} end No;")
+
+
+def test_two_pendulums_and_a_spring_of_default_rest_hang_still() -> None:
+    """ω1^2 = g/l and ω2^2 = g/l + 2 k/m."""
+    text = derived(SPRING_BETWEEN)
+    assert "if" not in text.split("4. Energies")[1].split("6–9")[0]
+    assert "Equilibrium θ₁ = 0, θ₂ = 0. For small deviations δ:" in text
+    assert "ω₁ = √(g_n/l)\n    ω₂ = √(g_n/l + 2 k/m)" in text
+    assert "There may be other equilibria" in text
+
+
+# ---- derivations: names and letters ----------------------------------------------------------------------------------
+
+
+def test_a_place_has_one_name() -> None:
+    text = derived(
+        """model Chain
+          parameter Mass m = 1 kg;
+          parameter Length l = 1 m;
+          input Force F = 2 N;
+          coordinate Angle a, b;
+          gravity = 0;
+          mass m at {l*sin(a), -l*cos(a)};
+          mass m at {l*sin(a) + l*sin(b), -l*cos(a) - l*cos(b)};
+          force {F, 0} at {l*sin(b) + l*sin(a), -l*cos(a) - l*cos(b)};
+          point end_ = {2*l*sin(a), 0};
+          force {0, F} at end_;
+        end Chain;"""
+    )
+    assert "(F, 0)  point r₂" in text and "∂r₂/∂b = (l cos b, l sin b)" in text
+    assert "(0, F)  point r_end = (2 l sin a, 0)" in text and "∂r_end/∂a = (2 l cos a, 0)" in text
+    assert "∂r₁" not in text
+
+
+def test_a_torque_turns_what_the_body_turns_with() -> None:
+    text = derived(
+        """model Wheel
+          coordinate Angle q;
+          frame D = world.rotz(q);
+          body wheel(m = 1 kg, Izz = 2 kg.m2) on D;
+          gravity = 0;
+          torque {0, 0, 3 N.m} on D;
+        end Wheel;"""
+    )
+    assert "frame D, which turns with ω_wheel" in text and "∂ω_wheel/∂q̇ = (0, 0, 1)" in text
+
+
+def test_an_input_keeps_its_letter_with_its_value_beside_it() -> None:
+    text = derived(
+        """model Pulled
+          parameter Stiffness k1 = 10 N/m;
+          input Force F = 1 N;
+          coordinate Length x;
+          mass 1 kg at {x, 0};
+          gravity = 0;
+          potential 1/2*k1*x^2;
+          force F on x;
+        end Pulled;"""
+    )
+    assert "Inputs are held at their defaults: F = 1 N." in text
+    assert "Equilibrium x = F/k₁." in text
+    assert "d = 3 N − k = 3·1 − 2 = 1" in text
+
+
+def test_letters_give_way_only_where_they_collide_and_are_named() -> None:
+    body = "gravity = 0; mass 1 kg at {x + N + Q1, zeta};"
+    text = derived(f"model M parameter Length N = 3 m, Q1 = 1 m, k_a = 1 m; coordinate Length zeta, x; {body} end M;")
+    assert "N is a letter of the model; the derivation writes 𝒩." in text
+    assert "d = 3 𝒩 − k" in text
+    own = {letter for letter in text if ord(letter) > 0x1D400}
+    assert own == {"𝒩"}
+
+
+def test_loads_in_components_are_named_by_these() -> None:
+    assert "src: force -v on q;" in derived(TWO_MESHES)
+
+
+def test_units_are_typeset_in_every_format() -> None:
+    source = "model U parameter RotationalDamping c = 1 N.m.s/rad; coordinate Angle q; gravity = 0;"
+    found = lagdsl.compile(source + " kinetic 1/2*(1 kg.m2)*der(q)^2; dissipation c*der(q)^2/2; end U;").derive()
+    for form in ("text", "html", "markdown"):
+        assert "1 N·m·s/rad" in found.to(form)
+    assert r"1 N\ensuremath{\cdot}m\ensuremath{\cdot}s/rad" in found.to("latex")
+    assert r"\quad[\mathrm{N{\cdot}m}]" in found.to("latex", units=True)
+
+
+# ---- derivations: what is printed is short ---------------------------------------------------------------------------
+
+
+def test_a_sum_that_the_model_writes_is_a_factor() -> None:
+    """A disc rolls in a cylinder that slides: T = (M + m) X'^2/2 + m (R - r)^2 phi'^2/2 + ... as in every textbook."""
+    text = derived(
+        """model Disc
+          parameter Mass M = 2 kg, m = 1 kg;
+          parameter Length R = 0.5 m, r = 0.1 m;
+          coordinate Length X;
+          coordinate Angle phi, psi;
+          point O = {X, 0};
+          frame D = world.at(O + (R - r)*{sin(phi), -cos(phi)}).rotz(psi);
+          mass M at O;
+          body disc(m = m, Izz = 1/2*m*r^2) on D;
+          gravity = -g_n*world.y;
+          constraint rolling: r*psi = -(R - r)*phi;
+        end Disc;"""
+    )
+    assert "T = ½ (M + m) Ẋ² + ½ (R − r)² m φ̇² + (R − r) m Ẋ φ̇ cos φ + ¼ m r² ψ̇²" in text
+    assert "V = −(R − r) m g_n cos φ" in text
+    assert "(R − r) φ + r ψ = 0" in text
+    assert "(r − R)" not in text and "R² + r²" not in text
+
+
+def test_the_length_of_a_spring_is_named_once() -> None:
+    text = derived(SPRING_BETWEEN)
+    assert text.count("√((l cos θ₁ − l cos θ₂)² + (a − l sin θ₁ + l sin θ₂)²)") == 1
+    assert "V = ½ k (s_length,s − a)² − m g_n l (cos θ₁ + cos θ₂)" in text
+    assert "l k (s_length,s − a) (l sin(θ₁ − θ₂) − a cos θ₁)/s_length,s = 0" in text
+
+
+def test_a_circuit_of_two_meshes_prints_its_equations() -> None:
+    text = derived(TWO_MESHES).split("Equations in symbols")[1]
+    assert "L_L1 q̈_L1 = λ_node(R,n) − λ_node(L1,n)" in text
+    assert "q_C2/C_C2 = λ_node(L2,n) − λ_node(src,n)" in text
+    assert "q̇_C2 − q̇_L2 = 0" in text
+    assert "v_src = 5 sin(20 t)" in text
+
+
+# ---- pictures: springs and bars --------------------------------------------------------------------------------------
+
+
+def test_a_bar_is_drawn_in_its_length() -> None:
+    """I = m l^2/12 about a centre that stands l/2 from its frame: one metre from end to end."""
+    sink = Sink()
+    flat = flatten_file(
+        SourceFile(
+            "bar.lag",
+            """model Bar
+              parameter Length l = 1 m;
+              coordinate Angle q(start = 10 deg);
+              frame F = world.rotz(q);
+              body pole(m = 1 kg, com = {0, -l/2, 0}, Izz = (1 kg)*l^2/12) on F;
+              gravity = -g_n*world.y;
+            end Bar;""",
+        ),
+        sink,
+    )
+    assert flat is not None, sink.diagnostics
+    made = record_motion(flat, Wishes(), 5)
+    columns = made.motion.columns[-len(made.scene.columns) :]
+    rows = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
+    [bar] = [part for part in parts_of(stage_of(made.scene, rows, (0, 1, 0)), 0) if isinstance(part, Faces)]
+    corners = bar.corners.reshape(-1, 3)
+    assert np.linalg.norm(np.ptp(corners, axis=0)) == pytest.approx(1.0, rel=0.02)
+
+
+# ---- robots: URDF ----------------------------------------------------------------------------------------------------
+
+
+# ---- robots: MJCF ----------------------------------------------------------------------------------------------------

@@ -56,9 +56,9 @@ def _text(text: str) -> str:
 
 def test_no_letter_of_the_derivation_is_one_of_the_model() -> None:
     text = _text(_LETTERS)
-    for line in ("ℒ = 𝒯 − 𝒱", "𝒟 = ½ D q̇²", "d/d𝔱 ∂ℒ/∂q̇", "𝐫₁ = (q + r + t, 0)", "𝒬_q = "):
+    for line in ("ℒ = 𝒯 − 𝒱", "𝒟 = ½ D q̇²", "d/d𝔱 ∂ℒ/∂q̇", "𝐫₁ = (q + r + t, 0)", "Q_q = "):
         assert line in text, line
-    assert "L, T, V, D, Q, M and t are letters of the model" in text
+    assert "r, T, V, L, D, t and M are letters of the model; the derivation writes 𝐫, 𝒯, 𝒱, ℒ, 𝒟, 𝔱 and ℳ." in text
     assert "\n    L = T" not in text
 
 
@@ -74,7 +74,7 @@ def test_words_get_the_letter_of_their_kind_as_dots_stand_over_letters() -> None
 
 def test_numbers_with_a_unit_get_letters_and_keep_it() -> None:
     text = _text(_NUMBERS)
-    assert "g       9.81 m/s2" in text
+    assert "g       9.81 m/s²" in text
     assert "m₁      2 kg" in text
     assert "m₁ r̈ − m₁ r θ̇² + k (r − r₀) − m₁ g cos θ = 0" in text
 

@@ -145,7 +145,7 @@ REASONS = [
     ),
     ("coordinate Length x; mass 1 kg at {x, 0}; gravity = -g_n*world.y; force -sign(der(x))*(1 N) on x;", "corners"),
     ("coordinate Length x, y; mass 1 kg at {x, y}; gravity = -g_n*world.y; constraint c: der(y) = 0;", "of rates"),
-    ("coordinate Angle x; kinetic (1 kg.m2)*der(x)^2; potential (1 J)*(x*sin(x) + cos(2*x));", "short roots"),
+    ("coordinate Angle x; kinetic (1 kg.m2)*der(x)^2; potential (1 J)*(x*sin(x) + cos(2*x + 1));", "short roots"),
 ]
 
 
@@ -311,7 +311,7 @@ def test_a_steady_motion_without_an_angle() -> None:
           mass 1 kg at {r*cos(turn), r*sin(turn), r/tan(a)};
         end Cone;"""
     )
-    assert found.steady is not None and not found.equilibria and not found.singular
+    assert found.steady is not None and not any(each.exists for each in found.equilibria) and not found.singular
     [place] = found.steady.places
     [(r, value)] = place.at.items()
     known = {"a": 0.6, "g_n": 9.80665, "der(turn)": 3.0}

@@ -101,7 +101,7 @@ def _bar(part: float) -> Maker:
 
 
 def _spring(pose: Pose) -> list[Part]:
-    radius = pose.scalar("radius", 0.02 * pose.stage.length)
+    radius = pose.scalar("radius", 0.03 * pose.stage.length)
     points = placed(coil(), between(pose.vector("at"), pose.vector("to"), radius))
     return [Ribbon(points=points, width=0.32 * radius, color=pose.color)]
 

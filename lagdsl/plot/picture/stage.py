@@ -12,7 +12,7 @@ from lagdsl.meshes.triangles import Triangles, thinned
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.scene.meshes import meshes_of
-from lagdsl.scene.shapes import Scene
+from lagdsl.scene.shapes import Scene, Shape
 
 _ROWS_LOOKED_AT = 200
 _FEW = 1000  # triangles of a mesh: a picture has less detail than a page, and Matplotlib sorts all of them
@@ -90,16 +90,31 @@ def _places(scene: Scene, rows: Floats) -> Floats:
         if shape.kind == "frame":
             continue
         numbers = dict(shape.numbers)
-        radius = float(rows[0, numbers["radius"]]) if "radius" in numbers else 0.0
+        own = reach(shape, rows[0])
         for role in ("at", "to"):
             if role in numbers:
                 at = seen[:, numbers[role] : numbers[role] + 3]
                 at = at[np.all(np.isfinite(at), axis=1)]
-                points += [at - radius, at + radius]
+                points += [at - own, at + own]
     every = np.concatenate(points) if points else np.zeros((0, 3))
     if not len(every):
         every = np.zeros((1, 3))
     return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
+
+
+def reach(shape: Shape, row: Floats) -> float:
+    """Room that a shape takes around its place, at one row [m]: half its length, its radius; of a body more than half
+    the largest axis of its ellipsoid, a^2 + b^2 + c^2 = 5 (I_xx + I_yy + I_zz)/(2 m), and of a bar a good half."""
+    numbers = dict(shape.numbers)
+
+    def number(role: str, k: int = 0) -> float:
+        return float(row[numbers[role] + k]) if role in numbers else 0.0
+
+    if shape.kind != "body":
+        return max(number("radius"), 0.5 * number("length"), 0.5 * number("height"))
+    mass, moments = number("mass"), sum(number("inertia", k) for k in range(3))
+    square = 2.5 * moments / mass if mass > 0.0 else 0.0
+    return 0.6 * math.sqrt(square) if math.isfinite(square) and square > 0.0 else 0.0
 
 
 def _facing(scene: Scene, up: Floats) -> tuple[Floats, Floats, Floats]:

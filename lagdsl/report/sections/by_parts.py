@@ -11,7 +11,7 @@ from typing import Literal
 
 from sympy import Expr
 
-from lagdsl.report.boxes import Box, Bracket, Name, Operator, Row, Sum
+from lagdsl.report.boxes import Box, Bracket, Operator, Row, Sum
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Equation, Equations, Heading, Math, Paragraph, Text
 from lagdsl.report.names import indexed
@@ -98,7 +98,7 @@ def _gradient(page: Page, step: CoordinateStep, label: Box, item: Inertial) -> T
 def _vectors(page: Page, label: Box) -> tuple[Box, Box, Box, Box]:
     """Position, velocity, angular velocity and inertia of a carrier."""
     r, v, spin = (indexed(page.notation.letter(letter), label) for letter in ("r", "v", "ω"))
-    return r, v, spin, indexed(Name("I"), label)
+    return r, v, spin, indexed(page.notation.letter("I", indexed=True), label)
 
 
 def _mass(page: Page, item: Inertial) -> Box:

@@ -22,11 +22,12 @@ from lagdsl.report.document import (
     Text,
     text,
 )
-from lagdsl.report.names import statement
+from lagdsl.report.names import owned_statement
 from lagdsl.report.page import Page, added, partial, vector_lines
+from lagdsl.report.sections.places import Place, places_of
 from lagdsl.report.unicode_math import line
 from lagdsl.textbook.contributions import Applied, AppliedForce, AppliedGeneralizedForce, AppliedTorque
-from lagdsl.textbook.recipe import ActionStep, Contribution
+from lagdsl.textbook.steps.actions import ActionStep, Contribution
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
 _NO_LOADS = (
@@ -34,6 +35,7 @@ _NO_LOADS = (
     "into the coordinates do no work on any admissible motion."
 )
 _VARIATIONS = "How the place of each load moves with one coordinate at a time, time held still; zeros are left out."
+_WORLD_AXES = " All vectors are in world axes."
 _BUILT_IN = (
     "The forces that uphold what is built into the coordinates (rods, guides, joints): they are perpendicular to every "
     "admissible motion, so they are never needed."
@@ -67,13 +69,13 @@ def loads(page: Page) -> list[Block]:
 def _load_list(page: Page) -> list[Block]:
     rows: list[tuple[Inline, ...]] = []
     below: list[Equation] = []
-    for number, step in enumerate(page.derivation.actions, start=1):
+    for number, (step, place) in enumerate(zip(page.derivation.actions, places_of(page), strict=True), start=1):
         load = page.flat.loads[step.load]
-        words = statement(load, load.label or type(load).__name__)
+        words = owned_statement(load, load.label or type(load).__name__)
         side: Inline = (Text(" (the opposite one)"),) if step.back else ()
         name = _load_name(page, step, number)
         amount = _in_cell(name, _amount(page, step), below)
-        rows.append(((Math(name),), (Code(words), *side), amount, _place(page, step, number, below)))
+        rows.append(((Math(name),), (Code(words), *side), amount, _place(page, step, place, below)))
     blocks: list[Block] = [Table(("load", "in the model", "value", "acts on"), tuple(rows))]
     return [*blocks, Equations(tuple(below))]
 
@@ -86,17 +88,26 @@ def _in_cell(name: Box, value: Box, below: list[Equation]) -> Inline:
     return (Text("below"),)
 
 
-def _place(page: Page, step: ActionStep, number: int, below: list[Equation]) -> Inline:
-    point = Subscript(page.notation.letter("r"), Number(str(number)))
+def _place(page: Page, step: ActionStep, place: Place, below: list[Equation]) -> Inline:
+    """The place by its name, with its value where the report does not have it yet."""
     match step.action:
         case AppliedForce(position=position, frame=None):
-            return (Text("point "), *_in_cell(point, page.vector(position), below))
+            return (Text("point "), *_named(place, page.vector(position), below))
         case AppliedForce(position=position, frame=frame):
-            return (Text(f"material point of {frame} at "), *_in_cell(point, page.vector(position), below))
+            return (Text(f"material point of {frame} at "), *_named(place, page.vector(position), below))
         case AppliedTorque(frame=frame):
-            return text(f"frame {frame}")
+            return (Text(f"frame {frame}, which turns with "), Math(place.name))
         case AppliedGeneralizedForce(target=target):
-            return _in_cell(Subscript(page.notation.letter("x"), Number(str(number))), page.typeset(target), below)
+            return _named(place, page.typeset(target), below)
+
+
+def _named(place: Place, value: Box, below: list[Equation]) -> Inline:
+    if place.is_known:
+        return (Math(place.name),)
+    if len(line(value)) <= _WIDEST_CELL:
+        return (Math(Row((place.name, EQUALS, value))),)
+    below += vector_lines(place.name, value, None)
+    return (Math(place.name), Text(" below"))
 
 
 def _amount(page: Page, step: ActionStep) -> Box:
@@ -109,27 +120,23 @@ def _amount(page: Page, step: ActionStep) -> Box:
 
 def _variations(page: Page) -> list[Block]:
     lines = []
-    for number, step in enumerate(page.derivation.actions, start=1):
+    for place, step in zip(places_of(page), page.derivation.actions, strict=True):
         for j, (q, variation) in enumerate(zip(page.derivation.symbols.q, step.variations, strict=True)):
             if not any(component != 0 for component in (variation if isinstance(variation, tuple) else (variation,))):
                 continue
             value = page.vector(variation) if isinstance(variation, tuple) else page.typeset(variation)
             unit = page.unit(_variation_unit, step.action, j)
-            lines += vector_lines(_variation_name(page, step, number, q), value, unit)
+            lines += [
+                each for each in vector_lines(_variation_name(page, step, place, q), value, unit) if each not in lines
+            ]
     if not lines:
         return [Paragraph(text("No admissible motion moves the place of any load."))]
-    return [Paragraph(text(_VARIATIONS)), Equations(tuple(lines))]
+    turned = any(isinstance(step.action, AppliedTorque) for step in page.derivation.actions)
+    return [Paragraph(text(_VARIATIONS + (_WORLD_AXES if turned else ""))), Equations(tuple(lines))]
 
 
-def _variation_name(page: Page, step: ActionStep, number: int, q: Symbol) -> Box:
-    index = Number(str(number))
-    match step.action:
-        case AppliedForce():
-            return partial(Subscript(page.notation.letter("r"), index), page.notation.of(q))
-        case AppliedTorque():
-            return partial(Subscript(page.notation.letter("ω"), index), page.rate(q))
-        case AppliedGeneralizedForce():
-            return partial(Subscript(page.notation.letter("x"), index), page.notation.of(q))
+def _variation_name(page: Page, step: ActionStep, place: Place, q: Symbol) -> Box:
+    return partial(place.name, page.rate(q) if isinstance(step.action, AppliedTorque) else page.notation.of(q))
 
 
 def _variation_unit(units: Units, action: Applied, j: int) -> str | None:
@@ -157,14 +164,18 @@ def _workless(page: Page) -> list[Block]:
 
 
 def _generalized_forces(page: Page) -> list[Block]:
-    lines = []
+    lines, places = [], places_of(page)
     for j, step in enumerate(page.derivation.coordinates):
-        works = [(number, a) for number, a in enumerate(page.derivation.actions, start=1) if a.works[j] != 0]
-        sources = [_work_of(page, a, number, _variation_name(page, a, number, step.q)) for number, a in works]
+        works = [
+            (number, a, place)
+            for number, (a, place) in enumerate(zip(page.derivation.actions, places, strict=True), start=1)
+            if a.works[j] != 0
+        ]
+        sources = [_work_of(page, a, number, _variation_name(page, a, place, step.q)) for number, a, place in works]
         total = page.derivation.generalized_forces[j] + page.derivation.drags[j]
         if page.derivation.drags[j] != 0:
             sources.append(Sum((("-", partial(page.notation.letter("D"), page.rate(step.q))),)))
-        name = Subscript(page.notation.letter("Q"), page.notation.of(step.q))
+        name = Subscript(page.notation.letter("Q", indexed=True), page.notation.of(step.q))
         value = page.typeset(total)
         right = Row((added(sources), EQUALS, value)) if sources and total != 0 else value
         lines.append(Equation(name, right, unit=page.unit(Units.force, j)))

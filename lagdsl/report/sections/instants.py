@@ -24,6 +24,7 @@ from lagdsl.report.document import (
 from lagdsl.report.names import statement
 from lagdsl.report.page import Page
 from lagdsl.report.unicode_math import line
+from lagdsl.report.unit_text import unit_of
 from lagdsl.textbook.recipe import ConstraintRow
 
 _MOST = 12
@@ -105,7 +106,7 @@ def event_list(flat: FlatModel) -> list[Block]:
         rows: list[tuple[Inline, ...]] = [
             (
                 (Code(each.name),),
-                text("" if each.unit == "1" else each.unit),
+                text(unit_of(each)),
                 text(flat_expression_text(each.start)),
                 text(each.doc or ""),
             )

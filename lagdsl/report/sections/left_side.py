@@ -8,7 +8,7 @@ from sympy import Expr
 
 from lagdsl.flat.model import Parameter
 from lagdsl.flat.quantity import Quantity
-from lagdsl.report.boxes import Box, Name, Number, Operator, Row, Subscript, Sum, Upright
+from lagdsl.report.boxes import Box, Number, Operator, Row, Subscript, Sum, Upright
 from lagdsl.report.broken import lines as broken_lines
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
@@ -20,13 +20,12 @@ from lagdsl.report.page import Page, vector_lines
 from lagdsl.report.sections.by_parts import is_by_parts
 from lagdsl.report.sections.counting import count_blocks
 from lagdsl.report.unicode_math import line
+from lagdsl.report.unit_text import readable_unit, unit_of, value_and_unit
 from lagdsl.textbook.contributions import Inertial
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.tidy import size
-from lagdsl.units.naming import to_display
 
 _LONGEST_LINE = 80
-_OWN_LETTERS = "LTVDQMt"
 _POSITIONS = "From the world origin, in world axes; of a body its mass centre."
 _ENERGIES_BY_HAND = "No mass or body is declared: the energies are written by hand."
 
@@ -40,7 +39,7 @@ def parameters(page: Page) -> list[Block]:
         if symbol in page.derivation.occurring
     ]
     if STANDARD_GRAVITY in page.derivation.occurring and STANDARD_GRAVITY not in page.derivation.symbols.p:
-        rows.append(((Math(page.notation.of(STANDARD_GRAVITY)),), text("9.80665 m/s2"), text("standard gravity")))
+        rows.append(((Math(page.notation.of(STANDARD_GRAVITY)),), text("9.80665 m/s²"), text("standard gravity")))
     if not rows:
         return []
     blocks: list[Block] = [Heading("Parameters"), Table(("symbol", "value", "meaning"), tuple(rows))]
@@ -61,7 +60,7 @@ def symbols_and_units(page: Page) -> list[Block]:
     words |= {item.name: item.doc or "" for item in quantities if isinstance(item, Quantity)}
     moving = {*d.symbols.q, *d.symbols.qd, *d.symbols.qdd, *d.symbols.lam}
     rows: list[tuple[Inline, ...]] = [
-        ((Math(page.notation.of(symbol)),), text("" if unit == "1" else unit), text(words.get(symbol.name, "")))
+        ((Math(page.notation.of(symbol)),), text(readable_unit(unit)), text(words.get(symbol.name, "")))
         for symbol, unit in page.units.of_symbols(d).items()
         if symbol in d.occurring or symbol in moving
     ]
@@ -69,13 +68,13 @@ def symbols_and_units(page: Page) -> list[Block]:
     own += [("D", "W", "Rayleigh function")] if d.dissipation != 0 else []
     rows += [((Math(letter(name)),), text(unit), text(meaning)) for name, unit, meaning in own]
     for j, q in enumerate(d.symbols.q):
-        force = Subscript(letter("Q"), page.notation.of(q))
-        rows.append(((Math(force),), text(page.units.force(j)), text("generalized force")))
+        force = Subscript(letter("Q", indexed=True), page.notation.of(q))
+        rows.append(((Math(force),), text(readable_unit(page.units.force(j))), text("generalized force")))
     return [Heading("Symbols and units", units=True), Table(("symbol", "unit", "meaning"), tuple(rows))]
 
 
 def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:
-    """Parameters that the formulas do not show, and letters that had to give way."""
+    """Parameters that the formulas do not show."""
     blocks: list[Block] = []
     if idle:
         blocks.append(Paragraph(text(f"In no formula: {gathered(idle)}.")))
@@ -85,13 +84,6 @@ def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:
     if twins:
         pairs = ", ".join(f"{one} = {other}" for one, other in twins)
         blocks.append(Paragraph(text(f"Equal in this model, and written as one: {pairs}.")))
-    given_way = [letter for letter in _OWN_LETTERS if letter in page.notation.taken]
-    if given_way:
-        theirs, ours = listed([Name(each) for each in given_way]), [page.notation.letter(each) for each in given_way]
-        verb = "are letters" if len(given_way) > 1 else "is a letter"
-        blocks.append(
-            Paragraph((*theirs, Text(f" {verb} of the model; the derivation writes "), *listed(ours), Text(".")))
-        )
     return blocks
 
 
@@ -109,7 +101,7 @@ def coordinates(page: Page) -> list[Block]:
         (
             (Math(page.notation.of(symbol)),),
             own_name(page.notation.of(symbol), item.name),
-            text(unit(item)),
+            text(unit_of(item)),
             text(item.doc or ""),
         )
         for symbol, item in zip(page.derivation.symbols.q, page.flat.coordinates, strict=True)
@@ -233,7 +225,7 @@ def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
     if any(item.velocity):
         terms.append(("+", Row((half, page.typeset(item.mass), velocity, dot, velocity))))
     if item.frame is not None and any(item.spin):
-        terms.append(("+", Row((half, spin, dot, indexed(Name("I"), label), spin))))
+        terms.append(("+", Row((half, spin, dot, indexed(page.notation.letter("I", indexed=True), label), spin))))
     return Sum(tuple(terms))
 
 
@@ -247,13 +239,8 @@ def _kinetic(page: Page) -> Box:
     return Sum(tuple(("+", indexed(letter, label)) for (label, _), own in pairs if own != 0))
 
 
-def unit(item: Quantity) -> str:
-    return "" if item.unit == "1" else item.unit
-
-
 def value(item: Parameter) -> str:
     """The number in the unit that the model shows it in."""
     if item.kind == "Boolean":
         return "true" if item.value else "false"
-    shown = item.display_unit or item.unit
-    return f"{to_display(item.value, item.display_unit):.6g} {'' if shown == '1' else shown}".rstrip()
+    return " ".join(value_and_unit(item.value, item)).rstrip()

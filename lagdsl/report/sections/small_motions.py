@@ -8,6 +8,8 @@ from typing import Literal, TypeAlias
 
 from sympy import Expr, Integer, Symbol, fraction
 
+from lagdsl.flat.expression import Number as Constant
+from lagdsl.flat.model import Input
 from lagdsl.report.boxes import (
     EQUALS,
     Box,
@@ -22,10 +24,12 @@ from lagdsl.report.boxes import (
     Row,
     Subscript,
     Sum,
+    Upright,
 )
 from lagdsl.report.dimensions import Units
 from lagdsl.report.document import (
     Block,
+    Code,
     Equation,
     Equations,
     Heading,
@@ -40,6 +44,7 @@ from lagdsl.report.names import listed
 from lagdsl.report.notation import dotted
 from lagdsl.report.page import Page
 from lagdsl.report.unicode_math import line
+from lagdsl.report.unit_text import value_and_unit
 from lagdsl.textbook.small_motions.accelerations import LONGEST_SOLUTION
 from lagdsl.textbook.small_motions.linear import Frequency, Linear
 from lagdsl.textbook.small_motions.roots import Condition
@@ -54,6 +59,10 @@ _LONGEST_FRACTION = 76
 _REST = "At rest, with all rates and accelerations zero, the equations of motion are:"
 _REST_CONSTRAINED = "At rest, with all rates and accelerations zero, the equations of motion and the constraints are:"
 _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` finds them."
+_OF_CONTACTS = (
+    "Of each contact the gap or the multiplier is zero, and neither is negative: it is open, or closed and pushes."
+)
+_OPEN = "While all contacts are open, so that their multipliers are zero:"
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _SINGULAR = (
     "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
@@ -74,6 +83,8 @@ def accelerations(page: Page) -> list[Block]:
     blocks: list[Block] = [Heading("Solved for the accelerations")]
     if found.nonlinear:
         return [*blocks, Paragraph(text(_NONLINEAR))]
+    if any(row.contact for row in page.derivation.constraints):
+        blocks.append(Paragraph(text(_OPEN)))
     if found.values:
         units = {} if page.units is None else page.units.of_symbols(page.derivation)
         lines = (
@@ -104,7 +115,8 @@ def small_motions(page: Page) -> list[Block]:
     if found.reason is not None:
         return [*blocks, Paragraph(with_code(found.reason))]
     if found.held:
-        held = [Row((page.notation.of(u), EQUALS, page.typeset(value))) for u, value in found.held]
+        inputs = {item.name: item for item in page.flat.inputs}
+        held = [Row((page.notation.of(u), EQUALS, *_default(inputs[u.name]))) for u in found.held]
         blocks.append(Paragraph((Text("Inputs are held at their defaults: "), *listed(held), Text("."))))
     count = len(page.derivation.symbols.q)
     lines = tuple(
@@ -112,14 +124,36 @@ def small_motions(page: Page) -> list[Block]:
         for j, value in enumerate(found.statics)
         if value != 0
     )
-    if not lines:
+    contacts = any(row.contact for row in page.derivation.constraints)
+    if not lines and not contacts:
         return [*blocks, Paragraph(text(_EVERYWHERE))]
     blocks += [Paragraph(text(_REST_CONSTRAINED if found.constrained else _REST)), Equations(lines)]
+    blocks += [Paragraph(text(_OF_CONTACTS))] if contacts else []
     if not found.equilibria:
         blocks.append(_nowhere(page, found.singular))
     for group in _alike(found.equilibria):
-        blocks += _equilibrium(page, group, constrained=found.constrained)
+        if _is_never(group[0]):
+            blocks.append(_unless(page, group[0]))
+        else:
+            blocks += _equilibrium(page, group, constrained=found.constrained)
+    blocks += [] if found.not_all_because is None else [Paragraph(with_code(found.not_all_because))]
     return blocks if found.steady is None else [*blocks, *_steady_motions(page, found.steady)]
+
+
+def _default(item: Input) -> tuple[Box, ...]:
+    assert isinstance(item.default, Constant)
+    value, unit = value_and_unit(item.default.value, item)
+    return (Number(value), Upright(unit)) if unit else (Number(value),)
+
+
+def _is_never(equilibrium: Equilibrium) -> bool:
+    """True if nothing that moves can make the equations hold for the parameters of the model."""
+    return not equilibrium.exists and not equilibrium.at and all(c.kind == "zero" for c in equilibrium.conditions)
+
+
+def _unless(page: Page, equilibrium: Equilibrium) -> Paragraph:
+    conditions = listed([_condition(page, each) for each in equilibrium.conditions])
+    return Paragraph((Text("There is no equilibrium unless "), *conditions, Text(".")))
 
 
 def _nowhere(page: Page, singular: Sequence[Equilibrium]) -> Paragraph:
@@ -181,6 +215,11 @@ def _equilibrium(page: Page, group: Sequence[Equilibrium], *, constrained: bool)
         opening += [Text(", where "), Math(_condition(page, condition))]
     if first.conditions and not first.exists:
         opening.append(Text(", which is not so for the values above"))
+    if first.closed:
+        verb = ": the contact " if len(first.closed) == 1 else ": the contacts "
+        names = [(Code(name),) for name in first.closed]
+        pieces = [piece for n, name in enumerate(names) for piece in ((Text(" and "), *name) if n else name)]
+        return [Paragraph((*opening, Text(verb), *pieces, Text(f" {'is' if len(names) == 1 else 'are'} closed.")))]
     if constrained:
         return [Paragraph((*opening, *with_code(_OF_CONSTRAINED)))]
     if first.linear is None:
@@ -229,6 +268,10 @@ def _place(page: Page, equilibrium: Equilibrium, both: Symbol | None) -> list[Te
 def _condition(page: Page, condition: Condition, rates: Sequence[Symbol] = ()) -> Box:
     """`a ≤ b` of a quotient of positive quantities, as squares of rates are, else the whole inequality."""
     value, at_most = condition.value, Operator("≤")
+    if condition.kind == "zero":
+        shown = page.typeset(value)
+        alone = isinstance(shown, Sum) and len(shown.terms) == 1
+        return Row((shown.terms[0][1] if isinstance(shown, Sum) and alone else shown, EQUALS, _ZERO))
     if condition.kind == "nonnegative":
         return Row((_ZERO, at_most, page.typeset(value)))
     above, below = fraction(value.together())
@@ -334,7 +377,7 @@ def _damped_in_numbers(page: Page, name: Box, frequency: Frequency) -> list[Text
     found: list[Text | Math] = [Math(ratio), Text(f" = {damped.ratio_number:.4g}")]
     if damped.square_number > 0:
         found += [Text(", "), Math(left), Text(f" = {math.sqrt(damped.square_number):.4g} rad/s")]
-    else:
+    elif damped.ratio_number > 0:
         found.append(Text(": deviations return without swinging"))
     return [*found, Text("; ")]
 
@@ -348,7 +391,9 @@ def _in_numbers(name: Box, frequency: Frequency) -> list[Text | Math]:
     if square > 0:
         words = f" = {root:.4g} rad/s, {root / (2 * math.pi):.4g} Hz"
     elif square < 0:
-        words = f"² = −{-square:.4g} 1/s², unstable: deviations grow by a factor of e in {1 / root:.4g} s"
+        words = f"² = −{-square:.4g} 1/s²"
     else:
         words = " = 0: nothing holds this motion"
+    if frequency.growth > 0:
+        words += f", unstable: deviations grow by a factor of e in {1 / frequency.growth:.4g} s"
     return [Math(name), Text(words), Text("; ")]

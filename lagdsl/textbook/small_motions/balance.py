@@ -13,6 +13,8 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, readable_number, whole_sums
 from lagdsl.textbook.recipe import ConstraintRow, Derivation
+from lagdsl.textbook.shortening.whole_sums import KnownSums
+from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.tidy import Tidy, size
 
 LONGEST = 400
@@ -25,8 +27,8 @@ class Balance:
     """Equations of motion as residuals, left-hand side less right-hand side, one per coordinate, then the constraint
     rows as accelerations; `unknowns` are the accelerations, then the multipliers of these rows.
 
-    Contacts are open, so that their multipliers are zero; `rows` are the other constraint rows. `numbers` are the
-    values of all that is constant.
+    Contacts that are not in `closed` are open, so that their multipliers are zero; `rows` are the other constraints'.
+    `numbers` are the values of all that is constant; inputs with a default are held at it.
     """
 
     flat: FlatModel
@@ -36,6 +38,7 @@ class Balance:
     unknowns: tuple[Symbol, ...]
     tidy: Tidy
     numbers: Mapping[Symbol, float]
+    closed: frozenset[str] = frozenset()
 
     def number(self, expression: Expr) -> float:
         """The value of an expression in constants; nan where it has none."""
@@ -46,17 +49,21 @@ class Balance:
         return value.real if abs(value.imag) <= 1e-12 * (1.0 + abs(value.real)) else math.nan
 
 
-def balance(flat: FlatModel, derivation: Derivation) -> Balance:
+def balance(flat: FlatModel, derivation: Derivation, closed: frozenset[str] = frozenset()) -> Balance:
+    """With the contacts of the names `closed`."""
     table = derivation.symbols
-    lasting = tuple(row for row in derivation.constraints if not row.contact and row.restricts)
+    present = (row for row in derivation.constraints if not row.contact or row.name in closed)
+    lasting = tuple(row for row in present if row.restricts)
     open_ = {row.multiplier: Integer(0) for row in derivation.constraints if row not in lasting}
     equations = [s.left - right for s, right in zip(derivation.coordinates, derivation.rights, strict=True)]
     independent = [parameter for parameter in flat.parameters if not parameter.structural]
     values = dict(zip(table.p, (parameter.value for parameter in independent), strict=True))
+    values |= {symbol: float(value) for symbol, value in defaults(flat, table).items()}
     tidy = Tidy(
-        derivation.constants,
+        derivation.constants | {*defaults(flat, table)},
         frozenset({*(symbol for symbol, value in values.items() if value > 0), STANDARD_GRAVITY}),
         budget=_BUDGET,
+        known=KnownSums(constant=derivation.sums),
     )
     tidy.keep_whole(tuple(whole_sums(derivation.potential, derivation.constants)))
     numbers = {STANDARD_GRAVITY: float(STANDARD_GRAVITY_VALUE), **values}
@@ -68,6 +75,7 @@ def balance(flat: FlatModel, derivation: Derivation) -> Balance:
         unknowns=(*table.qdd, *(row.multiplier for row in lasting)),
         tidy=tidy,
         numbers=numbers,
+        closed=closed,
     )
     for symbol, value in derivation.dependent_parameters:
         numbers[symbol] = result.number(value)
@@ -86,7 +94,7 @@ def written_out(derivation: Derivation, expressions: Sequence[Expr]) -> tuple[Ex
     return result
 
 
-def defaults(balance: Balance) -> dict[Symbol, Expr]:
+def defaults(flat: FlatModel, table: Symbols) -> dict[Symbol, Expr]:
     """Inputs whose value is a number while nothing is given from outside."""
-    pairs = zip(balance.derivation.symbols.u, balance.flat.inputs, strict=True)
+    pairs = zip(table.u, flat.inputs, strict=True)
     return {symbol: readable_number(item.default.value) for symbol, item in pairs if isinstance(item.default, Number)}

@@ -15,7 +15,7 @@ from sympy import Expr, Integer, Symbol
 from lagdsl.numerics.rank import null_space, rank
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.rational import divided, in_lowest_terms, lowest
-from lagdsl.textbook.small_motions.balance import Balance
+from lagdsl.textbook.small_motions.balance import LONGEST, Balance
 from lagdsl.textbook.small_motions.quotients import blocks, determinant, ratio
 from lagdsl.textbook.tidy import Tidy, TooLargeError, size
 
@@ -39,14 +39,16 @@ class Damped:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frequency:
     """`square` is ω² of a motion of the `coordinates`; `damping` is D/M where they are one coordinate. `sign` is that
-    of the square for all positive parameters, 0 if it depends on them; `number` its value for those of the model.
-    `damped` is None without damping, and where nothing pulls back."""
+    of the square for all positive parameters, 0 if it depends on them; `number` its value for those of the model, and
+    `growth` [1/s] the largest real part of the eigenvalues then. `damped` is None without damping, and where nothing
+    pulls back."""
 
     coordinates: tuple[Symbol, ...]
     square: Expr
     damping: Expr
     sign: int
     number: float
+    growth: float
     damped: Damped | None
 
 
@@ -79,7 +81,7 @@ def linear(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr], 
     rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
 
     def derivatives(by: Sequence[Symbol]) -> Square:
-        values = ((balance.tidy(partial(each, x).xreplace(rest)) for x in by) for each in residuals)
+        values = ((_short(balance, partial(each, x).xreplace(rest)) for x in by) for each in residuals)
         return tuple(tuple(balance.tidy(value.xreplace(at)) for value in row) for row in values)
 
     mass = regular(balance, residuals, at)
@@ -90,6 +92,11 @@ def linear(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr], 
         if real and not math.isfinite(balance.number(entry)):
             raise NotLinearError
     return _with_frequencies(balance, mass, damping, stiffness)
+
+
+def _short(balance: Balance, value: Expr) -> Expr:
+    """Tidied; a long one is looked at after its place is put in."""
+    return balance.tidy(value) if size(value) <= LONGEST else value
 
 
 def regular(balance: Balance, residuals: Sequence[Expr], at: dict[Symbol, Expr]) -> Square:
@@ -146,6 +153,7 @@ def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness
                 damping=drag,
                 sign=_sign(balance.tidy, s),
                 number=balance.number(s),
+                growth=_growth(balance.number(drag), balance.number(s)),
                 damped=_damped(balance, drag, s),
             )
             for s in squares
@@ -158,6 +166,16 @@ def _with_frequencies(balance: Balance, mass: Square, damping: Square, stiffness
         coupled=tuple(coupled),
         damped=tuple(damped),
     )
+
+
+def _growth(drag: float, square: float) -> float:
+    """Largest real part of the roots of x² + drag x + square = 0, without cancellation; nan where one is unknown."""
+    half = drag / 2.0
+    inside = half * half - square
+    if not inside > 0.0:
+        return -half if math.isfinite(inside) else math.nan
+    root = math.sqrt(inside)
+    return -square / (half + root) if half > 0.0 else root - half
 
 
 def _damped(balance: Balance, drag: Expr, square: Expr) -> Damped | None:

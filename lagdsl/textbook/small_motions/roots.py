@@ -14,9 +14,9 @@ from lagdsl.textbook.tidy import Tidy
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A root is real if `value` is between -1 and 1, or not negative."""
+    """A root is real if `value` is between -1 and 1, or not negative; a place is one of rest if `value` is zero."""
 
-    kind: Literal["unit", "nonnegative"]
+    kind: Literal["unit", "nonnegative", "zero"]
     value: Expr
 
 
@@ -95,9 +95,19 @@ def _of_sine(tidy: Tidy, by_s: Expr, by_c: Expr, rest: Expr) -> list[Root]:
         return [Root(one), Root(one + pi)]
     if by_s == 0:
         value = tidy(-rest / by_c)
-        return [Root(sign * sympy.acos(value), Condition("unit", value)) for sign in (1, -1)]
+        one = sympy.acos(value)
+        return _real(value, one, -one)
     if by_c == 0:
         value = tidy(-rest / by_s)
         one = sympy.asin(value)
-        return [Root(one, Condition("unit", value)), Root(pi - one, Condition("unit", value))]
+        return _real(value, one, pi - one)
     raise NotSolvedError
+
+
+def _real(value: Expr, one: Expr, other: Expr) -> list[Root]:
+    """Both angles of a sine or cosine; of a number those that there are, the same one once."""
+    if not value.is_Rational:
+        return [Root(one, Condition("unit", value)), Root(other, Condition("unit", value))]
+    if abs(value) > 1:
+        return []
+    return [Root(one)] if abs(value) == 1 else [Root(one), Root(other)]

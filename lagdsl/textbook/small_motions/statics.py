@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from sympy import Expr, Symbol, pi
+from sympy import Add, Expr, Symbol, pi
 
 from lagdsl.textbook.small_motions.balance import Balance
 from lagdsl.textbook.small_motions.quotients import ratio
@@ -33,7 +33,8 @@ def places(balance: Balance, equations: Sequence[Expr], unknowns: Sequence[Symbo
         found = _solutions(balance, list(equations), tuple(unknowns), Place())
     except (TooLargeError, ZeroDivisionError) as error:
         raise NotSolvedError from error
-    return [_settled(balance, place, unknowns) for place in found]
+    settled = [_settled(balance, place, unknowns) for place in found]
+    return [place for n, place in enumerate(settled) if all(place.at != other.at for other in settled[:n])]
 
 
 def _solutions(balance: Balance, equations: list[Expr], unknowns: Sequence[Symbol], place: Place) -> list[Place]:
@@ -44,9 +45,16 @@ def _solutions(balance: Balance, equations: list[Expr], unknowns: Sequence[Symbo
         raise NotSolvedError
     fixed = [e for e in left if not e.free_symbols & {*unknowns}]
     if fixed:
-        if all(abs(balance.number(e)) > _ROUNDING for e in fixed):
+        if any(_is_never_zero(balance, e) for e in fixed):
             return []
-        raise NotSolvedError
+        if place.at and not all(vanishes(balance, e) for e in fixed):
+            if all(math.isfinite(balance.number(e)) for e in fixed):
+                return []
+            raise NotSolvedError
+        place = replace(place, conditions=(*place.conditions, *(Condition("zero", e) for e in fixed)))
+        left = [e for e in left if e not in fixed]
+        if not left:
+            return [place]
     chosen, split = _choice(balance, left, unknowns)
     others = [e for e in left if e is not chosen]
     result: list[Place] = []
@@ -71,7 +79,7 @@ def _choice(
             split = list(_split(balance, equation, unknowns))
         except NotSolvedError:
             continue
-        found.append((max(present for present, _, _ in split), len(split), number, split))
+        found.append((max((present for present, _, _ in split), default=0), len(split), number, split))
     if not found:
         raise NotSolvedError
     _, _, number, split = min(found, key=lambda each: each[:3])
@@ -118,9 +126,25 @@ def _settled(balance: Balance, place: Place, unknowns: Sequence[Symbol]) -> Plac
 
 def _is_certain(balance: Balance, condition: Condition) -> bool:
     """True if SymPy sees that it holds for all real values of the parameters, positive ones where they are so."""
-    present, positive = condition.value.free_symbols, balance.tidy.positive
-    known = {s: Symbol(s.name, positive=True) if s in positive else Symbol(s.name, real=True) for s in present}
-    return condition.kind == "nonnegative" and bool(condition.value.xreplace(known).is_nonnegative)
+    return condition.kind == "nonnegative" and bool(of_real_values(balance, condition.value).is_nonnegative)
+
+
+def of_real_values(balance: Balance, value: Expr) -> Expr:
+    """With symbols that SymPy knows to be real, positive ones where the parameters are so."""
+    positive = balance.tidy.positive
+    return value.xreplace(
+        {s: Symbol(s.name, **{"positive" if s in positive else "real": True}) for s in value.free_symbols}
+    )
+
+
+def _is_never_zero(balance: Balance, value: Expr) -> bool:
+    return bool(of_real_values(balance, value).is_nonzero)
+
+
+def vanishes(balance: Balance, value: Expr) -> bool:
+    """True if it is zero for the values of the parameters, but for rounding."""
+    terms = [abs(balance.number(term)) for term in Add.make_args(value.expand())]
+    return bool(abs(balance.number(value)) <= _ROUNDING * max(terms))
 
 
 def _without_turns(value: Expr) -> Expr:

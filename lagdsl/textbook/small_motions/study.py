@@ -9,18 +9,22 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import assert_never
 
-from sympy import Expr, Function, Integer, Symbol, nan, oo, zoo
+from sympy import Expr, Integer, Symbol, nan, oo, zoo
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook import functions
 from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.accelerations import Accelerations, accelerations
 from lagdsl.textbook.small_motions.balance import LONGEST, Balance, balance, defaults, written_out
+from lagdsl.textbook.small_motions.contacts import MOST_CONTACTS, admissible, cases
+from lagdsl.textbook.small_motions.likely import LONGEST_LIKELY, likely
 from lagdsl.textbook.small_motions.linear import Linear, NotLinearError, SingularError, is_determined, linear
 from lagdsl.textbook.small_motions.roots import Condition, NotSolvedError
-from lagdsl.textbook.small_motions.statics import Place, places
+from lagdsl.textbook.small_motions.statics import Place, places, vanishes
 from lagdsl.textbook.small_motions.steady import Steady, steady
+from lagdsl.textbook.symbols import occurring, postorder
 from lagdsl.textbook.tidy import TooLargeError, size
 
 _ROUNDING = 1e-9
@@ -34,6 +38,7 @@ _ROLLING = (
 _STATES = "First-order states occur in the equations: `lag trim` and `lag modes` look at both together."
 _TIME = "Time occurs in the equations, so that no equilibrium lasts."
 _SWITCHES = "Relations, corners or discrete variables occur in the equations; `lag modes` looks at one side of them."
+_OTHERS = "There may be other equilibria, without short roots; `lag trim` finds one in numbers."
 _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` finds an equilibrium in numbers."
 
 
@@ -41,58 +46,98 @@ _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` find
 class Equilibrium:
     """`at` are values of coordinates and multipliers; those that are not in it are `arbitrary`. `exists` tells whether
     the `conditions` hold for the parameters of the model. `linear` is None where the linear equations are not short,
-    and under constraints."""
+    and under constraints. The contacts `closed` are so there, all others are open."""
 
     at: tuple[tuple[Symbol, Expr], ...]
     arbitrary: tuple[Symbol, ...]
     conditions: tuple[Condition, ...]
     exists: bool
     linear: Linear | None
+    closed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Study:
-    """`equilibria` are all there are, up to whole turns, if `reason` is None; else none, and `reason` says why. Places
-    of the coordinates alone, at which the mass matrix is singular, are `singular` instead.
+    """`equilibria` are all there are, up to whole turns, if it is `complete`; else some of them. If `reason` is not
+    None there are none, and it says why. Places of the coordinates alone, at which the mass matrix
+    is singular, are `singular` instead.
 
-    `statics` are the residuals at rest, one per coordinate, then the constraint rows, if the system is `constrained`,
-    with the inputs `held` at their default."""
+    `statics` are the residuals at rest, one per coordinate, then the constraint rows, if the system is `constrained`;
+    the multipliers of contacts are in them. The inputs `held` have their default; those of zero are left out."""
 
     accelerations: Accelerations
     statics: tuple[Expr, ...]
-    held: tuple[tuple[Symbol, Expr], ...]
+    held: tuple[Symbol, ...]
     equilibria: tuple[Equilibrium, ...]
     reason: str | None
     singular: tuple[Equilibrium, ...] = ()
     constrained: bool = False
+    complete: bool = True
     steady: Steady | None = None
+
+    @property
+    def not_all_because(self) -> str | None:
+        """Why the `equilibria` are none, or not all; None if they are all."""
+        return self.reason if self.complete or self.reason is not None else _OTHERS
 
 
 def study(flat: FlatModel, derivation: Derivation) -> Study:
     """All of it; bounded, as the derivation is. `flat` has at least one coordinate."""
     found = balance(flat, derivation)
     solved = accelerations(found)
-    held = defaults(found)
-    rows = tuple(row.residual for row in found.rows)
-    count = len(derivation.symbols.q)
-    residuals = written_out(derivation, (*found.residuals[:count], *rows))
+    residuals = _residuals(found)
     reason = _reason(found, residuals)
-    used = tuple((u, value) for u, value in held.items() if any(u in each.free_symbols for each in residuals))
-    if reason is None:
-        residuals = tuple(each.xreplace(held) for each in residuals)
-        statics, found_places, reason = _equilibria(found, residuals)
     if reason is not None:
         return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
+    together: list[tuple[Equilibrium, bool]] = []
+    complete = True
+    for closed in cases(derivation):
+        case = balance(flat, derivation, closed) if closed else found
+        some, all_of_them = _equilibria(case, _residuals(case))
+        together += some
+        complete = complete and all_of_them
+    if not complete and not together:
+        reason = _TOO_LONG if any(size(each) > LONGEST for each in residuals) else _NOT_SOLVED
+        return Study(accelerations=solved, statics=(), held=(), equilibria=(), reason=reason)
+    present = {symbol for each in written_out(derivation, found.residuals) for symbol in occurring(each)}
     return Study(
         accelerations=solved,
-        statics=statics,
-        held=used,
-        equilibria=tuple(each for each, is_regular in found_places if is_regular),
-        singular=tuple(each for each, is_regular in found_places if not is_regular),
+        statics=_statics(flat, derivation, found, residuals),
+        held=tuple(u for u in defaults(flat, derivation.symbols) if u in present),
+        equilibria=tuple(each for each, is_regular in together if is_regular),
+        singular=tuple(each for each, is_regular in together if not is_regular),
         reason=None,
-        constrained=bool(rows),
-        steady=None if rows else steady(found, residuals),
+        constrained=bool(found.rows),
+        complete=complete and sum(row.contact for row in derivation.constraints) <= MOST_CONTACTS,
+        steady=None if found.rows else steady(found, residuals),
     )
+
+
+def _residuals(balance: Balance) -> tuple[Expr, ...]:
+    """The equations of motion, then the constraint rows, without definitions; inputs that are zero at their default,
+    and those that switches read, have this value."""
+    count = len(balance.derivation.symbols.q)
+    rows = tuple(row.residual for row in balance.rows)
+    found = written_out(balance.derivation, (*balance.residuals[:count], *rows))
+    read = {symbol for each in _switches(found) for symbol in occurring(each)}
+    values = defaults(balance.flat, balance.derivation.symbols)
+    put_in = {u: value for u, value in values.items() if value == 0 or u in read}
+    return tuple(each.xreplace(put_in) for each in found)
+
+
+def _statics(flat: FlatModel, derivation: Derivation, opened: Balance, residuals: Sequence[Expr]) -> tuple[Expr, ...]:
+    """At rest, with the multipliers of contacts."""
+    contacts = frozenset(row.name for row in derivation.constraints if row.contact)
+    if not contacts:
+        return _at_rest(opened, residuals)
+    closed, count = balance(flat, derivation, contacts), len(derivation.symbols.q)
+    return (*_at_rest(closed, _residuals(closed)[:count]), *_at_rest(opened, residuals[count:]))
+
+
+def _at_rest(balance: Balance, residuals: Sequence[Expr]) -> tuple[Expr, ...]:
+    table = balance.derivation.symbols
+    rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
+    return tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
 
 
 def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
@@ -100,35 +145,40 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     table = balance.derivation.symbols
     if any(row.level != "position" for row in balance.rows):
         return _ROLLING
-    if any(size(each) > LONGEST for each in residuals):
+    if any(size(each, LONGEST_LIKELY) >= LONGEST_LIKELY for each in residuals):
         return _TOO_LONG
-    present = {symbol for each in residuals for symbol in each.free_symbols}
+    present = {symbol for each in residuals for symbol in occurring(each)}
     if present & {*table.z}:
         return _STATES
     if table.time in present:
         return _TIME
     moving = {*table.q, *table.qd, *table.qdd}
     known = {*moving, *balance.unknowns, *table.u, *balance.numbers}
-    switches = {n for each in residuals for n in each.atoms(Function) if type(n).__module__ == functions.__name__}
-    if any(node.free_symbols & moving for node in switches) or not present <= known:
+    if any(occurring(node) & moving for node in _switches(residuals)) or not present <= known:
         return _SWITCHES
     return None
 
 
-def _equilibria(
-    balance: Balance, residuals: Sequence[Expr]
-) -> tuple[tuple[Expr, ...], tuple[tuple[Equilibrium, bool], ...], str | None]:
-    """Equations at rest; their solutions, each with whether it determines accelerations, or why there are none."""
-    table = balance.derivation.symbols
-    rest = dict.fromkeys((*table.qd, *table.qdd), Integer(0))
-    statics = tuple(balance.tidy(each.xreplace(rest)) for each in residuals)
+def _switches(residuals: Sequence[Expr]) -> set[Expr]:
+    known: dict[Expr, None] = {}
+    for each in residuals:
+        for node in postorder(each, known):
+            known[node] = None
+    return {node for node in known if node.is_Function and type(node).__module__ == functions.__name__}
+
+
+def _equilibria(balance: Balance, residuals: Sequence[Expr]) -> tuple[list[tuple[Equilibrium, bool]], bool]:
+    """Solutions of the equations at rest, each with whether it determines accelerations, and whether these are all."""
+    statics = _at_rest(balance, residuals)
     try:
+        if any(size(each) > LONGEST for each in statics):
+            raise NotSolvedError
         found = places(balance, statics, _unknowns(balance))
         lasting = [each for each in found if _holds(balance, statics, each)]
-        equilibria = tuple(_equilibrium(balance, residuals, each) for each in lasting)
+        own = [place for place in (admissible(balance, each) for each in lasting) if place is not None]
+        return [_equilibrium(balance, residuals, each) for each in own], True
     except (NotSolvedError, TooLargeError):
-        return statics, (), _NOT_SOLVED
-    return statics, equilibria, None
+        return [_equilibrium(balance, residuals, each) for each in likely(balance, statics)], False
 
 
 def _unknowns(balance: Balance) -> tuple[Symbol, ...]:
@@ -157,8 +207,19 @@ def _real(balance: Balance, place: Place) -> bool:
 
 
 def _fulfilled(balance: Balance, condition: Condition) -> bool:
+    """For the numbers of the model; a condition of coordinates that stay arbitrary restricts these."""
+    if condition.value.free_symbols & {*_unknowns(balance)}:
+        return True
     value = balance.number(condition.value)
-    return abs(value) <= 1 if condition.kind == "unit" else value >= 0
+    match condition.kind:
+        case "unit":
+            return abs(value) <= 1
+        case "nonnegative":
+            return value >= 0
+        case "zero":
+            return vanishes(balance, condition.value)
+        case _:
+            assert_never(condition.kind)
 
 
 def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> tuple[Equilibrium, bool]:
@@ -178,5 +239,6 @@ def _equilibrium(balance: Balance, residuals: Sequence[Expr], place: Place) -> t
         conditions=place.conditions,
         exists=exists,
         linear=about,
+        closed=tuple(sorted(balance.closed)),
     )
     return equilibrium, is_regular

@@ -2,12 +2,10 @@
 import {
   Float32BufferAttribute,
   BufferGeometry,
-  CatmullRomCurve3,
   CylinderGeometry,
   Matrix4,
   SphereGeometry,
   TorusGeometry,
-  TubeGeometry,
   Vector3,
 } from "three";
 
@@ -51,20 +49,64 @@ export function unitRing(wire: number, across: number, segments: number): Buffer
   return once(`ring ${wire} ${across} ${segments}`, () => new TorusGeometry(1, wire, across, segments));
 }
 
-/** A coil of radius 1 from z = 0 to z = 1, with straight ends. */
-export function unitCoil(turns: number, wire: number): BufferGeometry {
-  return once(`coil ${turns} ${wire}`, () => coil(turns, wire));
+const TURNS = 9;
+const STEPS = 16; // of a turn
+const ROUND = 6; // corners of the wire
+const STRAIGHT = 0.08; // of the length, at each end
+
+/** A coil that `stretchCoil` lays: the faces of its wire, and places for their corners. */
+export function coil(): BufferGeometry {
+  const rings = TURNS * STEPS + 5; // two of each straight end, which is a piece of its own
+  const faces: number[] = [];
+  for (let i = 0; i + 1 < rings; ++i) {
+    if (i === 1 || i === rings - 3) continue;
+    for (let k = 0; k < ROUND; ++k) {
+      const [a, b] = [i * ROUND + k, i * ROUND + ((k + 1) % ROUND)];
+      faces.push(a, a + ROUND, b, b, a + ROUND, b + ROUND);
+    }
+  }
+  const made = new BufferGeometry();
+  made.setIndex(faces);
+  for (const name of ["position", "normal"]) made.setAttribute(name, new Float32BufferAttribute(new Float32Array(3 * rings * ROUND), 3));
+  return made;
 }
 
-function coil(turns: number, wire: number): BufferGeometry {
-  const points = [new Vector3(0, 0, 0)];
-  const count = turns * 16;
+/** The coil from z = 0 to z = length, with straight ends; `wire` is the radius of its wire. It is bent anew for each
+ * length: a coil that is scaled has a wire as thick along its axis as the length is scaled. */
+export function stretchCoil(geometry: BufferGeometry, length: number, radius: number, wire: number): void {
+  const count = TURNS * STEPS;
+  const places = geometry.getAttribute("position");
+  const normals = geometry.getAttribute("normal");
+  const rise = (1 - 2 * STRAIGHT) * length;
+  const slope = rise / (2 * Math.PI * TURNS * radius); // of the wire, against the circle
+  const slant = Math.hypot(1, slope);
+  const ring = (i: number, center: Vector3, out: Vector3, up: Vector3): void => {
+    for (let k = 0; k < ROUND; ++k) {
+      const [c, s] = [Math.cos((2 * Math.PI * k) / ROUND), Math.sin((2 * Math.PI * k) / ROUND)];
+      const [x, y, z] = [c * out.x + s * up.x, c * out.y + s * up.y, c * out.z + s * up.z];
+      normals.setXYZ(i * ROUND + k, x, y, z);
+      places.setXYZ(i * ROUND + k, center.x + wire * x, center.y + wire * y, center.z + wire * z);
+    }
+  };
+  const [center, out, up] = [new Vector3(), new Vector3(), new Vector3()];
   for (let i = 0; i <= count; ++i) {
-    const angle = (2 * Math.PI * turns * i) / count;
-    points.push(new Vector3(Math.sin(angle), -Math.cos(angle), 0.08 + (0.84 * i) / count));
+    const angle = (2 * Math.PI * i) / STEPS;
+    out.set(Math.sin(angle), -Math.cos(angle), 0);
+    up.set((-slope * Math.cos(angle)) / slant, (-slope * Math.sin(angle)) / slant, 1 / slant); // across out and the wire
+    center.copy(out).multiplyScalar(radius).setZ(STRAIGHT * length + (rise * i) / count);
+    ring(i + 2, center, out, up);
   }
-  points.push(new Vector3(0, 0, 1));
-  return new TubeGeometry(new CatmullRomCurve3(points, false, "centripetal"), count * 2, wire, 6);
+  // From both ends a straight piece leads to the coil, which begins and ends at x = 0, y = -radius.
+  up.set(-1, 0, 0);
+  for (const [first, side] of [[0, -1], [count + 3, 1]]) {
+    const [low, high] = side < 0 ? [0, STRAIGHT * length] : [(1 - STRAIGHT) * length, length];
+    out.set(0, -STRAIGHT * length, side * radius).normalize();
+    ring(first, center.set(0, side < 0 ? 0 : -radius, low), out, up);
+    ring(first + 1, center.set(0, side < 0 ? -radius : 0, high), out, up);
+  }
+  places.needsUpdate = normals.needsUpdate = true;
+  geometry.computeBoundingBox();
+  geometry.computeBoundingSphere();
 }
 
 const X = new Vector3();

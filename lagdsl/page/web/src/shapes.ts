@@ -17,7 +17,7 @@ import {
   SpriteMaterial,
   Vector3,
 } from "three";
-import { barAlong, between, principal, unitBall, unitCoil, unitCylinder, unitQuarters, unitRing } from "./geometry.ts";
+import { barAlong, between, coil, principal, stretchCoil, unitBall, unitCylinder, unitQuarters, unitRing } from "./geometry.ts";
 import type { Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -110,6 +110,26 @@ function bar(shape: Shape, sizes: Sizes, geometry: BufferGeometry, part: number)
     update(frame) {
       const radius = scalar(shape, "radius", frame, part * sizes.length);
       object.matrix.copy(between(vector(shape, "at", frame), vector(shape, "to", frame), radius));
+    },
+  };
+}
+
+/** A coil between two points. */
+function spring(shape: Shape, sizes: Sizes): Drawn {
+  const geometry = coil();
+  const object = solid(shape, geometry);
+  object.userData.bent = true;
+  let [known, wide] = [0, 0];
+  return {
+    object,
+    shape,
+    update(frame) {
+      const [a, b] = [vector(shape, "at", frame), vector(shape, "to", frame)];
+      const radius = scalar(shape, "radius", frame, 0.03 * sizes.length);
+      const length = a.distanceTo(b);
+      if (length !== known || radius !== wide) stretchCoil(geometry, length, radius, 0.16 * radius);
+      [known, wide] = [length, radius];
+      object.matrix.copy(between(a, b, 1)).scale(new Vector3(1, 1, 1 / Math.max(length, 1e-12)));
     },
   };
 }
@@ -416,7 +436,7 @@ function ground(shape: Shape, sizes: Sizes): Drawn {
 export const MAKERS: Record<string, Maker> = {
   rod: (shape, sizes) => bar(shape, sizes, unitCylinder(around(sizes, 24)), 0.007),
   rope: (shape, sizes) => bar(shape, sizes, unitCylinder(around(sizes, 24)), 0.004),
-  spring: (shape, sizes) => bar(shape, sizes, unitCoil(9, 0.16), 0.02),
+  spring,
   damper,
   box,
   cylinder: turned(0.03, 2.4, 1),
