@@ -8,7 +8,7 @@ from collections import Counter
 
 from lagdsl.robots.description import ZERO, Pose, Vector
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mesh_faults import MeshFault, once_for_each_reason
+from lagdsl.robots.mesh_faults import MeshFault, tell_faults
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
@@ -91,9 +91,7 @@ class Attributes:
 
     def tell_untaken(self) -> None:
         """One error, E1013, for each reason against meshes."""
-        for fault, notes in once_for_each_reason(self.untaken):
-            instead = "the shape is left out"
-            self.findings.error("E1013", fault.span, notes=notes, file=fault.file, reason=fault.reason, instead=instead)
+        tell_faults(self.untaken, self.findings, "the shape is left out")
 
     def _numbers(self, element: Element, name: str, count: int, most: float = math.inf) -> list[float] | None:
         words = element.attributes[name].split()

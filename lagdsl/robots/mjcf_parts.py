@@ -42,14 +42,14 @@ _KINDS: tuple[JointKind, ...] = ("floating", "spherical", "prismatic", "revolute
 
 @record()
 class Places:
-    """A model of MuJoCo with the names of its parts and their places in the file."""
+    """A model of MuJoCo with the names of its parts and their places in the file; `files` of meshes by their names."""
 
     mujoco: Any
     model: Any
     head: Span
     parts: dict[Kind, list[Element]]
     named: dict[tuple[Kind, str], Element]
-    folder: Path
+    files: dict[str, tuple[str, Path]]
 
     def body(self, index: int) -> str:
         """The name of a body; those without one are counted."""
@@ -151,13 +151,13 @@ def _mesh(places: Places, geom: int, span: Span) -> Mesh:
     """MuJoCo has moved the points of the file: the principal axes of the solid are those of the shape."""
     model = places.model
     mesh = int(model.geom_dataid[geom])
-    first = int(model.mesh_pathadr[mesh])
-    file = bytes(model.paths[first:]).partition(b"\0")[0].decode("utf-8", "replace") if first >= 0 else ""
+    name = str(model.mesh(mesh).name)
+    file, place = places.files.get(name, (f"the mesh {name}", Path()))
     axes = _matrix(model.geom_quat[geom]) @ _matrix(model.mesh_quat[mesh]).T
     at = model.geom_pos[geom] - axes @ model.mesh_pos[mesh]
     return Mesh(
-        file=file or f"the mesh {model.mesh(mesh).name}",
-        place=places.folder / file,
+        file=file,
+        place=place,
         pose=Pose(xyz=_vector(np.round(at, 12)), rpy=fixed_angles(axes)),
         scale=_vector(model.mesh_scale[mesh]),
         span=span,

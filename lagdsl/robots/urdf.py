@@ -11,6 +11,7 @@ from lagdsl.robots.attributes import Attributes
 from lagdsl.robots.description import Actuator, Joint, JointKind, Limits, Link, Mimic, Passive, Robot
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.inertia import read_inertial
+from lagdsl.robots.reach import Reach
 from lagdsl.robots.tree import root_of, sound_mimics, weightless_as_rigid
 from lagdsl.robots.visuals import read_visuals
 from lagdsl.robots.xml_tree import Element
@@ -30,15 +31,16 @@ _OF_LINKS = frozenset({"inertial", "visual"})
 _OF_JOINTS = frozenset({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"})
 
 
-def read_urdf(path: Path, root: Element, findings: Findings) -> Robot | None:
+def read_urdf(path: Path, root: Element, reach: Reach, findings: Findings) -> Robot | None:
     """The robot of a file, or None after errors; what is left out is told."""
-    reader = _Reader(path, Attributes(findings), findings)
+    reader = _Reader(path, reach, Attributes(findings), findings)
     return reader.robot(root)
 
 
 class _Reader:
-    def __init__(self, path: Path, attributes: Attributes, findings: Findings) -> None:
+    def __init__(self, path: Path, reach: Reach, attributes: Attributes, findings: Findings) -> None:
         self.path = path
+        self.reach = reach
         self.read = attributes
         self.findings = findings
 
@@ -75,7 +77,7 @@ class _Reader:
         name = self.read.text(element, "name")
         self.read.leave_out_others(element, _OF_LINKS)
         inertial = read_inertial(element, self.read, self.findings)
-        visuals = read_visuals(element, self.path, self.read, self.findings)
+        visuals = read_visuals(element, self.reach, self.read, self.findings)
         return None if name is None else Link(name=name, inertial=inertial, visuals=visuals, span=element.place("name"))
 
     def _joint(self, element: Element) -> Joint | None:

@@ -128,7 +128,7 @@ REFUSED = [
     ("no inertia", body().replace('<geom name="g" size="0.1"/>', ""), "E1015", 1),
     ("mesh outside", body(after='<asset><mesh name="m" file="/etc/passwd"/></asset>'), "E1013", 3),
     ("folder outside", body(after='<compiler meshdir="../.."/><asset><mesh file="m.stl"/></asset>'), "E1013", 3),
-    ("include outside", body(after='<include file="../other.xml"/>'), "E1013", 3),
+    ("include outside", body(after='<include file="../../other.xml"/>'), "E1013", 3),
     ("include itself", body(after='<include file="robot.xml"/>'), "E1002", 3),
     ("entity", '<!DOCTYPE m [<!ENTITY a "a">]>' + body(), "E1003", 1),
 ]

@@ -164,12 +164,14 @@ def test_a_free_root_without_mass_that_bodies_move(tmp_path: Path, bodies: list[
 
 
 def test_a_mesh_behind_a_link_out_of_the_folder_is_outside(tmp_path: Path) -> None:
-    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot" / "urdf").mkdir(parents=True)
     (tmp_path / "outside.stl").write_text("solid")
-    (tmp_path / "robot" / "b.stl").symlink_to(tmp_path / "outside.stl")
+    (tmp_path / "robot" / "urdf" / "b.stl").symlink_to(tmp_path / "outside.stl")
     text = with_mesh("b.stl")
-    ((code, _, message),) = refusal(tmp_path / "robot" / "robot.urdf", text)
+    path = tmp_path / "robot" / "urdf" / "robot.urdf"
+    ((code, _, message),) = refusal(path, text)
     assert code == "E1013" and "lies outside of the folder `robot`" in message
+    assert imported(path, root=tmp_path)[0]
 
 
 @pytest.mark.parametrize("name", ["package://robot/meshes/b.stl", "meshes/b.stl", "package://beside/b.stl"])

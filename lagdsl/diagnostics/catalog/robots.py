@@ -2,7 +2,7 @@
 
 from lagdsl.diagnostics.catalog.row import Row, error, note
 
-_LENIENT = "correct the file, or import the rest of it with `--lenient`"
+_CORRECT = "correct the file"
 
 ROWS: dict[str, Row] = {
     "E1000": error("cannot read `{name}`: {reason}", help="give the path of a URDF or MJCF file"),
@@ -24,7 +24,7 @@ ROWS: dict[str, Row] = {
         label="`<robot>` begins a URDF file, `<mujoco>` an MJCF file",
         help="translate other formats, for instance xacro, to one of these first",
     ),
-    "E1005": error("`<{element}>` has no {what}", label="needs it", help=_LENIENT),
+    "E1005": error("`<{element}>` has no {what}", label="needs it", help=_CORRECT),
     "E1006": error("`{name}` is `{text}`, not {expected}", label="this value", help="write a value in SI units"),
     "E1007": error(
         "{what} `{name}` occurs twice",
@@ -33,16 +33,16 @@ ROWS: dict[str, Row] = {
     ),
     "E1008": error("the file has no {what} `{name}`", label="unknown", help="check the spelling of the name"),
     "E1009": error(
-        "the lower limit {lower:g} is larger than the upper one, {upper:g}", label="this limit", help=_LENIENT
+        "the lower limit {lower:g} is larger than the upper one, {upper:g}", label="this limit", help=_CORRECT
     ),
     "E1010": error("unknown type of joint `{type}`", label="unknown", help="the types are {known}"),
-    "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_LENIENT),
+    "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_CORRECT),
     "E1012": error(
         "the joint `{name}` moves neither mass nor inertia",
         label="its acceleration is not determined",
         help="give its links a mass, or make the joint `fixed`",
     ),
-    "E1013": error("the mesh `{file}` cannot be used: {reason}", label="named here", help=_LENIENT),
+    "E1013": error("the {kind} `{file}` cannot be used: {reason}", label="named here", help=_CORRECT),
     "E1014": error(
         "MJCF files need the package `mujoco`, which is not installed",
         help="install it: `pip install mujoco`",
@@ -50,7 +50,7 @@ ROWS: dict[str, Row] = {
     "E1015": error(
         "MuJoCo rejects this file: {reason}", label="its root", help="correct the element that MuJoCo names"
     ),
-    "E1016": error("the language cannot express `{what}`", label="this element", help=_LENIENT),
+    "E1016": error("the language cannot express `{what}`", label="this element", help=_CORRECT),
     "E1017": error(
         "the links do not form a tree: {reason}",
         label="this joint or link",
