@@ -14,7 +14,7 @@ from lagdsl.robots.mesh_faults import once_for_each_reason
 from lagdsl.robots.plan import Plan, Style, planned, rigid_with_root
 from lagdsl.robots.reach import reach_of
 from lagdsl.robots.text import model_text
-from lagdsl.robots.urdf import read_urdf
+from lagdsl.robots.urdf.read import read_urdf
 from lagdsl.robots.xml_tree import read_xml
 from lagdsl.source import SourceFile
 from lagdsl.syntax.printer import format_text
@@ -37,7 +37,7 @@ def robot_text(
         case "robot":
             robot = read_urdf(path, top, reach, findings)
         case "mujoco":
-            from lagdsl.robots.mjcf import read_mjcf
+            from lagdsl.robots.mjcf.read import read_mjcf
 
             robot = read_mjcf(path, top, reach, findings)
         case _:

@@ -105,39 +105,7 @@ def _is_sound(joint: Joint, mimic: Mimic, of: dict[str, Joint], findings: Findin
     return True
 
 
-def weightless(root: str, links: Sequence[Link], joints: Sequence[Joint], findings: Findings) -> set[str]:
-    """The joints that move neither mass nor inertia, also by those that imitate them; E1012 for those that lead."""
-    below: dict[str, list[Joint]] = {}
-    for joint in joints:
-        below.setdefault(joint.parent, []).append(joint)
-    heavy = {link.name for link in links if link.inertial is not None}
-    order = [root]
-    for name in order:
-        order += [joint.child for joint in below.get(name, ())]
-    for name in reversed(order):
-        if any(joint.child in heavy for joint in below.get(name, ())):
-            heavy.add(name)
-    of = {joint.name: joint for joint in joints}
-    leaders = {joint.name: _leader(joint, of).name for joint in joints if joint.kind != "fixed"}
-    moving = {leaders[joint.name] for joint in joints if joint.kind != "fixed" and _moves(joint, heavy)}
-    for joint in joints:
-        if joint.kind != "fixed" and joint.mimic is None and joint.name not in moving:
-            instead = "the joint, and what imitates it, is written as a rigid one"
-            findings.error("E1012", joint.span, name=joint.name, instead=instead)
-    return {name for name, leader in leaders.items() if leader not in moving}
-
-
-def weightless_as_rigid(root: str, links: Sequence[Link], joints: Sequence[Joint], findings: Findings) -> list[Joint]:
-    """The joints, those that move neither mass nor inertia as rigid ones."""
-    rigid = weightless(root, links, joints, findings)
-    return [replace(joint, kind="fixed", mimic=None) if joint.name in rigid else joint for joint in joints]
-
-
-def _moves(joint: Joint, heavy: set[str]) -> bool:
-    return joint.child in heavy or joint.passive.armature > 0.0
-
-
-def _leader(joint: Joint, of: dict[str, Joint]) -> Joint:
+def leader_of(joint: Joint, of: dict[str, Joint]) -> Joint:
     """The joint at the end of the chain of imitation."""
     while joint.mimic is not None:
         joint = of[joint.mimic.joint]

@@ -13,7 +13,7 @@ import numpy as np
 import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf import read_mjcf
+from lagdsl.robots.mjcf.read import read_mjcf
 from lagdsl.robots.plan import Plan, Style, coordinate_of, planned
 from lagdsl.robots.reach import reach_of
 from lagdsl.robots.xml_tree import read_xml

@@ -16,7 +16,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.plan import Plan, Style, coordinate_of, frame_of, planned
 from lagdsl.robots.reach import reach_of
-from lagdsl.robots.urdf import read_urdf
+from lagdsl.robots.urdf.read import read_urdf
 from lagdsl.robots.xml_tree import read_xml
 
 G = 9.80665

@@ -38,9 +38,9 @@ ROWS: dict[str, Row] = {
     "E1010": error("unknown type of joint `{type}`", label="unknown", help="the types are {known}"),
     "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_CORRECT),
     "E1012": error(
-        "the joint `{name}` moves neither mass nor inertia",
+        "the joint `{name}` can move without kinetic energy",
         label="its acceleration is not determined",
-        help="give its links a mass, or make the joint `fixed`",
+        help="give its links a mass, or moments of inertia about the axis, or make the joint `fixed`",
     ),
     "E1013": error("the {kind} `{file}` cannot be used: {reason}", label="named here", help=_CORRECT),
     "E1014": error(

@@ -10,10 +10,11 @@ from lagdsl.robots.actuators import effort_of
 from lagdsl.robots.attributes import Attributes
 from lagdsl.robots.description import Actuator, Joint, JointKind, Limits, Link, Mimic, Passive, Robot
 from lagdsl.robots.findings import Findings
+from lagdsl.robots.idle import Tree, idle_as_rigid
 from lagdsl.robots.inertia import read_inertial
 from lagdsl.robots.reach import Reach
-from lagdsl.robots.tree import root_of, sound_mimics, weightless_as_rigid
-from lagdsl.robots.visuals import read_visuals
+from lagdsl.robots.tree import root_of, sound_mimics
+from lagdsl.robots.urdf.visuals import read_visuals
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
@@ -59,7 +60,7 @@ class _Reader:
         base = root_of(root, links, joints, self.findings)
         if base is None or self.findings.sink.has_errors:
             return None
-        joints = weightless_as_rigid(base, links, joints, self.findings)
+        joints = idle_as_rigid(Tree(base, links, joints, [], [], []), self.findings)
         moved = {joint.name: joint for joint in joints if joint.kind in ("revolute", "prismatic")}
         actuators = self._actuators(root, moved, {joint.name for joint in joints})
         self.read.tell_left_out()

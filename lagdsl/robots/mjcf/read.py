@@ -13,14 +13,16 @@ from typing import Any
 
 from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_actuators import ACTUATORS, actuators_of, tendons_of
-from lagdsl.robots.mjcf_bounds import check_bounds, check_numbers
-from lagdsl.robots.mjcf_contacts import tell_contacts
-from lagdsl.robots.mjcf_features import tell_features
-from lagdsl.robots.mjcf_files import all_elements, mesh_files, take_assets
-from lagdsl.robots.mjcf_parts import Kind, Places, joints_of, links_of, sites_of
+from lagdsl.robots.idle import Tree, idle_as_rigid
+from lagdsl.robots.mjcf.actuators import ACTUATORS, actuators_of, tendons_of
+from lagdsl.robots.mjcf.bounds import check_bounds, check_numbers
+from lagdsl.robots.mjcf.contacts import tell_contacts
+from lagdsl.robots.mjcf.equalities import active, closures_of, equalities_of, tied_tendons
+from lagdsl.robots.mjcf.features import tell_features
+from lagdsl.robots.mjcf.files import all_elements, mesh_files, take_assets
+from lagdsl.robots.mjcf.parts import Kind, Places, joints_of, links_of, sites_of
 from lagdsl.robots.reach import Reach
-from lagdsl.robots.tree import MAX_LINKS, sound_mimics, weightless_as_rigid
+from lagdsl.robots.tree import MAX_LINKS
 from lagdsl.robots.xml_tree import Element
 
 # Tags of parts by the section of the file that holds them, and what MuJoCo calls them.
@@ -66,13 +68,13 @@ def read_mjcf(path: Path, root: Element, reach: Reach, findings: Findings) -> Ro
     _tell_left_out(elements, findings)
     tell_contacts(places, findings)
     links, base, sites = links_of(places, findings), places.body(0), list(sites_of(places))
-    joints = sound_mimics(joints_of(places, findings), findings)
-    if findings.sink.has_errors:  # joints that imitate each other in a circle have no leader
-        return None
-    joints = weightless_as_rigid(base, links, joints, findings)
+    holding = active(places, findings)
+    joints, closures = joints_of(places), closures_of(places, holding, findings)
+    tendons = tendons_of(places, joints, tied_tendons(places, holding), findings)
+    equalities = list(equalities_of(places, holding, joints, {tendon.name for tendon in tendons}, findings))
+    joints = idle_as_rigid(Tree(base, links, joints, closures, equalities, tendons), findings)
     links += [link for link, _ in sites]
     joints += [joint for _, joint in sites]
-    tendons = tendons_of(places, joints, findings)
     drives = actuators_of(places, joints, findings)
     if findings.sink.has_errors:
         return None
@@ -89,6 +91,8 @@ def read_mjcf(path: Path, root: Element, reach: Reach, findings: Findings) -> Ro
         servos=tuple(drive for drive in drives if isinstance(drive, Servo)),
         tendons=tuple(tendons),
         gravity=gravity,
+        closures=tuple(closures),
+        equalities=tuple(equalities),
         span=root.head,
     )
 
