@@ -2,8 +2,8 @@
 
 The mass matrix along the motions that mimics, equalities and closures leave free is singular at every state; the
 compiler asks the same of the model (`lagdsl/structure/inertia.py`). Each coordinate has a twist: an angular velocity,
-and the velocity of a point. Velocities of mass centers follow from it, so the energy is a sum of squares: the moment of a
-point on an axis is zero up to the square of a rounding error.
+and the velocity of a point. Velocities of mass centers follow from it, so the energy is a sum of squares: the moment of
+a point on an axis is zero up to the square of a rounding error.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from lagdsl.record import record
 from lagdsl.robots.description import Equality, Joint, Link, Tendon
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.inertia import tensor_of
-from lagdsl.robots.tree import leader_of
+from lagdsl.robots.tree import WORLD, leader_of
 from lagdsl.robots.turns import place_of, turn_about
 
 _STATES = 2
@@ -75,8 +75,8 @@ class _Probe:
     def __init__(self, tree: Tree, rigid: dict[str, None], random: np.random.Generator) -> None:
         self.tree = tree
         self.names: list[str] = []
-        self.places: dict[str, Floats] = {tree.root: np.eye(4)}
-        self.moved_by: dict[str, list[int]] = {tree.root: []}
+        self.places: dict[str, Floats] = {tree.root: np.eye(4), WORLD: np.eye(4)}
+        self.moved_by: dict[str, list[int]] = {tree.root: [], WORLD: []}
         twists: list[Floats] = []
         for joint in _outward(tree):
             before = self.places[joint.parent] @ place_of(joint.before)

@@ -9,6 +9,7 @@ from lagdsl.robots.actuators import effort_of
 from lagdsl.robots.description import Actuator, Equality, Joint, JointKind, Link, Robot, Servo, Tendon
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.names import Names, model_name
+from lagdsl.robots.tree import WORLD
 
 LimitStyle: TypeAlias = Literal["range", "contact", "none"]
 Drives: TypeAlias = Literal["file", "all", "none"]
@@ -63,6 +64,7 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
     names = Names(findings)
     model = names.of(model_name(robot.name), "robot")
     links = {link.name: _link_name(link, robot, style, names) for link in robot.links if not link.is_between}
+    links.setdefault(WORLD, "world")
     joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.every_joint}
     kinds = {joint.name: joint.kind for joint in robot.every_joint}
     drives = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from lagdsl.diagnostics import Label
 from lagdsl.robots.description import Joint, Link, Mimic
@@ -11,6 +12,8 @@ from lagdsl.robots.findings import Findings
 from lagdsl.robots.xml_tree import Element
 
 MAX_LINKS = 1000
+WORLD = "world"
+"""The end of a closure that is no link of the file."""
 _FREE = "let one of the joints that imitate each other move by itself"
 
 
@@ -70,6 +73,27 @@ def _one_root(robot: Element, links: Sequence[Link], carried: dict[str, Joint], 
         )
         return None
     return roots[0].name
+
+
+def sound_closures(
+    links: Sequence[Link], joints: Sequence[Joint], closures: Sequence[Joint], findings: Findings
+) -> tuple[list[Link], list[Joint]]:
+    """The joints that close loops between two links of the file or the world, and the links between two such joints in
+    a row. E1007, E1008 or E1017 for others."""
+    _once("joint", [*joints, *closures], findings)
+    known = {link.name for link in links} | {WORLD}
+    between = {
+        joint.child: Link(name=joint.child, inertial=None, visuals=(), is_between=True, span=joint.span)
+        for joint, following in pairwise(closures)
+        if joint.child == following.parent and joint.child not in known
+    }
+    for joint in closures:
+        for name in (joint.parent, joint.child):
+            if name not in known and name not in between:
+                findings.error("E1008", joint.span, what="link", name=name)
+        if joint.parent == joint.child:
+            findings.error("E1017", joint.span, reason=f"`{joint.name}` joins the link `{joint.child}` with itself")
+    return list(between.values()), list(closures)
 
 
 def sound_mimics(joints: Sequence[Joint], findings: Findings) -> list[Joint]:

@@ -1,6 +1,6 @@
 """Family 10: descriptions of robots that are imported."""
 
-from lagdsl.diagnostics.catalog.row import Row, error, note
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 _CORRECT = "correct the file"
 
@@ -87,5 +87,10 @@ ROWS: dict[str, Row] = {
         "the file is a template of xacro, which is not expanded",
         label="a macro, or a value that has to be computed",
         help="expand it first, `xacro FILE > robot.urdf`, and import the result",
+    ),
+    "W1026": warning(
+        "the {written} of `<{owner}>` is not read{times}",
+        label="no known name",
+        help="delete it",
     ),
 }

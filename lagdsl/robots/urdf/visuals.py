@@ -7,28 +7,28 @@ from urllib.parse import unquote
 
 from lagdsl.meshes.triangles import MeshError
 from lagdsl.robots.attributes import Attributes
-from lagdsl.robots.description import Box, Cylinder, Mesh, Pose, Sphere, Visual
+from lagdsl.robots.description import ZERO, Box, Cylinder, Mesh, Pose, Sphere, Visual
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.mesh_faults import fault_of
 from lagdsl.robots.reach import Reach
 from lagdsl.robots.xml_tree import Element
 
-_KNOWN = frozenset({"origin", "geometry", "material"})
+_LEFT_OUT = "the shape is left out"
 
 
 def read_visuals(link: Element, reach: Reach, read: Attributes, findings: Findings) -> tuple[Visual, ...]:
     """The shapes of all `<visual>` of a link."""
     found = []
     for visual in link.all("visual"):
-        read.leave_out_others(visual, _KNOWN)
         geometry = read.only(visual, "geometry")
         if geometry is None or not geometry.children:
             findings.error(
                 "E1005", visual.head, element="visual", what="element `<geometry>`", instead="it is left out"
             )
             continue
-        shape = _shape(geometry.children[0], read.pose(visual), reach, read)
-        if shape is not None:
+        with read.or_else(_LEFT_OUT) as is_wrong:
+            shape = _shape(geometry.children[0], read.pose(visual), reach, read)
+        if shape is not None and not is_wrong():
             found.append(shape)
     return tuple(found)
 
@@ -36,7 +36,8 @@ def read_visuals(link: Element, reach: Reach, read: Attributes, findings: Findin
 def _shape(element: Element, pose: Pose, reach: Reach, read: Attributes) -> Visual | None:
     match element.tag:
         case "box":
-            return Box(pose=pose, size=read.vector(element, "size"), span=element.head)
+            size = read.vector(element, "size") if read.text(element, "size") is not None else ZERO
+            return Box(pose=pose, size=size, span=element.head)
         case "cylinder":
             radius, length = (read.required(element, name, element, "cylinder") for name in ("radius", "length"))
             return Cylinder(pose=pose, radius=radius, length=length, span=element.head)
