@@ -13,6 +13,7 @@ from lagdsl.robots.numbers import angle, array, number, quantity, vector
 from lagdsl.robots.plan import Plan, Role, is_body
 from lagdsl.robots.relations import acting, energies, lifts
 from lagdsl.robots.servos import activations, servo_inputs, servos, tendons
+from lagdsl.robots.turns import behind
 from lagdsl.syntax.print_expressions import quoted
 
 _DEFAULT_AXES: dict[JointKind, Vector] = {
@@ -93,7 +94,7 @@ def _joints(plan: Plan) -> Iterator[str]:
 def _components(plan: Plan, joints: Iterable[Joint]) -> Iterator[str]:
     for joint in joints:
         if joint.kind == "fixed":
-            yield _weld(plan.joints[joint.name], joint.before)
+            yield _weld(plan.joints[joint.name], behind(joint.before, joint.after))
             continue
         for role, pose in _mounts(joint):
             name = plan.parts[plan.joints[joint.name], role]
@@ -217,5 +218,5 @@ def _through(plan: Plan, joint: Joint) -> list[str]:
     if joint.kind == "fixed":
         return [name]
     roles = [role for role, _ in _mounts(joint)]
-    before, behind = ([plan.parts[name, role] for role in roles if role == end] for end in ("origin", "end"))
-    return [*before, name, *behind]
+    before, after = ([plan.parts[name, role] for role in roles if role == end] for end in ("origin", "end"))
+    return [*before, name, *after]

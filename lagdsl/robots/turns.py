@@ -84,3 +84,10 @@ def inverse(pose: Pose) -> Pose:
         x, y, z = pose.xyz
         return Pose(xyz=(0.0 - x, 0.0 - y, 0.0 - z))
     return pose_of(np.asarray(np.linalg.inv(place_of(pose)), dtype=float))
+
+
+def behind(pose: Pose, further: Pose) -> Pose:
+    """The pose that stands at the end of another one."""
+    if further.is_identity:
+        return pose
+    return pose_of(np.asarray(place_of(pose) @ place_of(further)))

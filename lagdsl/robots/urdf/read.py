@@ -57,6 +57,8 @@ class _Reader:
         loops = [*loop_joints(root, own), *gazebo_joints(root, base, joints, own)]
         joints, loops = with_rotors(root, joints, loops, own)
         between, closures = sound_closures(links, joints, loops, self.findings)
+        if self.findings.sink.has_errors:
+            return None
         joints = idle_as_rigid(Tree(base, links, joints, closures, [], []), self.findings)
         actuators = actuators_of(root, [*joints, *closures], own)
         tell_unread(root, self.read)
