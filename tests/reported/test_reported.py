@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from choice import engines
+from fmi.texts import export_text
 
 import lagdsl
 
@@ -73,6 +74,21 @@ def test_loops_of_robot_files_are_closed(form: str, engine: str) -> None:
         z = -0.4 * np.sin(a) - np.sin(a + b) - 0.1 - 0.8 * np.cos(d)
         assert np.hypot(x, z) < 1e-10
     assert np.abs([motion[name][-1] for name in names] - end).max() < 1e-7
+
+
+def test_a_loop_of_a_robot_file_as_fmu(tmp_path: Path) -> None:
+    fmpy = pytest.importorskip("fmpy")
+    start, end = planar_four_bar()
+    names = ("A.q", "B.q", "D.q")
+    export_text(lagdsl.import_robot(TEXTS / "four_bar.urdf", actuators="none"), tmp_path / "four_bar.fmu")
+    rows = fmpy.simulate_fmu(
+        str(tmp_path / "four_bar.fmu"),
+        stop_time=0.5,
+        fmi_type="CoSimulation",
+        start_values=dict(zip(names, map(float, start), strict=True)),
+        output=list(names),
+    )
+    assert np.abs([rows[name][-1] for name in names] - end).max() < 1e-5
 
 
 ROTOR = """<robot name="r" xmlns:drake="x"><link name="a"/><link name="b"><inertial><origin xyz="0.2 0 0"/>
