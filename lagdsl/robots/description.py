@@ -125,8 +125,8 @@ class Mimic(Part):
 @record(kw_only=True)
 class Passive:
     """Acts in a joint by itself: `damping` [N.m.s/rad or N.s/m], dry `friction` and `stiffness` about `rest`, and
-    `armature`, the inertia of the rotor seen from the joint [kg.m2 or kg]. Those of a joint with several coordinates
-    act on each of its rates: damping and armature of a ball on the angular velocity."""
+    `armature`, the inertia of the rotor seen from the joint [kg.m2 or kg]. Damping and
+    armature of a joint with several coordinates act on each of its rates, in a ball on the angular velocity."""
 
     damping: float = 0.0
     friction: float = 0.0
@@ -248,5 +248,5 @@ class Robot(Part):
 
     @property
     def every_joint(self) -> tuple[Joint, ...]:
-        """Those of the tree, and those that close loops."""
+        """Joints of the tree, and joints that close loops."""
         return (*self.joints, *self.closures)

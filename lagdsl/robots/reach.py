@@ -53,7 +53,7 @@ class Reach:
 
 
 def reach_of(path: Path, root: Path | None) -> Reach:
-    """That of a robot's file: its package, which is the nearest folder around it with a package.xml; without one the
+    """Folders of a robot's file: its package, which is the nearest folder around it with a package.xml; without one the
     parent of its folder, where a robot has its folders of meshes beside that of its file. `root` is one more folder."""
     folder = path.resolve().parent
     package = package_of(folder)

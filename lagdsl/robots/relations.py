@@ -137,7 +137,7 @@ def _stops(plan: Plan, joint: Joint, name: str, coordinate: str) -> Iterator[str
 
 
 def unit_of(joint: Joint) -> str:
-    """That of the one coordinate of a joint."""
+    """Unit of the one coordinate of a joint."""
     return "m" if joint.kind == "prismatic" else "rad"
 
 

@@ -57,7 +57,7 @@ class Peer:
         mujoco.mj_forward(self.m, self.d)
 
     def gap(self, q: np.ndarray, kind: str) -> np.ndarray:
-        """What the equality makes zero, from MuJoCo's places."""
+        """Differences that the equality makes zero, by MuJoCo's places."""
         self.at(q, np.zeros_like(q))
         d, p0 = self.d, self.m.qpos0
         match kind:

@@ -98,7 +98,7 @@ def read_mjcf(path: Path, root: Element, reach: Reach, findings: Findings) -> Ro
 
 
 def _specification(mujoco: Any, path: Path, root: Element, findings: Findings) -> Any:
-    """What MuJoCo reads in a file, before it opens files of shapes; None after E1015."""
+    """The specification that MuJoCo reads in a file, before it opens files of shapes; None after E1015."""
     return _of_mujoco(mujoco, lambda: mujoco.MjSpec.from_file(str(path.resolve())), root, findings)
 
 
