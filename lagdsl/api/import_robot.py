@@ -16,6 +16,7 @@ def import_robot(
     floating: bool = False,
     lenient: bool = False,
     folder: Path | str = ".",
+    root: Path | str | None = None,
     sink: Sink | None = None,
 ) -> str:
     """The text of the model of a robot, from its URDF or MJCF file: for `lagdsl.compile`, or to write to a file.
@@ -24,16 +25,15 @@ def import_robot(
     the file (of every joint where the file tells none), those of `all` joints, or `none`. With `floating` the base
     moves freely, by a quaternion; else it is fixed to the world. With `lenient` parts that the language has no place
     for, or that no body can have, are left out with a warning. `folder` is that of the text, from which it names files
-    of meshes. Notes and warnings go to `sink`. Raises CompilationFailed with the lines of the file that stand in the
-    way.
+    of meshes. Names in the robot's file lead to its package, or else to the parent of its folder, and to `root`. Notes
+    and warnings go to `sink`. Raises CompilationFailed with the lines of the file that stand in the way.
     """
     from lagdsl.robots.plan import Style
     from lagdsl.robots.read import robot_text
 
     own = Sink() if sink is None else sink
-    text = robot_text(
-        Path(path), Style(limits=limits, actuators=actuators, floating=floating), own, Path(folder), lenient
-    )
+    style = Style(limits=limits, actuators=actuators, floating=floating)
+    text = robot_text(Path(path), style, own, Path(folder), lenient, None if root is None else Path(root))
     own.raise_if_errors()
     assert text is not None, "internal error: the import gave up without saying why"
     return text

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from lagdsl.robots.description import ZERO, Pose, Vector
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mesh_faults import MeshFault, once_for_each_reason
+from lagdsl.robots.mesh_faults import MeshFault, tell_faults
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
@@ -25,12 +27,25 @@ class Attributes:
         self.left_out: Counter[str] = Counter()
         self.first_left_out: dict[str, Span] = {}
         self.untaken: list[MeshFault] = []
+        self.instead: str | None = None
+        self.faults = 0
+
+    @contextmanager
+    def or_else(self, instead: str) -> Iterator[Callable[[], bool]]:
+        """Read a part that a lenient import can do without; `instead` is what it writes. The value asks if anything is
+        wrong."""
+        before, begun = self.instead, self.faults
+        self.instead = instead
+        try:
+            yield lambda: self.faults > begun
+        finally:
+            self.instead = before
 
     def text(self, element: Element, name: str) -> str | None:
         """The value of an attribute that must be there and not be empty; None after E1005."""
         value = element.attributes.get(name, "").strip()
         if not value:
-            self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
+            self._missing(element, f"attribute `{name}`")
             return None
         return value
 
@@ -44,13 +59,20 @@ class Attributes:
     def required(self, element: Element | None, name: str, owner: Element, tag: str) -> float:
         """The number of the element `tag` of `owner`, at most 1e100; 0 after E1005 or E1006."""
         if element is None:
-            self.findings.error("E1005", owner.head, element=owner.tag, what=f"element `<{tag}>`")
+            self._missing(owner, f"element `<{tag}>`")
             return 0.0
         if name not in element.attributes:
-            self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
+            self._missing(element, f"attribute `{name}`")
             return 0.0
         found = self._numbers(element, name, 1, LARGEST)
         return 0.0 if found is None else found[0]
+
+    def value(self, element: Element) -> float | None:
+        """The number in the attribute `value`, or else between the tags; None after E1006."""
+        found = (
+            self._numbers(element, "value", 1, LARGEST) if "value" in element.attributes else self.content(element, 1)
+        )
+        return None if found is None else found[0]
 
     def vector(self, element: Element | None, name: str, default: Vector = ZERO) -> Vector:
         """Three numbers of at most 1e100; `default` where there are none, and after an error."""
@@ -77,12 +99,6 @@ class Attributes:
         self.left_out[element.tag] += 1
         self.first_left_out.setdefault(element.tag, element.head)
 
-    def leave_out_others(self, owner: Element, known: frozenset[str]) -> None:
-        """Count the children with other tags than these."""
-        for child in owner.children:
-            if child.tag not in known:
-                self.leave_out(child)
-
     def tell_left_out(self) -> None:
         """One note, N1019, for every tag that was counted."""
         for tag, count in self.left_out.items():
@@ -91,18 +107,31 @@ class Attributes:
 
     def tell_untaken(self) -> None:
         """One error, E1013, for each reason against meshes."""
-        for fault, notes in once_for_each_reason(self.untaken):
-            instead = "the shape is left out"
-            self.findings.error("E1013", fault.span, notes=notes, file=fault.file, reason=fault.reason, instead=instead)
+        tell_faults(self.untaken, self.findings, "the shape is left out")
 
-    def _numbers(self, element: Element, name: str, count: int, most: float = math.inf) -> list[float] | None:
-        words = element.attributes[name].split()
+    def content(self, element: Element | None, count: int) -> tuple[float, ...] | None:
+        """So many numbers between the tags of an element; None where there is none, and after E1006."""
+        if element is None:
+            return None
+        found = self._numbers(element, f"<{element.tag}>", count, LARGEST, element.text)
+        return None if found is None else tuple(found)
+
+    def _missing(self, element: Element, what: str) -> None:
+        self.faults += 1
+        self.findings.error("E1005", element.head, element=element.tag, what=what, instead=self.instead)
+
+    def _numbers(
+        self, element: Element, name: str, count: int, most: float = math.inf, text: str | None = None
+    ) -> list[float] | None:
+        written = element.attributes[name] if text is None else text
+        words = written.split()
         values = [float(word) for word in words if _NUMBER.fullmatch(word)]
         if len(values) == len(words) == count and all(math.isfinite(value) and abs(value) <= most for value in values):
             return values
         expected = "a finite number" if count == 1 else f"{count} finite numbers"
         if any(math.isfinite(value) and abs(value) > most for value in values):
             expected = f"{'a number' if count == 1 else f'{count} numbers'} of at most {most:g}"
-        shown = element.attributes[name][:LONGEST]
-        self.findings.error("E1006", element.place(name), name=name, text=shown, expected=expected)
+        self.faults += 1
+        words_of = {"name": name, "text": written[:LONGEST], "expected": expected}
+        self.findings.error("E1006", element.place(name), instead=self.instead, **words_of)
         return None

@@ -14,7 +14,7 @@ from lagdsl.source import Span
 
 Vector: TypeAlias = tuple[float, float, float]
 ZERO: Vector = (0.0, 0.0, 0.0)
-JointKind: TypeAlias = Literal["revolute", "prismatic", "spherical", "floating", "planar", "fixed"]
+JointKind: TypeAlias = Literal["revolute", "prismatic", "screw", "spherical", "floating", "planar", "fixed"]
 """`revolute` turns about its axis, with or without limits; `spherical` and `floating` are quaternions."""
 
 
@@ -93,12 +93,14 @@ Visual: TypeAlias = Box | Cylinder | Sphere | Capsule | Mesh
 
 @record(kw_only=True)
 class Link(Part):
-    """`is_between`: no link of the file, but the place between two joints that follow each other."""
+    """`is_between`: no link of the file, but the place between two joints that follow each other. `lift` is the share
+    of its weight that a force at its mass center carries."""
 
     name: str
     inertial: Inertial | None
     visuals: tuple[Visual, ...]
     is_between: bool = False
+    lift: float = 0.0
 
 
 @record(kw_only=True)
@@ -123,7 +125,8 @@ class Mimic(Part):
 @record(kw_only=True)
 class Passive:
     """Acts in a joint by itself: `damping` [N.m.s/rad or N.s/m], dry `friction` and `stiffness` about `rest`, and
-    `armature`, the inertia of the rotor seen from the joint [kg.m2 or kg]."""
+    `armature`, the inertia of the rotor seen from the joint [kg.m2 or kg]. Damping and
+    armature of a joint with several coordinates act on each of its rates, in a ball on the angular velocity."""
 
     damping: float = 0.0
     friction: float = 0.0
@@ -136,7 +139,8 @@ class Passive:
 class Joint(Part):
     """From the frame of `parent`, displaced by `before`, to that of `child`, displaced by `after` behind the joint.
 
-    `start` is the coordinate at the beginning, `place` the position [m] and the quaternion of a floating joint.
+    `start` is the coordinate at the beginning, `place` the position [m] and the quaternion of a floating joint, `lead`
+    the advance of a screw [m] along its axis in a turn.
     """
 
     name: str
@@ -148,6 +152,7 @@ class Joint(Part):
     axis: Vector = (1.0, 0.0, 0.0)
     start: float | None = None
     place: tuple[float, ...] = ()
+    lead: float = 0.0
     limits: Limits = Limits()
     passive: Passive = Passive()
     mimic: Mimic | None = None
@@ -211,8 +216,23 @@ class Tendon(Part):
 
 
 @record(kw_only=True)
+class Equality(Part):
+    """A coordinate of a joint, or the length of a tendon, is a polynomial of another one: the way from the first of
+    `rests` is the sum of `coefficients`, from the constant on, times powers of the way from the second [rad or m].
+    Without `other` it is the constant."""
+
+    name: str
+    of: Literal["joint", "tendon"]
+    one: str
+    other: str | None
+    rests: tuple[float, float]
+    coefficients: tuple[float, ...]
+
+
+@record(kw_only=True)
 class Robot(Part):
-    """`root` carries all other links. `actuators` and `gravity` [m/s2] are None where the file does not tell them."""
+    """`root` carries all other links, by `joints`; `closures` are joints between links that are carried already.
+    `actuators` and `gravity` [m/s2] are None where the file does not tell them."""
 
     name: str
     origin: str
@@ -223,3 +243,10 @@ class Robot(Part):
     gravity: Vector | None = None
     servos: tuple[Servo, ...] = ()
     tendons: tuple[Tendon, ...] = ()
+    closures: tuple[Joint, ...] = ()
+    equalities: tuple[Equality, ...] = ()
+
+    @property
+    def every_joint(self) -> tuple[Joint, ...]:
+        """Joints of the tree, and joints that close loops."""
+        return (*self.joints, *self.closures)

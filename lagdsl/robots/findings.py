@@ -9,6 +9,8 @@ from lagdsl.diagnostics import Label, Sink
 from lagdsl.diagnostics.diagnostic import Severity
 from lagdsl.source import Span
 
+_LENIENT = "import the rest of it with `--lenient` (in Python `lenient=True`)"
+
 
 class Findings:
     """Reports errors; where a lenient import has a way to go on, they are warnings that tell the way."""
@@ -19,13 +21,17 @@ class Findings:
 
     def error(self, code: str, span: Span | None, *labels: Label, instead: str | None = None, **arguments: Any) -> None:
         """Report `code`. `instead` is what a lenient import writes; without it there is no way to go on."""
-        if not self.lenient or instead is None:
-            self.sink.report(code, span, *labels, **arguments)
-            return
         own = Sink()
         own.report(code, span, *labels, **arguments)
         for diagnostic in own.diagnostics:
-            self.sink.add(replace(diagnostic, severity=Severity.WARNING, notes=(*diagnostic.notes, instead), help=None))
+            if instead is None:
+                self.sink.add(diagnostic)
+            elif self.lenient:
+                notes = (*diagnostic.notes, instead)
+                self.sink.add(replace(diagnostic, severity=Severity.WARNING, notes=notes, help=None))
+            else:
+                ways = [*([diagnostic.help] if diagnostic.help else []), _LENIENT]
+                self.sink.add(replace(diagnostic, help=", or ".join(ways)))
 
     def note(self, code: str, span: Span | None, **arguments: Any) -> None:
         """Report a note."""

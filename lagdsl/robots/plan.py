@@ -6,14 +6,15 @@ from typing import Literal, TypeAlias, get_args
 
 from lagdsl.record import record
 from lagdsl.robots.actuators import effort_of
-from lagdsl.robots.description import Actuator, Joint, JointKind, Link, Robot, Servo, Tendon
+from lagdsl.robots.description import Actuator, Equality, Joint, JointKind, Link, Robot, Servo, Tendon
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.names import Names, model_name
+from lagdsl.robots.tree import WORLD
 
 LimitStyle: TypeAlias = Literal["range", "contact", "none"]
 Drives: TypeAlias = Literal["file", "all", "none"]
 Role: TypeAlias = Literal["origin", "end", "gear", "friction", "lower", "upper", "within"]
-COORDINATES: dict[JointKind, str] = {"revolute": "q", "prismatic": "s"}
+COORDINATES: dict[JointKind, str] = {"revolute": "q", "prismatic": "s", "screw": "q"}
 """The coordinate of a joint that moves along one."""
 
 
@@ -41,7 +42,8 @@ class NamedServo:
 class Plan:
     """Names in the text by the original ones. `resting` are the links that no joint moves; `base` is the joint of a
     root that moves freely, `drives` the actuators with the names of their inputs, `tendons` have names of their
-    lengths. `parts` has the names of what stands beside a joint or a tendon, by its name and the role of the part."""
+    lengths, `equalities` those of constraints. `parts` has the names of what stands beside a joint or a tendon, by its
+    name and the role of the part."""
 
     robot: Robot
     style: Style
@@ -52,6 +54,7 @@ class Plan:
     drives: tuple[tuple[str, Actuator], ...]
     servos: tuple[NamedServo, ...]
     tendons: tuple[tuple[str, Tendon], ...]
+    equalities: tuple[tuple[str, Equality], ...]
     parts: dict[tuple[str, Role], str]
     resting: frozenset[str]
 
@@ -61,8 +64,9 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
     names = Names(findings)
     model = names.of(model_name(robot.name), "robot")
     links = {link.name: _link_name(link, robot, style, names) for link in robot.links if not link.is_between}
-    joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.joints}
-    kinds = {joint.name: joint.kind for joint in robot.joints}
+    links.setdefault(WORLD, "world")
+    joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.every_joint}
+    kinds = {joint.name: joint.kind for joint in robot.every_joint}
     drives = [
         (names.of(_input_name(actuator, kinds[actuator.joint]), "input"), actuator)
         for actuator in _actuators(robot, style)
@@ -81,6 +85,7 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
         drives=tuple(drives),
         servos=servos,
         tendons=tendons,
+        equalities=tuple((names.of(each.name, "constraint"), each) for each in robot.equalities),
         parts={(owner, role): names.of(f"{owner}_{role}", "part") for owner in owners for role in get_args(Role)},
         resting=frozenset() if style.floating else rigid_with_root(robot),
     )
@@ -124,7 +129,7 @@ def _input_name(actuator: Actuator, kind: JointKind) -> str:
     """`tau_elbow` and `f_slide` for efforts."""
     if actuator.gear is not None:
         return actuator.name
-    return f"{'tau' if kind == 'revolute' else 'f'}_{actuator.name}"
+    return f"{'f' if kind == 'prismatic' else 'tau'}_{actuator.name}"
 
 
 def _servo(servo: Servo, names: Names) -> NamedServo:
@@ -141,5 +146,5 @@ def _actuators(robot: Robot, style: Style) -> tuple[Actuator, ...]:
         case "file" if robot.actuators is not None:
             return robot.actuators
         case "file" | "all":
-            moved = [joint for joint in robot.joints if joint.kind in COORDINATES and joint.mimic is None]
+            moved = [joint for joint in robot.every_joint if joint.kind in COORDINATES and joint.mimic is None]
             return tuple(effort_of(joint, joint.span) for joint in moved)

@@ -12,32 +12,36 @@ from lagdsl.robots.drawings import folder_of_all, undrawn
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.mesh_faults import once_for_each_reason
 from lagdsl.robots.plan import Plan, Style, planned, rigid_with_root
+from lagdsl.robots.reach import reach_of
 from lagdsl.robots.text import model_text
-from lagdsl.robots.urdf import read_urdf
+from lagdsl.robots.urdf.read import read_urdf
 from lagdsl.robots.xml_tree import read_xml
 from lagdsl.source import SourceFile
 from lagdsl.syntax.printer import format_text
 
 
-def robot_text(path: Path, style: Style, sink: Sink, folder: Path, lenient: bool = False) -> str | None:
-    """The text of the model of a robot file, formatted; None after errors. `folder` is that of the text.
+def robot_text(
+    path: Path, style: Style, sink: Sink, folder: Path, lenient: bool = False, root: Path | None = None
+) -> str | None:
+    """The text of the model of a robot file, formatted; None after errors. `folder` is that of the text, `root`
+    one more folder that names in the file may lead to.
 
     URDF and MJCF are told apart by their root elements. With `lenient` what the language has no place for is left out,
     with warnings.
     """
-    root = read_xml(path, sink)
-    if root is None:
+    top = read_xml(path, sink)
+    if top is None:
         return None
-    findings = Findings(sink, lenient)
-    match root.tag:
+    findings, reach = Findings(sink, lenient), reach_of(path, root)
+    match top.tag:
         case "robot":
-            robot = read_urdf(path, root, findings)
+            robot = read_urdf(path, top, reach, findings)
         case "mujoco":
-            from lagdsl.robots.mjcf import read_mjcf
+            from lagdsl.robots.mjcf.read import read_mjcf
 
-            robot = read_mjcf(path, root, findings)
+            robot = read_mjcf(path, top, reach, findings)
         case _:
-            sink.report("E1004", root.head, tag=root.tag)
+            sink.report("E1004", top.head, tag=top.tag)
             return None
     if robot is None or sink.has_errors:
         return None

@@ -1,11 +1,11 @@
-"""Statements about coordinates: what joints imitate, their springs, dampers, rotors and friction, stops."""
+"""Statements about coordinates: joints that imitate others, springs, dampers, rotors, friction, stops, weights."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from lagdsl.robots.description import Joint, Link, Mimic
-from lagdsl.robots.numbers import number, quantity
+from lagdsl.robots.description import ZERO, Joint, Link, Mimic
+from lagdsl.robots.numbers import array, number, quantity
 from lagdsl.robots.plan import COORDINATES, Plan, coordinate_of, frame_of, is_body
 
 _AXES = "xyz"
@@ -14,14 +14,30 @@ _AXES = "xyz"
 def energies(plan: Plan) -> list[str]:
     """Rotors, springs, dampers, and bodies whose moments no body has."""
     found = [line for link in plan.robot.links if is_body(plan, link) for line in _moments(plan, link)]
-    for joint in _moved(plan):
-        found += _energies(joint, coordinate_of(plan, joint))
+    for joint in plan.robot.every_joint:
+        if joint.kind in COORDINATES:
+            found += _energies(joint, coordinate_of(plan, joint))
+        else:
+            found += _energies_in_space(joint, plan.joints[joint.name])
+    return found
+
+
+def lifts(plan: Plan) -> list[str]:
+    """Forces that carry the weight of links, or a share of it."""
+    found = []
+    gravity = plan.robot.gravity or ZERO
+    for link in plan.robot.links:
+        if link.lift and is_body(plan, link) and link.inertial is not None and link.inertial.mass and any(gravity):
+            force = array(quantity(-link.lift * link.inertial.mass * part, "N") for part in gravity)
+            frame = frame_of(plan, link)
+            place = f"{frame}.point({plan.links[link.name]}.com)" if any(link.inertial.com) else frame
+            found.append(f"force {force} at {place};")
     return found
 
 
 def acting(plan: Plan) -> list[str]:
     """Joints that imitate others, dry friction, stops."""
-    of = {joint.name: joint for joint in plan.robot.joints}
+    of = {joint.name: joint for joint in plan.robot.every_joint}
     found = []
     for joint in _moved(plan):
         name, coordinate = plan.joints[joint.name], coordinate_of(plan, joint)
@@ -36,7 +52,7 @@ def acting(plan: Plan) -> list[str]:
 
 
 def _moved(plan: Plan) -> Iterator[Joint]:
-    return (joint for joint in plan.robot.joints if joint.kind in COORDINATES)
+    return (joint for joint in plan.robot.every_joint if joint.kind in COORDINATES)
 
 
 def _moments(plan: Plan, link: Link) -> Iterator[str]:
@@ -56,7 +72,7 @@ def _moments(plan: Plan, link: Link) -> Iterator[str]:
 
 
 def _energies(joint: Joint, coordinate: str) -> Iterator[str]:
-    turns, passive = joint.kind == "revolute", joint.passive
+    turns, passive = joint.kind != "prismatic", joint.passive
     if passive.armature:
         yield f"kinetic 1/2*{quantity(passive.armature, 'kg.m2' if turns else 'kg')}*der({coordinate})^2;"
     if passive.stiffness:
@@ -66,10 +82,26 @@ def _energies(joint: Joint, coordinate: str) -> Iterator[str]:
         yield f"dissipation 1/2*{quantity(passive.damping, 'N.m.s/rad' if turns else 'N.s/m')}*der({coordinate})^2;"
 
 
+def _energies_in_space(joint: Joint, name: str) -> Iterator[str]:
+    """Armature and damping of balls and free joints: the square of the angular velocity is four times that of the rate
+    of the unit quaternion."""
+    square, way = f"(der({name}.e)*der({name}.e))", f"(der({name}.r)*der({name}.r))"
+    slides = joint.kind == "floating"
+    if joint.kind not in ("spherical", "floating"):
+        return
+    if joint.passive.armature:
+        yield f"kinetic 2*{quantity(joint.passive.armature, 'kg.m2')}*{square};"
+        if slides:
+            yield f"kinetic 1/2*{quantity(joint.passive.armature, 'kg')}*{way};"
+    if joint.passive.damping:
+        yield f"dissipation 2*{quantity(joint.passive.damping, 'N.m.s/rad')}*{square};"
+        if slides:
+            yield f"dissipation 1/2*{quantity(joint.passive.damping, 'N.s/m')}*{way};"
+
+
 def _imitated(plan: Plan, joint: Joint, leader: Joint, mimic: Mimic) -> str:
     """`2*elbow.q + 0.1 rad`; a factor between an angle and a length has a unit."""
-    units = {"revolute": "rad", "prismatic": "m"}
-    own, other = units[joint.kind], units[leader.kind]
+    own, other = unit_of(joint), unit_of(leader)
     name = coordinate_of(plan, leader)
     if own != other:
         term = f"{quantity(mimic.multiplier, f'{own}/{other}')}*{name}"
@@ -84,7 +116,7 @@ def _imitated(plan: Plan, joint: Joint, leader: Joint, mimic: Mimic) -> str:
 def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
     """The library's dry friction, which begins to slide smoothly."""
     library, symbol, port = (
-        ("Rotational", "tau_c", "phi") if joint.kind == "revolute" else ("Translational", "f_c", "s")
+        ("Translational", "f_c", "s") if joint.kind == "prismatic" else ("Rotational", "tau_c", "phi")
     )
     value = number(joint.passive.friction)
     return [
@@ -95,13 +127,18 @@ def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
 
 def _stops(plan: Plan, joint: Joint, name: str, coordinate: str) -> Iterator[str]:
     """Contacts without bounce at the limits."""
-    unit = "rad" if joint.kind == "revolute" else "m"
+    unit = unit_of(joint)
     if joint.limits.lower is not None:
         gap = difference(coordinate, quantity(joint.limits.lower, unit)).strip("()")
         yield f"contact {plan.parts[name, 'lower']}: {gap} >= 0 with restitution = 0;"
     if joint.limits.upper is not None:
         gap = sum_of([quantity(joint.limits.upper, unit), f"-{coordinate}"]) if joint.limits.upper else f"-{coordinate}"
         yield f"contact {plan.parts[name, 'upper']}: {gap} >= 0 with restitution = 0;"
+
+
+def unit_of(joint: Joint) -> str:
+    """Unit of the one coordinate of a joint."""
+    return "m" if joint.kind == "prismatic" else "rad"
 
 
 def difference(left: str, right: str) -> str:

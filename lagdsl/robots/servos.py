@@ -23,7 +23,7 @@ def servo_inputs(plan: Plan) -> Iterator[str]:
 def tendons(plan: Plan) -> Iterator[str]:
     """Lengths, springs, dampers, inertia and limits of tendons."""
     for name, tendon in plan.tendons:
-        unit = _unit(plan, tendon.way)
+        unit = unit_along(plan, tendon.way)
         yield f"{_type(unit)} {name} = {_combination(plan, tendon.way)};"
         yield from _springs(name, tendon, unit)
         effort = _effort_unit(unit)
@@ -36,9 +36,9 @@ def tendons(plan: Plan) -> Iterator[str]:
 
 def servos(plan: Plan) -> Iterator[str]:
     """Forces of servos, with the variables that they need."""
-    of = {joint.name: joint for joint in plan.robot.joints}
+    of = {joint.name: joint for joint in plan.robot.every_joint}
     for named in plan.servos:
-        servo, unit = named.servo, _unit(plan, named.servo.way)
+        servo, unit = named.servo, unit_along(plan, named.servo.way)
         if servo.activation != "none":
             yield f"state {_activation_type(plan, named)} {named.activation};"
         sees_length = any((*servo.gain[1:], *servo.bias[1:]))
@@ -71,7 +71,7 @@ def activations(plan: Plan) -> list[str]:
 
 def _force(plan: Plan, named: NamedServo) -> str:
     """gain x activation + bias; with the opposite factor of the length or of its rate as gain times a difference."""
-    servo, unit = named.servo, _unit(plan, named.servo.way)
+    servo, unit = named.servo, unit_along(plan, named.servo.way)
     effort, length, rate = _effort_unit(unit), *_motion(plan, named)
     signal = named.input if servo.activation == "none" else named.activation
     constant, by_length, by_rate = servo.bias
@@ -111,7 +111,7 @@ def _bounded(force: str, bounds: Bounds, unit: str) -> str:
 
 
 def _input_type(plan: Plan, named: NamedServo) -> str:
-    turns = _unit(plan, named.servo.way) == "rad"
+    turns = unit_along(plan, named.servo.way) == "rad"
     if _controls_length(named.servo.gain, named.servo.bias):
         if named.servo.activation == "integrator":
             return "AngularVelocity" if turns else "Velocity"
@@ -123,7 +123,7 @@ def _input_type(plan: Plan, named: NamedServo) -> str:
 
 def _activation_type(plan: Plan, named: NamedServo) -> str:
     """That of the input, or of its integral."""
-    turns = _unit(plan, named.servo.way) == "rad"
+    turns = unit_along(plan, named.servo.way) == "rad"
     if _controls_length(named.servo.gain, named.servo.bias):
         return "Angle" if turns else "Length"
     return _input_type(plan, named)
@@ -163,15 +163,15 @@ def _motion(plan: Plan, named: NamedServo) -> tuple[str, str]:
     way = named.servo.way
     if len(way) > 1:
         return named.length, f"der({named.length})"
-    joints = {joint.name: joint for joint in plan.robot.joints}
+    joints = {joint.name: joint for joint in plan.robot.every_joint}
     ((name, factor),) = way
     coordinate = coordinate_of(plan, joints[name])
     return _times(_plain(factor), coordinate), _times(_plain(factor), f"der({coordinate})")
 
 
 def _combination(plan: Plan, way: Way) -> str:
-    of = {joint.name: joint for joint in plan.robot.joints}
-    unit = _unit(plan, way)
+    of = {joint.name: joint for joint in plan.robot.every_joint}
+    unit = unit_along(plan, way)
     terms = [_times(_factor(of[name], factor, unit), coordinate_of(plan, of[name])) for name, factor in way if factor]
     return sum_of(terms) if terms else "0"
 
@@ -193,9 +193,9 @@ def _times(factor: str, text: str) -> str:
     return f"{factor}*{text}" if factor else text
 
 
-def _unit(plan: Plan, way: Way) -> str:
+def unit_along(plan: Plan, way: Way) -> str:
     """Radians where all joints turn, else meters."""
-    kinds = {joint.name: joint.kind for joint in plan.robot.joints}
+    kinds = {joint.name: joint.kind for joint in plan.robot.every_joint}
     return "rad" if all(kinds[name] == "revolute" for name, _ in way) else "m"
 
 

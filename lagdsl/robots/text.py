@@ -6,15 +6,23 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import assert_never
 
-from lagdsl.robots.description import ZERO, Joint, Link, Pose
+from lagdsl.robots.description import ZERO, Joint, JointKind, Link, Pose, Vector
 from lagdsl.robots.drawings import drawings
+from lagdsl.robots.equalities import equalities
 from lagdsl.robots.numbers import angle, array, number, quantity, vector
 from lagdsl.robots.plan import Plan, Role, is_body
-from lagdsl.robots.relations import acting, energies
+from lagdsl.robots.relations import acting, energies, lifts
 from lagdsl.robots.servos import activations, servo_inputs, servos, tendons
+from lagdsl.robots.turns import behind
 from lagdsl.syntax.print_expressions import quoted
 
-_DEFAULT_AXES = {"revolute": (0.0, 0.0, 1.0), "prismatic": (1.0, 0.0, 0.0), "planar": (0.0, 0.0, 1.0)}
+_DEFAULT_AXES: dict[JointKind, Vector] = {
+    "revolute": (0.0, 0.0, 1.0),
+    "prismatic": (1.0, 0.0, 0.0),
+    "planar": (0.0, 0.0, 1.0),
+    "screw": (1.0, 0.0, 0.0),
+}
+_CUT = "prefer = never"
 
 
 def model_text(plan: Plan, folder: Path) -> str:
@@ -25,11 +33,14 @@ def model_text(plan: Plan, folder: Path) -> str:
         ["import Lag.Spatial.*;"],
         ["// Links: mass, mass center, inertia about it", *_links(plan)],
         ["// Joints, and what places them in the axes of the link before", *_joints(plan)] if plan.joints else [],
+        ["// Joints that close loops", *_components(plan, plan.robot.closures)] if plan.robot.closures else [],
         [*(_input(plan, name) for name, _ in plan.drives), *servo_inputs(plan)],
         _connections(plan),
         energies(plan),
         acting(plan),
         list(tendons(plan)),
+        list(equalities(plan)),
+        lifts(plan),
         list(servos(plan)),
         [f"gravity = {'-g_n*world.z' if gravity is None else _acceleration(gravity)};"],
         list(drawings(plan, folder)),
@@ -77,9 +88,13 @@ def _body(name: str, link: Link) -> str:
 def _joints(plan: Plan) -> Iterator[str]:
     if plan.base is not None:
         yield f"FreeQuaternion {plan.base};"
-    for joint in plan.robot.joints:
+    yield from _components(plan, plan.robot.joints)
+
+
+def _components(plan: Plan, joints: Iterable[Joint]) -> Iterator[str]:
+    for joint in joints:
         if joint.kind == "fixed":
-            yield _weld(plan.joints[joint.name], joint.before)
+            yield _weld(plan.joints[joint.name], behind(joint.before, joint.after))
             continue
         for role, pose in _mounts(joint):
             name = plan.parts[plan.joints[joint.name], role]
@@ -113,9 +128,13 @@ def _joint(plan: Plan, joint: Joint) -> str:
             component, coordinate, effort, unit = "Revolute", "q", "tau", "rad/s"
         case "prismatic":
             component, coordinate, effort, unit = "Prismatic", "s", "f", "m/s"
+        case "screw":
+            component, coordinate, effort, unit = "Screw", "q", "tau", "rad/s"
+            parts.append(f"lead = {number(joint.lead)}")
         case "spherical" | "floating" | "planar" | "fixed":
             components = {"spherical": "Spherical", "floating": "FreeQuaternion", "planar": "Planar", "fixed": "Weld"}
-            return f"{components[joint.kind]} {plan.joints[joint.name]}{_modifiers(parts + _place(joint))};"
+            parts += _place(joint) + (_cut(joint) if joint in plan.robot.closures else [])
+            return f"{components[joint.kind]} {plan.joints[joint.name]}{_modifiers(parts)};"
         case _:
             assert_never(joint.kind)
     parts += [f"{coordinate}{_modifiers(attributes)}"] if attributes else []
@@ -133,6 +152,12 @@ def _place(joint: Joint) -> list[str]:
     return found + ([f"e(start = {vector(turn)})"] if turn and turn != (1.0, 0.0, 0.0, 0.0) else [])
 
 
+def _cut(joint: Joint) -> list[str]:
+    """The compiler cuts a joint that closes a loop, and keeps those of the tree."""
+    coordinates = {"spherical": ("e",), "planar": ("x", "y", "q")}.get(joint.kind, ())
+    return [f"{coordinate}({_CUT})" for coordinate in coordinates]
+
+
 def _modifiers(parts: Iterable[str]) -> str:
     text = ", ".join(parts)
     return f"({text})" if text else ""
@@ -140,12 +165,13 @@ def _modifiers(parts: Iterable[str]) -> str:
 
 def _attributes(plan: Plan, joint: Joint) -> list[str]:
     """Start and limits of the coordinate. A start that the file does not give lies between the limits."""
-    write = angle if joint.kind == "revolute" else number
+    write = number if joint.kind == "prismatic" else angle
     lower, upper = joint.limits.lower, joint.limits.upper
     start = joint.start or 0.0
     if joint.start is None and lower is not None and upper is not None:
         start = min(max(start, lower), upper)
     found = [f"start = {write(start)}"] if start else []
+    found += [_CUT] if joint in plan.robot.closures else []
     if plan.style.limits == "range":
         found += [f"min = {write(lower)}"] if lower is not None else []
         found += [f"max = {write(upper)}"] if upper is not None else []
@@ -153,7 +179,7 @@ def _attributes(plan: Plan, joint: Joint) -> list[str]:
 
 
 def _effort(joint: Joint, name: str, gear: float | None) -> str:
-    return name if gear is None else f"{number(gear)} {'N.m' if joint.kind == 'revolute' else 'N'}*{name}"
+    return name if gear is None else f"{number(gear)} {'N' if joint.kind == 'prismatic' else 'N.m'}*{name}"
 
 
 # ---- inputs and connections ------------------------------------------------------------------------------------------
@@ -161,8 +187,8 @@ def _effort(joint: Joint, name: str, gear: float | None) -> str:
 
 def _input(plan: Plan, name: str) -> str:
     actuator = dict(plan.drives)[name]
-    joint = next(joint for joint in plan.robot.joints if joint.name == actuator.joint)
-    kind = "Real" if actuator.gear is not None else "Torque" if joint.kind == "revolute" else "Force"
+    joint = next(joint for joint in plan.robot.every_joint if joint.name == actuator.joint)
+    kind = "Real" if actuator.gear is not None else "Force" if joint.kind == "prismatic" else "Torque"
     parts = [f"min = {number(actuator.low)}"] if actuator.low is not None else []
     parts += [f"max = {number(actuator.high)}"] if actuator.high is not None else []
     return f"input {kind} {name}{_modifiers(parts)};"
@@ -178,7 +204,7 @@ def _connections(plan: Plan) -> list[str]:
         found.append(f"connect(world, {root});")
     between = {link.name for link in plan.robot.links if link.is_between}
     chain: list[str] = []
-    for joint in plan.robot.joints:
+    for joint in plan.robot.every_joint:
         chain += [*([] if chain else [plan.links[joint.parent]]), *_through(plan, joint)]
         if joint.child not in between:  # else the next joint goes on from here
             found.append(f"connect({', '.join([*chain, plan.links[joint.child]])});")
@@ -192,5 +218,5 @@ def _through(plan: Plan, joint: Joint) -> list[str]:
     if joint.kind == "fixed":
         return [name]
     roles = [role for role, _ in _mounts(joint)]
-    before, behind = ([plan.parts[name, role] for role in roles if role == end] for end in ("origin", "end"))
-    return [*before, name, *behind]
+    before, after = ([plan.parts[name, role] for role in roles if role == end] for end in ("origin", "end"))
+    return [*before, name, *after]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from lagdsl.diagnostics import Label
 from lagdsl.robots.description import Joint, Link, Mimic
@@ -11,6 +12,8 @@ from lagdsl.robots.findings import Findings
 from lagdsl.robots.xml_tree import Element
 
 MAX_LINKS = 1000
+WORLD = "world"
+"""The end of a closure that is no link of the file."""
 _FREE = "let one of the joints that imitate each other move by itself"
 
 
@@ -72,6 +75,27 @@ def _one_root(robot: Element, links: Sequence[Link], carried: dict[str, Joint], 
     return roots[0].name
 
 
+def sound_closures(
+    links: Sequence[Link], joints: Sequence[Joint], closures: Sequence[Joint], findings: Findings
+) -> tuple[list[Link], list[Joint]]:
+    """The joints that close loops between two links of the file or the world, and the links between two such joints in
+    a row. E1007, E1008 or E1017 for others."""
+    _once("joint", [*joints, *closures], findings)
+    known = {link.name for link in links} | {WORLD}
+    between = {
+        joint.child: Link(name=joint.child, inertial=None, visuals=(), is_between=True, span=joint.span)
+        for joint, following in pairwise(closures)
+        if joint.child == following.parent and joint.child not in known
+    }
+    for joint in closures:
+        for name in (joint.parent, joint.child):
+            if name not in known and name not in between:
+                findings.error("E1008", joint.span, what="link", name=name)
+        if joint.parent == joint.child:
+            findings.error("E1017", joint.span, reason=f"`{joint.name}` joins the link `{joint.child}` with itself")
+    return list(between.values()), list(closures)
+
+
 def sound_mimics(joints: Sequence[Joint], findings: Findings) -> list[Joint]:
     """The joints, each imitating one that moves along one coordinate, and not itself around a circle.
 
@@ -105,39 +129,7 @@ def _is_sound(joint: Joint, mimic: Mimic, of: dict[str, Joint], findings: Findin
     return True
 
 
-def weightless(root: str, links: Sequence[Link], joints: Sequence[Joint], findings: Findings) -> set[str]:
-    """The joints that move neither mass nor inertia, also by those that imitate them; E1012 for those that lead."""
-    below: dict[str, list[Joint]] = {}
-    for joint in joints:
-        below.setdefault(joint.parent, []).append(joint)
-    heavy = {link.name for link in links if link.inertial is not None}
-    order = [root]
-    for name in order:
-        order += [joint.child for joint in below.get(name, ())]
-    for name in reversed(order):
-        if any(joint.child in heavy for joint in below.get(name, ())):
-            heavy.add(name)
-    of = {joint.name: joint for joint in joints}
-    leaders = {joint.name: _leader(joint, of).name for joint in joints if joint.kind != "fixed"}
-    moving = {leaders[joint.name] for joint in joints if joint.kind != "fixed" and _moves(joint, heavy)}
-    for joint in joints:
-        if joint.kind != "fixed" and joint.mimic is None and joint.name not in moving:
-            instead = "the joint, and what imitates it, is written as a rigid one"
-            findings.error("E1012", joint.span, name=joint.name, instead=instead)
-    return {name for name, leader in leaders.items() if leader not in moving}
-
-
-def weightless_as_rigid(root: str, links: Sequence[Link], joints: Sequence[Joint], findings: Findings) -> list[Joint]:
-    """The joints, those that move neither mass nor inertia as rigid ones."""
-    rigid = weightless(root, links, joints, findings)
-    return [replace(joint, kind="fixed", mimic=None) if joint.name in rigid else joint for joint in joints]
-
-
-def _moves(joint: Joint, heavy: set[str]) -> bool:
-    return joint.child in heavy or joint.passive.armature > 0.0
-
-
-def _leader(joint: Joint, of: dict[str, Joint]) -> Joint:
+def leader_of(joint: Joint, of: dict[str, Joint]) -> Joint:
     """The joint at the end of the chain of imitation."""
     while joint.mimic is not None:
         joint = of[joint.mimic.joint]

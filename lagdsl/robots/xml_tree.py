@@ -22,12 +22,21 @@ _ENCODINGS = frozenset({"utf-8", "utf8", "us-ascii", "ascii", "iso-8859-1", "lat
 
 @record(kw_only=True)
 class Element:
-    """`<tag name="value">`: attributes as they are spelled, children in their order; `span` covers the start tag."""
+    """`<tag name="value">`: attributes as they are spelled, children in their order; `span` covers the start tag.
+
+    `pieces` are the characters between the tags, as expat gives them.
+    """
 
     tag: str
     attributes: dict[str, str]
     span: Span = field(compare=False, repr=False)
     children: list[Element]
+    pieces: list[str]
+
+    @property
+    def text(self) -> str:
+        """The characters between start tag and end tag, those of children left out."""
+        return "".join(self.pieces).strip()
 
     def all(self, tag: str) -> list[Element]:
         """The children of this tag."""
@@ -119,6 +128,7 @@ class _Reader:
         parser: Any = self.parser
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._characters
         parser.StartDoctypeDeclHandler = self._document_type
         parser.Parse(self.file.text.encode("utf-8", "surrogatepass"), True)
 
@@ -143,12 +153,16 @@ class _Reader:
             if amount > limit:
                 head = Span(self.file, start, start + len(tag) + 1)
                 raise _Refused("E1002", head, what="this file", limit=limit, unit=unit)
-        element = Element(tag=tag, attributes=attributes, span=span, children=[])
+        element = Element(tag=tag, attributes=attributes, span=span, children=[], pieces=[])
         if self.open:
             self.open[-1].children.append(element)
         else:
             self.root = element
         self.open.append(element)
+
+    def _characters(self, text: str) -> None:
+        if self.open:
+            self.open[-1].pieces.append(text)
 
     def _end(self, _: str) -> None:
         self.open.pop()

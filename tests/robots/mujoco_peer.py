@@ -13,8 +13,9 @@ import numpy as np
 import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf import read_mjcf
+from lagdsl.robots.mjcf.read import read_mjcf
 from lagdsl.robots.plan import Plan, Style, coordinate_of, planned
+from lagdsl.robots.reach import reach_of
 from lagdsl.robots.xml_tree import read_xml
 from robots.peers import Compared, half_turn_rates, with_places
 
@@ -92,7 +93,7 @@ def plan_of_mjcf(path: Path, lenient: bool, style: Style = Style()) -> Plan:  # 
     sink = Sink()
     root = read_xml(path, sink)
     assert root is not None
-    robot = read_mjcf(path, root, Findings(sink, lenient))
+    robot = read_mjcf(path, root, reach_of(path, None), Findings(sink, lenient))
     sink.raise_if_errors()
     assert robot is not None
     return planned(robot, style, Findings(Sink(), lenient))

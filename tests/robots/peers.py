@@ -15,7 +15,8 @@ import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.plan import Plan, Style, coordinate_of, frame_of, planned
-from lagdsl.robots.urdf import read_urdf
+from lagdsl.robots.reach import reach_of
+from lagdsl.robots.urdf.read import read_urdf
 from lagdsl.robots.xml_tree import read_xml
 
 G = 9.80665
@@ -44,7 +45,7 @@ def plan_of(path: Path, lenient: bool, *, floating: bool = False) -> Plan:
     sink = Sink()
     root = read_xml(path, sink)
     assert root is not None
-    robot = read_urdf(path, root, Findings(sink, lenient))
+    robot = read_urdf(path, root, reach_of(path, None), Findings(sink, lenient))
     sink.raise_if_errors()
     assert robot is not None
     return planned(robot, Style(actuators="none", floating=floating), Findings(Sink(), lenient))

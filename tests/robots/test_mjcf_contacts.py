@@ -12,7 +12,7 @@ from robots.imported import imported
 
 mujoco = pytest.importorskip("mujoco")
 
-from lagdsl.robots.mjcf_contacts import touching  # noqa: E402
+from lagdsl.robots.mjcf.contacts import touching  # noqa: E402
 
 INERTIAL = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
 

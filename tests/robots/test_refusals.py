@@ -119,6 +119,66 @@ def test_what_is_wrong_is_told_at_its_line(
         assert [each.code for each in lagdsl.check(model) if each.severity == "error"] == []
 
 
+SHAPE = "<visual>\n<geometry>\n{}</geometry></visual>"
+SHAPES = [
+    ("scale", '<mesh filename="b.stl" scale="0.1"/>', "E1006", 5),
+    ("scale of words", '<mesh filename="b.stl" scale="1 1 big"/>', "E1006", 5),
+    ("size", '<box size="1 1"/>', "E1006", 5),
+    ("no size", "<box/>", "E1005", 5),
+    ("no radius", '<cylinder length="1"/>', "E1005", 5),
+    ("no file", "<mesh/>", "E1005", 5),
+]
+
+
+@pytest.mark.parametrize(("shape", "code", "line"), [pytest.param(*row[1:], id=row[0]) for row in SHAPES])
+def test_a_lenient_import_leaves_wrong_shapes_out(tmp_path: Path, shape: str, code: str, line: int) -> None:
+    path = tmp_path / "robot.urdf"
+    (tmp_path / "b.stl").write_text("solid")
+    text = GOOD.replace('"b">', f'"b">{SHAPE.format(shape)}<visual><geometry><sphere radius="2"/></geometry></visual>')
+    assert [each[:2] for each in refusal(path, text)] == [(code, line)]
+    model, told = imported(path, lenient=True)
+    assert [each.code for each in told] == [code] and told[0].notes == ("the shape is left out",)
+    assert model.count("draw") == 1 and not [each for each in lagdsl.check(model) if each.severity == "error"]
+
+
+UNREAD = [
+    ("attribute", JOINT.replace('name="j"', 'name="j" axis="0 1 0"'), 4, "`axis` is an element"),
+    ("misspelled", of_type("revolute", '\n<dynamics dampng="0.3"/>'), 5, "did you mean `damping`?"),
+    ("element", of_type("revolute", '\n<dynamic damping="0.3"/>'), 5, "did you mean `dynamics`?"),
+    ("inside out", of_type("revolute", "\n<name/>"), 5, "`name` is an attribute"),
+    ("no likeness", of_type("revolute", '\n<limit effort="1" velocity="1" current="7"/>'), 5, "known attributes of"),
+]
+
+
+@pytest.mark.parametrize(("joint", "line", "help"), [pytest.param(*row[1:], id=row[0]) for row in UNREAD])
+def test_what_is_not_read_is_told(tmp_path: Path, joint: str, line: int, help: str) -> None:
+    path = tmp_path / "robot.urdf"
+    path.write_text(with_joint(joint))
+    _, (told,) = imported(path)
+    assert told.code == "W1026" and told.labels[0].span.first.line == line
+    assert told.help is not None and help in told.help
+
+
+def test_elements_that_act_between_links_are_refused(tmp_path: Path) -> None:
+    text = GOOD.replace("</robot>", "<drake:linear_bushing_rpy/></robot>").replace("<robot", '<robot xmlns:drake="d"')
+    assert [each[:2] for each in refusal(tmp_path / "robot.urdf", text)] == [("E1016", 5)]
+
+
+ROTORS = [
+    ("two ratios", "<r:gear_ratio>50</r:gear_ratio><mechanicalReduction>60</mechanicalReduction>", "E1006"),
+    ("negative", "<r:rotor_inertia>-1</r:rotor_inertia>", "E1006"),
+    ("no number", "<r:rotor_inertia>much</r:rotor_inertia>", "E1006"),
+]
+
+
+@pytest.mark.parametrize(("inside", "code"), [pytest.param(*row[1:], id=row[0]) for row in ROTORS])
+def test_rotors_that_cannot_be_read_are_told(tmp_path: Path, inside: str, code: str) -> None:
+    actuator = f'<actuator name="m">{inside}<r:rotor_inertia>1</r:rotor_inertia></actuator>'
+    text = with_joint(f'{JOINT}<transmission><joint name="j"/>{actuator}</transmission>')
+    told = refusal(tmp_path / "robot.urdf", text.replace("<robot", '<robot xmlns:r="d"'))
+    assert [each[0] for each in told] == [code]
+
+
 FREE = """<robot name="free">
 <link name="root"/>
 {links}
@@ -164,12 +224,14 @@ def test_a_free_root_without_mass_that_bodies_move(tmp_path: Path, bodies: list[
 
 
 def test_a_mesh_behind_a_link_out_of_the_folder_is_outside(tmp_path: Path) -> None:
-    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot" / "urdf").mkdir(parents=True)
     (tmp_path / "outside.stl").write_text("solid")
-    (tmp_path / "robot" / "b.stl").symlink_to(tmp_path / "outside.stl")
+    (tmp_path / "robot" / "urdf" / "b.stl").symlink_to(tmp_path / "outside.stl")
     text = with_mesh("b.stl")
-    ((code, _, message),) = refusal(tmp_path / "robot" / "robot.urdf", text)
+    path = tmp_path / "robot" / "urdf" / "robot.urdf"
+    ((code, _, message),) = refusal(path, text)
     assert code == "E1013" and "lies outside of the folder `robot`" in message
+    assert imported(path, root=tmp_path)[0]
 
 
 @pytest.mark.parametrize("name", ["package://robot/meshes/b.stl", "meshes/b.stl", "package://beside/b.stl"])

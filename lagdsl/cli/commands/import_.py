@@ -33,6 +33,12 @@ from lagdsl.diagnostics import Sink
 )
 @click.option("--floating", is_flag=True, help="Let the base move freely; default: it is fixed to the world.")
 @click.option("--lenient", is_flag=True, help="Replace or leave out what the language cannot express, with warnings.")
+@click.option(
+    "--root",
+    type=PATH,
+    metavar="DIR",
+    help="One more folder that names in FILE may lead to; default: its package, or the parent of its folder.",
+)
 @takes_format
 def command(
     file: Path,
@@ -41,6 +47,7 @@ def command(
     actuators: Literal["file", "all", "none"],
     floating: bool,
     lenient: bool,
+    root: Path | None,
     style: Format,
 ) -> None:
     """Write the model of the robot in FILE, a URDF or an MJCF file.
@@ -54,7 +61,7 @@ def command(
     require_writable(output)
     sink = Sink()
     choices = Style(limits=limits, actuators=actuators, floating=floating)
-    text = robot_text(file, choices, sink, Path() if output is None else output.parent, lenient)
+    text = robot_text(file, choices, sink, Path() if output is None else output.parent, lenient, root)
     if text is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -1,8 +1,8 @@
 """Family 10: descriptions of robots that are imported."""
 
-from lagdsl.diagnostics.catalog.row import Row, error, note
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
-_LENIENT = "correct the file, or import the rest of it with `--lenient`"
+_CORRECT = "correct the file"
 
 ROWS: dict[str, Row] = {
     "E1000": error("cannot read `{name}`: {reason}", help="give the path of a URDF or MJCF file"),
@@ -24,7 +24,7 @@ ROWS: dict[str, Row] = {
         label="`<robot>` begins a URDF file, `<mujoco>` an MJCF file",
         help="translate other formats, for instance xacro, to one of these first",
     ),
-    "E1005": error("`<{element}>` has no {what}", label="needs it", help=_LENIENT),
+    "E1005": error("`<{element}>` has no {what}", label="needs it", help=_CORRECT),
     "E1006": error("`{name}` is `{text}`, not {expected}", label="this value", help="write a value in SI units"),
     "E1007": error(
         "{what} `{name}` occurs twice",
@@ -33,16 +33,16 @@ ROWS: dict[str, Row] = {
     ),
     "E1008": error("the file has no {what} `{name}`", label="unknown", help="check the spelling of the name"),
     "E1009": error(
-        "the lower limit {lower:g} is larger than the upper one, {upper:g}", label="this limit", help=_LENIENT
+        "the lower limit {lower:g} is larger than the upper one, {upper:g}", label="this limit", help=_CORRECT
     ),
     "E1010": error("unknown type of joint `{type}`", label="unknown", help="the types are {known}"),
-    "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_LENIENT),
+    "E1011": error("the mass and inertia of link `{name}` are impossible: {reason}", label="given here", help=_CORRECT),
     "E1012": error(
-        "the joint `{name}` moves neither mass nor inertia",
+        "the joint `{name}` can move without kinetic energy",
         label="its acceleration is not determined",
-        help="give its links a mass, or make the joint `fixed`",
+        help="give its links a mass, or moments of inertia about the axis, or make the joint `fixed`",
     ),
-    "E1013": error("the mesh `{file}` cannot be used: {reason}", label="named here", help=_LENIENT),
+    "E1013": error("the {kind} `{file}` cannot be used: {reason}", label="named here", help=_CORRECT),
     "E1014": error(
         "MJCF files need the package `mujoco`, which is not installed",
         help="install it: `pip install mujoco`",
@@ -50,7 +50,7 @@ ROWS: dict[str, Row] = {
     "E1015": error(
         "MuJoCo rejects this file: {reason}", label="its root", help="correct the element that MuJoCo names"
     ),
-    "E1016": error("the language cannot express `{what}`", label="this element", help=_LENIENT),
+    "E1016": error("the language cannot express `{what}`", label="this element", help=_CORRECT),
     "E1017": error(
         "the links do not form a tree: {reason}",
         label="this joint or link",
@@ -87,5 +87,10 @@ ROWS: dict[str, Row] = {
         "the file is a template of xacro, which is not expanded",
         label="a macro, or a value that has to be computed",
         help="expand it first, `xacro FILE > robot.urdf`, and import the result",
+    ),
+    "W1026": warning(
+        "the {written} of `<{owner}>` is not read{times}",
+        label="no known name",
+        help="delete it",
     ),
 }

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_parts import Places
+from lagdsl.robots.mjcf.parts import Places
 from lagdsl.source import Span
 
 _LEFT_OUT = "it is left out"
@@ -31,9 +31,6 @@ def _of_the_whole(mujoco: Any, model: Any, places: Places) -> Iterator[tuple[Spa
     ):
         if count:
             yield places.head, what
-    if np.any(model.body_gravcomp):
-        index = int(np.flatnonzero(model.body_gravcomp)[0])
-        yield places.place("body", index), "compensation of gravity"
     for flag in ("mjDSBL_SPRING", "mjDSBL_DAMPER", "mjDSBL_PASSIVE", "mjDSBL_ACTUATION", "mjDSBL_FRICTIONLOSS"):
         if hasattr(mujoco.mjtDisableBit, flag) and model.opt.disableflags & int(getattr(mujoco.mjtDisableBit, flag)):
             yield places.head, f"the flag {flag}"
@@ -52,7 +49,7 @@ def _of_joints(model: Any, places: Places) -> Iterator[tuple[Span, str]]:
             yield places.place("joint", index), f"a spring or damper of {name} that is no straight line"
         if count == 3 and model.jnt_limited[index]:
             yield places.place("joint", index), f"the limit of {name}, a joint in space"
-        if count > 1:
-            values = (model.dof_damping[dofs], model.dof_frictionloss[dofs], model.dof_armature[dofs])
-            if any(np.any(value) for value in values) or np.any(model.jnt_stiffness[index]):
-                yield places.place("joint", index), f"spring, damper, friction or armature of {name}, a joint in space"
+        if count > 1 and (np.any(model.dof_frictionloss[dofs]) or np.any(model.jnt_stiffness[index])):
+            yield places.place("joint", index), f"spring or friction of {name}, a joint in space"
+        if model.jnt_actgravcomp[index] and model.jnt_actfrclimited[index]:
+            yield places.place("joint", index), f"the limit of {name} for efforts that compensate gravity"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
@@ -21,35 +20,33 @@ from lagdsl.robots.description import (
     Limits,
     Link,
     Mesh,
-    Mimic,
     Passive,
     Pose,
     Sphere,
-    Vector,
     Visual,
 )
 from lagdsl.robots.findings import Findings
 from lagdsl.robots.inertia import checked, entries_of
+from lagdsl.robots.turns import fixed_angles, matrix_of, turn_about, vector_of, without_rounding
 from lagdsl.robots.xml_tree import Element
 from lagdsl.source import Span
 
 Floats = NDArray[np.float64]
 Kind: TypeAlias = Literal["body", "joint", "site", "equality", "tendon", "actuator"]
 _VISIBLE_GROUPS = 3  # MuJoCo's viewer shows the groups 0 to 2 at first: the others are shapes for collisions
-_SMALL = 1e-15
 _KINDS: tuple[JointKind, ...] = ("floating", "spherical", "prismatic", "revolute")  # as mjtJoint counts them
 
 
 @record()
 class Places:
-    """A model of MuJoCo with the names of its parts and their places in the file."""
+    """A model of MuJoCo with the names of its parts and their places in the file; `files` of meshes by their names."""
 
     mujoco: Any
     model: Any
     head: Span
     parts: dict[Kind, list[Element]]
     named: dict[tuple[Kind, str], Element]
-    folder: Path
+    files: dict[str, tuple[str, Path]]
 
     def body(self, index: int) -> str:
         """The name of a body; those without one are counted."""
@@ -60,6 +57,10 @@ class Places:
         body = int(self.model.jnt_bodyid[index])
         number = index - int(self.model.body_jntadr[body])
         return str(self.model.joint(index).name) or f"{self.body(body)}_joint{f'_{number + 1}' if number else ''}"
+
+    def tendon(self, index: int) -> str:
+        """The name of a tendon; those without one are counted."""
+        return str(self.model.tendon(index).name) or f"tendon_{index + 1}"
 
     def place(self, kind: Kind, index: int) -> Span:
         """The place of a part: found by its number where the file has as many as the model, else by its name.
@@ -88,7 +89,8 @@ def links_of(places: Places, findings: Findings) -> list[Link]:
         for number in range(1, int(model.body_jntnum[index])):
             found.append(Link(name=_between(name, number), inertial=None, visuals=(), is_between=True, span=span))
         inertial = _inertial(places, index, name, span, findings) if index else None
-        found.append(Link(name=name, inertial=inertial, visuals=_visuals(places, index, span), span=span))
+        lift = float(model.body_gravcomp[index])
+        found.append(Link(name=name, inertial=inertial, visuals=_visuals(places, index, span), lift=lift, span=span))
     return found
 
 
@@ -101,7 +103,7 @@ def sites_of(places: Places) -> Iterator[tuple[Link, Joint]]:
             continue
         name = own if own not in taken else f"{own}_site"
         span = places.place("site", index)
-        seat = Pose(xyz=_vector(model.site_pos[index]), rpy=fixed_angles(_matrix(model.site_quat[index])))
+        seat = Pose(xyz=vector_of(model.site_pos[index]), rpy=fixed_angles(matrix_of(model.site_quat[index])))
         parent = places.body(int(model.site_bodyid[index]))
         yield (
             Link(name=name, inertial=None, visuals=(), span=span),
@@ -116,11 +118,11 @@ def _between(body: str, number: int) -> str:
 def _inertial(places: Places, index: int, name: str, span: Span, findings: Findings) -> Inertial | None:
     """MuJoCo has principal moments in axes of their own."""
     model = places.model
-    matrix = _matrix(model.body_iquat[index])
+    matrix = matrix_of(model.body_iquat[index])
     entries = entries_of(matrix @ np.diag(model.body_inertia[index]) @ matrix.T)
-    xx, yy, zz, xy, xz, yz = _without_rounding(entries, max(entries))
+    xx, yy, zz, xy, xz, yz = without_rounding(entries, max(entries))
     return checked(
-        float(model.body_mass[index]), _vector(model.body_ipos[index]), (xx, yy, zz, xy, xz, yz), name, span, findings
+        float(model.body_mass[index]), vector_of(model.body_ipos[index]), (xx, yy, zz, xy, xz, yz), name, span, findings
     )
 
 
@@ -131,7 +133,7 @@ def _visuals(places: Places, body: int, span: Span) -> tuple[Visual, ...]:
     for index in range(first, first + count):
         if model.geom_group[index] >= _VISIBLE_GROUPS:
             continue
-        pose = Pose(xyz=_vector(model.geom_pos[index]), rpy=fixed_angles(_matrix(model.geom_quat[index])))
+        pose = Pose(xyz=vector_of(model.geom_pos[index]), rpy=fixed_angles(matrix_of(model.geom_quat[index])))
         a, b, c = map(float, model.geom_size[index])
         kind = int(model.geom_type[index])
         if kind == kinds.mjGEOM_SPHERE:
@@ -151,15 +153,15 @@ def _mesh(places: Places, geom: int, span: Span) -> Mesh:
     """MuJoCo has moved the points of the file: the principal axes of the solid are those of the shape."""
     model = places.model
     mesh = int(model.geom_dataid[geom])
-    first = int(model.mesh_pathadr[mesh])
-    file = bytes(model.paths[first:]).partition(b"\0")[0].decode("utf-8", "replace") if first >= 0 else ""
-    axes = _matrix(model.geom_quat[geom]) @ _matrix(model.mesh_quat[mesh]).T
+    name = str(model.mesh(mesh).name)
+    file, place = places.files.get(name, (f"the mesh {name}", Path()))
+    axes = matrix_of(model.geom_quat[geom]) @ matrix_of(model.mesh_quat[mesh]).T
     at = model.geom_pos[geom] - axes @ model.mesh_pos[mesh]
     return Mesh(
-        file=file or f"the mesh {model.mesh(mesh).name}",
-        place=places.folder / file,
-        pose=Pose(xyz=_vector(np.round(at, 12)), rpy=fixed_angles(axes)),
-        scale=_vector(model.mesh_scale[mesh]),
+        file=file,
+        place=place,
+        pose=Pose(xyz=vector_of(np.round(at, 12)), rpy=fixed_angles(axes)),
+        scale=vector_of(model.mesh_scale[mesh]),
         span=span,
     )
 
@@ -167,13 +169,12 @@ def _mesh(places: Places, geom: int, span: Span) -> Mesh:
 # ---- joints ----------------------------------------------------------------------------------------------------------
 
 
-def joints_of(places: Places, findings: Findings) -> list[Joint]:
+def joints_of(places: Places) -> list[Joint]:
     """The joints of all bodies; a body without one is welded to the body before."""
     model, found = places.model, []
-    mimics = _mimics(places, findings)
     for body in range(1, model.nbody):
         parent, name = places.body(int(model.body_parentid[body])), places.body(body)
-        seat = Pose(xyz=_vector(model.body_pos[body]), rpy=fixed_angles(_matrix(model.body_quat[body])))
+        seat = Pose(xyz=vector_of(model.body_pos[body]), rpy=fixed_angles(matrix_of(model.body_quat[body])))
         first, count = int(model.body_jntadr[body]), int(model.body_jntnum[body])
         if count == 0:
             span = places.place("body", body)
@@ -182,7 +183,7 @@ def joints_of(places: Places, findings: Findings) -> list[Joint]:
         elif model.jnt_type[first] == 0:  # a free joint counts from the world
             found.append(_free(places, first, parent, name))
         else:
-            found += _row(places, list(range(first, first + count)), parent, name, mimics)
+            found += _row(places, list(range(first, first + count)), parent, name)
     return found
 
 
@@ -196,15 +197,16 @@ def _free(places: Places, index: int, parent: str, child: str) -> Joint:
         child=child,
         before=Pose(),
         place=(*q,),
+        passive=_passive(places.model, index, "floating"),
         span=places.place("joint", index),
     )
 
 
-def _row(places: Places, joints: list[int], parent: str, child: str, mimics: dict[int, Mimic]) -> list[Joint]:
+def _row(places: Places, joints: list[int], parent: str, child: str) -> list[Joint]:
     """Joints of one body turn and slide it one after the other, each about a point that is fixed in the body."""
     model, found = places.model, []
     body = int(model.jnt_bodyid[joints[0]])
-    origin, matrix = model.body_pos[body].copy(), _matrix(model.body_quat[body])
+    origin, matrix = model.body_pos[body].copy(), matrix_of(model.body_quat[body])
     anchor = np.zeros(3)
     for number, index in enumerate(joints):
         kind, axis = _KINDS[int(model.jnt_type[index])], model.jnt_axis[index]
@@ -214,7 +216,7 @@ def _row(places: Places, joints: list[int], parent: str, child: str, mimics: dic
         if kind == "prismatic":  # the coordinate is `ref`, not zero, where the file shows the body
             origin = origin - matrix @ axis * start
         elif kind == "revolute" and start:
-            matrix = matrix @ _turn(axis, -start)
+            matrix = matrix @ turn_about(axis, -start)
         last = index == joints[-1]
         name = places.joint(index)
         found.append(
@@ -223,13 +225,12 @@ def _row(places: Places, joints: list[int], parent: str, child: str, mimics: dic
                 kind=kind,
                 parent=_between(child, number) if number else parent,
                 child=child if last else _between(child, number + 1),
-                before=Pose(xyz=_vector(origin), rpy=fixed_angles(matrix)),
-                after=Pose(xyz=_vector(-anchor)) if last else Pose(),
-                axis=_vector(axis),
+                before=Pose(xyz=vector_of(origin), rpy=fixed_angles(matrix)),
+                after=Pose(xyz=vector_of(-anchor)) if last else Pose(),
+                axis=vector_of(axis),
                 start=start,
                 limits=_limits(model, index, kind),
                 passive=_passive(model, index, kind),
-                mimic=mimics.get(index),
                 span=places.place("joint", index),
             )
         )
@@ -245,85 +246,15 @@ def _limits(model: Any, index: int, kind: JointKind) -> Limits:
 
 
 def _passive(model: Any, index: int, kind: JointKind) -> Passive:
-    if kind not in ("revolute", "prismatic"):
-        return Passive()
+    """MuJoCo gives all rates of a joint the damping and the armature of the joint."""
     dof = int(model.jnt_dofadr[index])
+    damping, armature = float(model.dof_damping[dof].item()), float(model.dof_armature[dof])
+    if kind not in ("revolute", "prismatic"):
+        return Passive(damping=damping, armature=armature)
     return Passive(
-        damping=float(model.dof_damping[dof].item()),
+        damping=damping,
         friction=float(model.dof_frictionloss[dof]),
         stiffness=float(model.jnt_stiffness[index].item()),
         rest=float(model.qpos_spring[int(model.jnt_qposadr[index])]),
-        armature=float(model.dof_armature[dof]),
+        armature=armature,
     )
-
-
-def _mimics(places: Places, findings: Findings) -> dict[int, Mimic]:
-    """Joints that an equality of first degree ties to another one; E1016 for other equalities."""
-    model, found = places.model, {}
-    for index in range(model.neq):
-        a0, a1, *higher = map(float, model.eq_data[index][:5])
-        span = places.place("equality", index)
-        ties_joints = int(model.eq_type[index]) == int(places.mujoco.mjtEq.mjEQ_JOINT)
-        if not model.eq_active0[index]:
-            continue
-        if not ties_joints or any(higher) or model.eq_obj2id[index] < 0:
-            findings.error("E1016", span, what="an equality that is no gear of two joints", instead="it is left out")
-            continue
-        one, two = int(model.eq_obj1id[index]), int(model.eq_obj2id[index])
-        if one in found:
-            what = f"a second equality of the joint {places.joint(one)}"
-            findings.error("E1016", span, what=what, instead="it is left out")
-            continue
-        starts = [float(model.qpos0[int(model.jnt_qposadr[joint])]) for joint in (one, two)]
-        offset = starts[0] + a0 - a1 * starts[1]  # MuJoCo's polynomial is of the distances from the start
-        found[one] = Mimic(joint=places.joint(two), multiplier=a1, offset=offset, span=span)
-    return found
-
-
-# ---- turns -----------------------------------------------------------------------------------------------------------
-
-
-def _matrix(quaternion: Floats) -> Floats:
-    """The rotation matrix of a quaternion, scalar first."""
-    w, x, y, z = quaternion / np.linalg.norm(quaternion)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
-def _turn(axis: Floats, angle: float) -> Floats:
-    return _matrix(np.array([math.cos(angle / 2), *(math.sin(angle / 2) * axis / np.linalg.norm(axis))]))
-
-
-def fixed_angles(matrix: Floats) -> Vector:
-    """Roll, pitch, yaw of Rz(yaw) Ry(pitch) Rx(roll), near the vertical pitch, too.
-
-    Roll is found in the axes that yaw has turned: an error of yaw, which nothing determines there, is made good.
-    """
-    m = matrix
-    yaw = math.atan2(m[1, 0], m[0, 0]) if math.hypot(m[0, 0], m[1, 0]) > _SMALL else 0.0
-    c, s = math.cos(yaw), math.sin(yaw)
-    pitch = math.atan2(-m[2, 0], c * m[0, 0] + s * m[1, 0])
-    roll = math.atan2(s * m[0, 2] - c * m[1, 2], c * m[1, 1] - s * m[0, 1])
-    if abs(roll) > math.pi / 2 and abs(yaw) > math.pi / 2:  # a turn about y alone is written as one
-        roll, pitch, yaw = (math.remainder(a, 2 * math.pi) for a in (roll + math.pi, math.pi - pitch, yaw + math.pi))
-    return _snapped(roll), _snapped(pitch), _snapped(yaw)
-
-
-def _snapped(angle: float) -> float:
-    """The whole number of degrees next to it where a rounding error separates them."""
-    degrees = math.radians(round(math.degrees(angle)))
-    return degrees if abs(angle - degrees) < 4 * _SMALL else angle
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = _without_rounding([float(value) for value in values], 1.0)
-    return x, y, z
-
-
-def _without_rounding(values: list[float], size: float) -> list[float]:
-    return [0.0 if abs(value) <= _SMALL * size else value for value in values]

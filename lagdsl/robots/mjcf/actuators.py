@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.robots.description import Actuator, Affine, Bounds, Joint, Servo, Tendon, Way
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_parts import Places
+from lagdsl.robots.mjcf.parts import Places
 from lagdsl.source import Span
 
 _MOTIONS = ("revolute", "prismatic")
@@ -22,8 +22,8 @@ _LEFT_OUT = "it is left out"
 _FILTER: Literal["filter"] = "filter"
 
 
-def tendons_of(places: Places, joints: list[Joint], findings: Findings) -> list[Tendon]:
-    """Fixed tendons that act by themselves or have limits; E1016 for others that do."""
+def tendons_of(places: Places, joints: list[Joint], tied: set[int], findings: Findings) -> list[Tendon]:
+    """Fixed tendons that act by themselves, have limits or are `tied`; E1016 for others that do or are."""
     model, found = places.model, []
     for index in range(model.ntendon):
         stiffness, damping = float(model.tendon_stiffness[index].item()), float(model.tendon_damping[index].item())
@@ -31,9 +31,9 @@ def tendons_of(places: Places, joints: list[Joint], findings: Findings) -> list[
         friction = float(model.tendon_frictionloss[index])
         curved = [getattr(model, f"tendon_{name}poly", None) for name in ("stiffness", "damping")]
         is_curved = any(table is not None and np.any(table[index]) for table in curved)
-        if not (stiffness or damping or armature or is_limited or friction or is_curved):
+        if not (stiffness or damping or armature or is_limited or friction or is_curved or index in tied):
             continue
-        name = str(model.tendon(index).name) or f"tendon_{index + 1}"
+        name = places.tendon(index)
         span, way = places.place("tendon", index), _way(places, index, joints)
         if way is None or friction or is_curved:
             what = f"the tendon {name}"

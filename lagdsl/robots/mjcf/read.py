@@ -5,22 +5,26 @@ The tree of elements serves for safety before MuJoCo reads the file, and for the
 
 from __future__ import annotations
 
+import warnings
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from lagdsl.robots.description import Actuator, Robot, Servo, Vector
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_actuators import ACTUATORS, actuators_of, tendons_of
-from lagdsl.robots.mjcf_bounds import check_bounds, check_numbers
-from lagdsl.robots.mjcf_contacts import tell_contacts
-from lagdsl.robots.mjcf_features import tell_features
-from lagdsl.robots.mjcf_parts import Kind, Places, joints_of, links_of, sites_of
-from lagdsl.robots.tree import MAX_LINKS, sound_mimics, weightless_as_rigid
-from lagdsl.robots.visuals import leads_out
-from lagdsl.robots.xml_tree import Element, read_xml
+from lagdsl.robots.idle import Tree, idle_as_rigid
+from lagdsl.robots.mjcf.actuators import ACTUATORS, actuators_of, tendons_of
+from lagdsl.robots.mjcf.bounds import check_bounds, check_numbers
+from lagdsl.robots.mjcf.contacts import tell_contacts
+from lagdsl.robots.mjcf.equalities import active, closures_of, equalities_of, tied_tendons
+from lagdsl.robots.mjcf.features import tell_features
+from lagdsl.robots.mjcf.files import all_elements, mesh_files, take_assets
+from lagdsl.robots.mjcf.parts import Kind, Places, joints_of, links_of, sites_of
+from lagdsl.robots.reach import Reach
+from lagdsl.robots.tree import MAX_LINKS
+from lagdsl.robots.xml_tree import Element
 
-_MAX_FILES = 100
 # Tags of parts by the section of the file that holds them, and what MuJoCo calls them.
 _KINDS: dict[str, tuple[frozenset[str], Kind]] = {
     "worldbody": (frozenset({"body"}), "body"),
@@ -33,19 +37,22 @@ _NOT_READ = ("camera", "light", "sensor", "keyframe", "contact", "numeric", "tex
 _GRAVITY_OFF = "mjDSBL_GRAVITY"
 
 
-def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
+def read_mjcf(path: Path, root: Element, reach: Reach, findings: Findings) -> Robot | None:
     """The robot of a file, or None after errors."""
     try:
         import mujoco
     except ImportError:
         findings.error("E1014", None)
         return None
-    elements = _all_elements(path, root, findings)
+    elements = all_elements(path, root, reach, findings)
     if elements is not None:
         check_bounds(elements, root, findings)
     if elements is None or findings.sink.has_errors:
         return None
-    model = _model(mujoco, path, root, findings)
+    spec = _specification(mujoco, path, root, findings)
+    if spec is not None:
+        take_assets(spec, elements, reach, findings)
+    model = None if spec is None or findings.sink.has_errors else _model(mujoco, spec, root, findings)
     if model is None:
         return None
     if model.nbody + model.nsite > MAX_LINKS:
@@ -56,18 +63,18 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
         return None
     parts = _parts(root)
     named = {(kind, part.attributes.get("name", "")): part for kind, own in parts.items() for part in own}
-    places = Places(mujoco, model, root.head, parts, named, path.parent)
+    places = Places(mujoco, model, root.head, parts, named, mesh_files(spec, reach))
     tell_features(mujoco, model, places, findings)
     _tell_left_out(elements, findings)
     tell_contacts(places, findings)
     links, base, sites = links_of(places, findings), places.body(0), list(sites_of(places))
-    joints = sound_mimics(joints_of(places, findings), findings)
-    if findings.sink.has_errors:  # joints that imitate each other in a circle have no leader
-        return None
-    joints = weightless_as_rigid(base, links, joints, findings)
+    holding = active(places, findings)
+    joints, closures = joints_of(places), closures_of(places, holding, findings)
+    tendons = tendons_of(places, joints, tied_tendons(places, holding), findings)
+    equalities = list(equalities_of(places, holding, joints, {tendon.name for tendon in tendons}, findings))
+    joints = idle_as_rigid(Tree(base, links, joints, closures, equalities, tendons), findings)
     links += [link for link, _ in sites]
     joints += [joint for _, joint in sites]
-    tendons = tendons_of(places, joints, findings)
     drives = actuators_of(places, joints, findings)
     if findings.sink.has_errors:
         return None
@@ -84,60 +91,41 @@ def read_mjcf(path: Path, root: Element, findings: Findings) -> Robot | None:
         servos=tuple(drive for drive in drives if isinstance(drive, Servo)),
         tendons=tuple(tendons),
         gravity=gravity,
+        closures=tuple(closures),
+        equalities=tuple(equalities),
         span=root.head,
     )
 
 
-def _model(mujoco: Any, path: Path, root: Element, findings: Findings) -> Any:
-    """The model that MuJoCo makes of a file; E1015 where it makes none, N1021 for its warnings.
+def _specification(mujoco: Any, path: Path, root: Element, findings: Findings) -> Any:
+    """The specification that MuJoCo reads in a file, before it opens files of shapes; None after E1015."""
+    return _of_mujoco(mujoco, lambda: mujoco.MjSpec.from_file(str(path.resolve())), root, findings)
 
-    Left to itself MuJoCo writes warnings into a file of the current folder.
+
+def _model(mujoco: Any, spec: Any, root: Element, findings: Findings) -> Any:
+    """The model that MuJoCo makes of a specification; None after E1015."""
+    return _of_mujoco(mujoco, spec.compile, root, findings)
+
+
+def _of_mujoco(mujoco: Any, made: Callable[[], Any], root: Element, findings: Findings) -> Any:
+    """The product of MuJoCo; E1015 where it makes none, N1021 for its warnings.
+
+    Left to itself MuJoCo writes warnings into a file of the current folder, or gives them to Python.
     """
-    warnings: list[str] = []
-    mujoco.set_mju_user_warning(warnings.append)
+    told: list[str] = []
+    mujoco.set_mju_user_warning(told.append)
     try:
-        model = mujoco.MjModel.from_xml_path(str(path))
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            product = made()
     except (ValueError, MemoryError, RuntimeError, mujoco.FatalError) as fault:
         findings.error("E1015", root.head, reason=_one_line(str(fault)))
         return None
     finally:
         mujoco.set_mju_user_warning(None)
-    for warning in warnings:
-        findings.note("N1021", root.head, text=_one_line(warning))
-    return model
-
-
-def _all_elements(path: Path, root: Element, findings: Findings) -> list[Element] | None:
-    """The elements of a file and of those that it includes, which become children of `<include>`; every file is checked
-    before MuJoCo opens one.
-
-    E1013 for a name that leads out of the folder of the robot; None after errors of an included file.
-    """
-    waiting, found, files = [root], [], 1
-    while waiting:
-        element = waiting.pop()
-        found.append(element)
-        name = element.attributes.get("file")
-        if name is not None and leads_out(name, path, _folders(found)):
-            reason = "it lies outside of the folder of the robot"
-            findings.error("E1013", element.place("file"), file=name, reason=reason)
-        elif name is not None and element.tag == "include":
-            files += 1
-            inner = read_xml(path.resolve().parent / name, findings.sink) if files <= _MAX_FILES else None
-            if inner is None:
-                if files > _MAX_FILES:
-                    findings.error("E1002", element.head, what="this robot", limit=_MAX_FILES, unit="files")
-                return None
-            element.children.append(inner)
-        waiting += reversed(element.children)
-    return found
-
-
-def _folders(elements: list[Element]) -> list[str]:
-    """The folders that the file puts before names of meshes and pictures."""
-    names = ("meshdir", "assetdir", "texturedir")
-    compilers = [element for element in elements if element.tag == "compiler"]
-    return ["", *(element.attributes[name] for element in compilers for name in names if name in element.attributes)]
+    for text in (*told, *(str(warning.message) for warning in caught)):
+        findings.note("N1021", root.head, text=_one_line(text))
+    return product
 
 
 def _parts(root: Element) -> dict[Kind, list[Element]]:

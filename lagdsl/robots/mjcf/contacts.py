@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from lagdsl.robots.findings import Findings
-from lagdsl.robots.mjcf_parts import Places
+from lagdsl.robots.mjcf.parts import Places
 
 _BITS = 32  # of contype and conaffinity
 _CONTACT_OFF = "mjDSBL_CONTACT"
