@@ -13,6 +13,7 @@ from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.row_factors import row_factors
+from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.target import Kind, Target, targets
 
 if TYPE_CHECKING:
@@ -98,6 +99,8 @@ class Described(Interface):
     def _numbers(self, name: str, given: Mapping[str, Any]) -> Mapping[str, Any]:
         """Values by name in SI units, where texts such as `2 N` are among them. Raises UnknownName."""
         targets = self._targets_of(name)
+        if name in ("q", "qd"):
+            given = by_own_names(self._compilation.flat, given)
         return given if targets is None else numbers(_WORDS[name], given, targets)
 
     def _targets_of(self, name: str) -> dict[str, Target] | None:
@@ -117,7 +120,7 @@ class Described(Interface):
                 return None
 
     def _start_values(self, given: Mapping[str, Value] | None) -> dict[str, float]:
-        return known("start value", given, self._named("start"))
+        return known("start value", by_own_names(self._compilation.flat, given or {}), self._named("start"))
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
         """Targets of values, by the names of the model."""
