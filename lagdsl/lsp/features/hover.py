@@ -13,7 +13,11 @@ from lagdsl.flat.expression import Number
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import Coordinate, Definition, FlatModel, Input, Output, Parameter, State
 from lagdsl.lsp.deep import Depth
-from lagdsl.lsp.language import (
+from lagdsl.lsp.names.declarations import Declaration
+from lagdsl.lsp.names.occurrences import Occurrence
+from lagdsl.lsp.positions import range_of
+from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.manual.words import (
     ATTRIBUTES,
     VARIABLES,
     arguments_of,
@@ -23,10 +27,6 @@ from lagdsl.lsp.language import (
     type_text,
     unit_text,
 )
-from lagdsl.lsp.names.declarations import Declaration
-from lagdsl.lsp.names.occurrences import Occurrence
-from lagdsl.lsp.positions import range_of
-from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.tokens import unit_of
