@@ -31,6 +31,7 @@ class Described(Interface):
         super().__init__(*functions)
         self._compilation = compilation
         self._layout = compilation.program.layout
+        self._aliases = dict(self._layout.aliases)
         self._row_factors = np.array(row_factors(compilation.flat))
 
     def __repr__(self) -> str:
@@ -99,8 +100,6 @@ class Described(Interface):
     def _numbers(self, name: str, given: Mapping[str, Any]) -> Mapping[str, Any]:
         """Values by name in SI units, where texts such as `2 N` are among them. Raises UnknownName."""
         targets = self._targets_of(name)
-        if name in ("q", "qd"):
-            given = by_own_names(self._compilation.flat, given)
         return given if targets is None else numbers(_WORDS[name], given, targets)
 
     def _targets_of(self, name: str) -> dict[str, Target] | None:

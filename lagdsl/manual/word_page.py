@@ -34,6 +34,7 @@ _MOST_LINES = 10
 _LONGEST = 110
 # Sections that name many words and explain none.
 _OVERVIEWS = ("Statements", "A model", "Text, numbers and units")
+_OF_FUNCTIONS = "Names"
 _BLOCKS = ("when", "for", "if")
 
 
@@ -143,7 +144,7 @@ def _places(word: str) -> str:
             sum(holds.search(code) is not None for code in _codes(text)),
         )
         for title, text in sections.items()
-        if title not in _OVERVIEWS
+        if title not in _OVERVIEWS and not (title == _OF_FUNCTIONS and word in vocabulary().words)
     }
     best = max(counts, key=lambda title: counts[title])
     if not any(counts[best]):

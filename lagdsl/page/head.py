@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
+from lagdsl.flat.aliases import other_names
 from lagdsl.flat.display import Display, display
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Spans, is_angle
@@ -45,6 +46,8 @@ def head_of(
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
+    for name, others in other_names(model).items():
+        docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
         "name": model.name,
         "doc": model.doc,

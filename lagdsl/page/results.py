@@ -11,6 +11,7 @@ import numpy as np
 from lagdsl.analysis.point import Point
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
+from lagdsl.flat.aliases import results_names
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.page.page import head_of_recording
@@ -43,6 +44,8 @@ def results_page(
         own.raise_if_errors()
         raise ValueError(f"{path.name} holds no rows")
     prepared = prepare(flat)
+    known = results_names(prepared.own)
+    tables = {known.get(name, name): table for name, table in tables.items()}
     times, values = _checked(prepared.own, tables, path.name)
     if len(times) > _MOST_ROWS:  # thinned evenly; the last row stays
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))

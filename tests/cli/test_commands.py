@@ -167,7 +167,11 @@ class TestExplain:
 
     @pytest.mark.parametrize(
         ("name", "said"),
-        [("DCMtor", "did you mean `DCMotor`?"), ("reacton", "did you mean `reaction`?"), ("xyzzy", "function, type or")],
+        [
+            ("DCMtor", "did you mean `DCMotor`?"),
+            ("reacton", "did you mean `reaction`?"),
+            ("xyzzy", "function, type or"),
+        ],
     )
     def test_a_name_of_nothing(self, invoke: Invoke, name: str, said: str) -> None:
         result = invoke("explain", name)

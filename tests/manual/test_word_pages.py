@@ -13,7 +13,9 @@ WITHOUT_EXAMPLE = {"record", "stream", "symbol"}
 def test_every_word_of_the_language_has_a_page_with_its_place_in_the_reference():
     pages = {word: word_page(word) for word in words()}
     assert [word for word, page in pages.items() if page is None] == []
-    lacking = [word for word, page in pages.items() if "## Reference\n\ndocs/reference/language.md, section " not in page]
+    lacking = [
+        word for word, page in pages.items() if "## Reference\n\ndocs/reference/language.md, section " not in page
+    ]
     assert lacking == []
     assert word_page("forse") is None
 
