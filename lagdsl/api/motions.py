@@ -9,12 +9,12 @@ from numpy.typing import ArrayLike
 
 from lagdsl.api.names import keys_of, number
 from lagdsl.diagnostics.suggest import did_you_mean, listing
-from lagdsl.flat.aliases import results_names
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engines.cores import cores
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.aliases import results_names
 from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target
 from lagdsl.signals.inputs import Signal

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
-from lagdsl.flat.aliases import other_names
 from lagdsl.flat.display import Display, display
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Spans, is_angle
@@ -15,6 +14,7 @@ from lagdsl.page.words import WORDS
 from lagdsl.plot.picture.recording import up_of
 from lagdsl.scene.living import Living
 from lagdsl.scene.shapes import Scene, Shape
+from lagdsl.settings.aliases import other_names
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
 from lagdsl.structure.names import contact_rows

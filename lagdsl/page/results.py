@@ -11,7 +11,6 @@ import numpy as np
 from lagdsl.analysis.point import Point
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
-from lagdsl.flat.aliases import results_names
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.page.page import head_of_recording
@@ -19,6 +18,7 @@ from lagdsl.page.runs import Run, page_of_runs
 from lagdsl.page.states import States, own_parameters, recording_of
 from lagdsl.plot.picture.recording import Prepared, prepare
 from lagdsl.plot.picture.wishes import Wishes
+from lagdsl.settings.aliases import results_names
 from lagdsl.signals.table_io import Tables, read_inputs
 from lagdsl.signals.trajectory import Column, Trajectory
 from lagdsl.simulate.table import heads_of

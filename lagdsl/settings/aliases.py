@@ -1,4 +1,4 @@
-"""Values that are given by other names of coordinates, those that `connect` made one."""
+"""Names that `connect` makes those of one coordinate, beside the one under which the results have it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import re
 from collections.abc import Mapping
 from typing import TypeVar
 
-from lagdsl.flat.aliases import results_names
 from lagdsl.flat.model import FlatModel
 from lagdsl.settings.arrays import family
 from lagdsl.settings.failure import SettingError
@@ -14,6 +13,20 @@ from lagdsl.settings.failure import SettingError
 _Value = TypeVar("_Value")
 _SUBSCRIPT = re.compile(r"\[[^\[\]]*\]")
 _START = ".start"
+
+
+def other_names(flat: FlatModel) -> dict[str, tuple[str, ...]]:
+    """By coordinate `x` and rate `der(x)`, the other names that it has."""
+    found: dict[str, tuple[str, ...]] = {}
+    for alias in flat.aliases:
+        found[alias.of] = (*found.get(alias.of, ()), alias.name)
+    rates = {f"der({name})": tuple(f"der({other})" for other in others) for name, others in found.items()}
+    return found | rates
+
+
+def results_names(flat: FlatModel) -> dict[str, str]:
+    """By other name of a coordinate or a rate, the name under which the results have it."""
+    return {other: name for name, others in other_names(flat).items() for other in others}
 
 
 def own_name(flat: FlatModel, name: str) -> str:

@@ -6,11 +6,11 @@ from collections.abc import Collection
 
 import numpy as np
 
-from lagdsl.flat.aliases import other_names
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel, discrete_outputs
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
+from lagdsl.settings.aliases import other_names
 from lagdsl.signals.moved import MovedRow
 from lagdsl.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
 

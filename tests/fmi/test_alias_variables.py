@@ -36,10 +36,10 @@ def aliases(version: int, **ports: object) -> dict[str, str]:
     if version == 3:
         return {a.attrib["name"]: v.attrib["name"] for v in root.find("ModelVariables") for a in v.findall("Alias")}
     found = entries(root)
-    first = {v.attributes["valueReference"]: v.name for v in reversed(found)}
-    return {
-        v.name: first[v.attributes["valueReference"]] for v in found if first[v.attributes["valueReference"]] != v.name
-    }
+    references = [v.attributes["valueReference"] for v in found]
+    first = {reference: v.name for reference, v in zip(reversed(references), reversed(found), strict=True)}
+    named = [(v.name, first[reference]) for reference, v in zip(references, found, strict=True)]
+    return {name: own for name, own in named if name != own}
 
 
 @pytest.mark.parametrize("version", [2, 3])

@@ -36,7 +36,7 @@ def read_by(flat: fm.FlatModel) -> Readings:
 
 
 def mechanical(flat: fm.FlatModel) -> Iterator[tuple[fx.FlatExpression, Item]]:
-    """What the model reads of its mechanics, each with the item that reads it first."""
+    """Reactions, energies and momenta that the model reads, each with the item that reads it first."""
     definitions = (item for item in flat.named if isinstance(item, fm.Definition))
     asking: tuple[fm.Output | fm.Invariant | fm.Definition, ...] = (
         *flat.outputs,
