@@ -207,6 +207,7 @@ def test_models_without_freedom_run_and_verify(name, engine):
     assert modes.steadiness.kind == "no freedom" and len(modes.eigenvalues) == 0
     assert "nothing is free to move" in modes.stability
     assert "W0206" not in [each.code for each in model.diagnostics]
+    assert ("No coordinate is left:" if name == "structure" else "There is no coordinate,") in str(model.derive())
 
 
 @pytest.mark.parametrize(("name", "version", "kind"), paired(list(IMMOBILE), [2, 3], ["CoSimulation", "ModelExchange"]))
