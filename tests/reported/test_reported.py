@@ -45,7 +45,7 @@ end Shaft;
 
 
 def _twisted(t: float, start: float = 0.3) -> tuple[float, float]:
-    """Angles of both ends: the mean J-weighted angle rests, the twist oscillates with sqrt(k (1/J1 + 1/J2)) = 3 rad/s."""
+    """Angles of both ends: J1 phi1 + J2 phi2 rests, the twist oscillates with sqrt(k (1/J1 + 1/J2)) = 3 rad/s."""
     mean, twist = 2.0 * start / 3.0, start * math.cos(3.0 * t)
     return mean + twist / 3.0, mean - 2.0 * twist / 3.0
 
