@@ -131,15 +131,15 @@ def statement(modes: Modes) -> str:
     system = modes.steadiness.kind
     zeros = int(np.count_nonzero(values == 0.0))
     marginal = int(np.count_nonzero(np.abs(values.real) <= AXIS * np.abs(values))) - zeros
-    if modes.steadiness.kind == "neither":
+    if system == "neither":
         return "no statement: the point is neither an equilibrium nor part of a steady motion"
+    if system == "no freedom":
+        return "no statement: nothing is free to move, so that there is no mode"
     if modes.unstable:
         growing = values[values.real > AXIS * np.abs(values)]
         oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))
         how = "oscillating" if oscillating == len(growing) else "monotonic" if not oscillating else "both kinds of"
         return f"unstable {system}: {len(growing)} of {len(values)} real parts are positive ({how} growth)"
-    if not len(values):
-        return f"{system} without any freedom"
     if not marginal and not zeros:
         return f"asymptotically stable {system}: all real parts are negative"
     parts = [f"{marginal} on the imaginary axis"] if marginal else []

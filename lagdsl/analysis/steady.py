@@ -33,11 +33,12 @@ _MOST_TOLD = 4
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Steadiness:
-    """`running` are names of what changes at a constant rate; `unbalanced` names what keeps a point from being steady,
-    with its rate of change in SI units; where that is zero, the row of A changes along the motion. `turning` is given
-    where bodies turn steadily in quaternions: then A - X is constant."""
+    """`no freedom`: the minimal state has no entry, so that there is no motion to judge. `running` are names of what
+    changes at a constant rate; `unbalanced` names what keeps a point from being steady, with its rate of change in SI
+    units; where that is zero, the row of A changes along the motion. `turning` is given where bodies turn steadily in
+    quaternions: then A - X is constant."""
 
-    kind: Literal["equilibrium", "steady motion", "neither"]
+    kind: Literal["equilibrium", "steady motion", "neither", "no freedom"]
     running: tuple[str, ...]
     unbalanced: tuple[tuple[str, float], ...]
     turning: Turning | None = None
@@ -79,6 +80,8 @@ def without_influence(a: Floats, sizes: Floats, omega: float, candidates: Sequen
 
 def steadiness(system: System, at: Reduced) -> Steadiness:
     """Kind of the point `at`. `at` is reduced by the rows of position level alone."""
+    if not len(at.value):
+        return Steadiness(kind="no freedom", running=(), unbalanced=())
     plain = _judged(system, at, None)
     if plain.kind != "neither":
         return plain

@@ -20,6 +20,7 @@ from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import Sink, failed
 from lagdsl.diagnostics.suggest import listing
 from lagdsl.numerics.rank import Floats
+from lagdsl.settings.aliases import own_name
 from lagdsl.signals.inputs import report_missing
 from lagdsl.units.naming import rate_text
 
@@ -89,9 +90,10 @@ def point(system: System, where: Where, sink: Sink) -> Point:
 
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:
     start = dict(where.start)
+    free, hold = (tuple(own_name(system.flat, name) for name in names) for names in (where.free, where.hold))
     if not where.steady:
         start = {**{f"der({c.name})": 0.0 for c in system.flat.coordinates}, **start}
-    return trim_at(system, _state(system, where, start, None), free=where.free, hold=where.hold, sink=sink)
+    return trim_at(system, _state(system, where, start, None), free=free, hold=hold, sink=sink)
 
 
 def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink | None) -> Point:
@@ -128,6 +130,7 @@ def _varied(system: System, name: str, sink: Sink) -> Named:
     known = {slot.name: slot.unit for slot in (*layout.parameters, *layout.inputs)}
     starts = {item.name: item.unit for item in (*flat.coordinates, *flat.states)}
     starts |= {f"der({c.name})": rate_text(c.dimension, c.unit) for c in flat.coordinates}
+    name = own_name(flat, name)
     found = name if name in known else name.removesuffix(".start")
     if found in known or found in starts:
         return Named(found, {**starts, **known}[found])

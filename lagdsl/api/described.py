@@ -13,6 +13,7 @@ from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.row_factors import row_factors
+from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.target import Kind, Target, targets
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ class Described(Interface):
         super().__init__(*functions)
         self._compilation = compilation
         self._layout = compilation.program.layout
+        self._aliases = dict(self._layout.aliases)
         self._row_factors = np.array(row_factors(compilation.flat))
 
     def __repr__(self) -> str:
@@ -117,7 +119,7 @@ class Described(Interface):
                 return None
 
     def _start_values(self, given: Mapping[str, Value] | None) -> dict[str, float]:
-        return known("start value", given, self._named("start"))
+        return known("start value", by_own_names(self._compilation.flat, given or {}), self._named("start"))
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
         """Targets of values, by the names of the model."""

@@ -16,6 +16,7 @@ from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
+from lagdsl.settings.aliases import by_own_names
 
 if TYPE_CHECKING:
     import xarray
@@ -197,7 +198,7 @@ class Model(SmallMotions):
         return simulate_many(
             self._compilation,
             values_of_runs("parameter", parameters, self._named("parameter")),
-            values_of_runs("start value", start, self._named("start")),
+            values_of_runs("start value", by_own_names(self._compilation.flat, start or {}), self._named("start")),
             engine=self._engine.name,
             stop=stop,
             interval=interval,

@@ -14,6 +14,7 @@ from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engines.cores import cores
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.aliases import results_names
 from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target
 from lagdsl.signals.inputs import Signal
@@ -29,7 +30,7 @@ class Motions:
     """Runs that share the times of their rows: `motions["theta"]` has the shape (runs, rows), SI units.
 
     `time` (rows,) and `ended` (runs,) [s]; `failures` says by the number of a run why it failed. Rows after the end of
-    a run are nan.
+    a run are nan. `aliases` are other names of columns, with the name that each stands for.
     """
 
     time: Floats
@@ -37,6 +38,7 @@ class Motions:
     units: dict[str, str]
     ended: Floats
     failures: dict[int, str]
+    aliases: dict[str, str]
 
     def __len__(self) -> int:
         return len(self.ended)
@@ -45,9 +47,12 @@ class Motions:
         """Values (..., rows) of the column, or (..., rows, elements) of the array `name`; KeyError with known names."""
         if name in self.columns:
             return self.columns[name]
-        elements = family(name, self.columns)
+        others = {other: own for other, own in self.aliases.items() if own in self.columns}
+        if name in others:
+            return self.columns[others[name]]
+        elements = family(name, [*self.columns, *others])
         if elements:
-            return np.stack([self.columns[each] for each in elements], axis=-1)
+            return np.stack([self[each] for each in elements], axis=-1)
         if not self.columns and self.failures:
             raise KeyError(
                 f"no column `{name}`: every run failed, the first one because {self.failures[min(self.failures)]}"
@@ -112,6 +117,7 @@ def simulate_many(
         units=found.units,
         ended=found.ended,
         failures={k: found.message[k] for k in range(count) if found.status[k] != "ok"},
+        aliases=results_names(compilation.flat),
     )
 
 

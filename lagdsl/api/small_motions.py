@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from lagdsl.api.names import Given, entries
 from lagdsl.api.shown import Shown
 from lagdsl.diagnostics import Sink
+from lagdsl.settings.aliases import by_own_names
 
 if TYPE_CHECKING:
     from lagdsl.analysis.linearization import Linearization
@@ -127,6 +128,8 @@ class SmallMotions(Shown):
 
         starts = self._named("start")
         coordinates, states = ({name: starts[name] for name in names} for names in (self.coordinates, self.states))
+        flat = self._compilation.flat
+        q, qd = (by_own_names(flat, given) if isinstance(given, Mapping) else given for given in (q, qd))
         rates = entries("qd", qd, coordinates).items()
         start = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
         inputs = entries("u", u, self._named("input"))

@@ -16,6 +16,7 @@ from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.target import Target, targets
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan
@@ -50,6 +51,7 @@ def run_sweep(
     """See `Model.sweep`."""
     flat, program = compilation.flat, compilation.program
     known = {target.name: target for target in targets(flat, ("parameter", "start")).values()}
+    values, samples = by_own_names(flat, values), by_own_names(flat, samples)
     single, many = _axes(values, known)
     plan = Plan(
         axes=tuple(many),

@@ -9,12 +9,12 @@ import click
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.settings.arrays import family
-from lagdsl.simulate.table import heads_of
+from lagdsl.simulate.table import called_heads
 
 
 def columns_of(names: tuple[str, ...], models: Sequence[FlatModel]) -> tuple[str, ...] | None:
     """The columns to keep, all of which some model has; None for all columns. An array stands for its elements."""
-    known = dict.fromkeys(head[0] for flat in models for head in heads_of(flat)[1:])
+    known = dict.fromkeys(name for flat in models for name in called_heads(flat) if name != "time")
     kept: dict[str, None] = {}
     for name in names:
         elements = [name] if name in known else family(name, known)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
 
 # Facts of a model that nobody needs with every run.
-_TOLD_BY_CHECK = frozenset({"N0515", "N0701"})
+_TOLD_BY_CHECK = frozenset({"N0513", "N0515", "N0701"})
 Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 

@@ -16,7 +16,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.plot.names import ENERGY, UnknownColumn, panels_of, paths_of
 from lagdsl.record import record
 from lagdsl.signals.trajectory import Trajectory
-from lagdsl.simulate.table import heads_of
+from lagdsl.simulate.table import called_heads
 
 
 @record(kw_only=True)
@@ -65,7 +65,7 @@ def require_sound(plot: Plot) -> None:
 def require_names(plot: Plot, models: Iterable[FlatModel]) -> None:
     """Leave with status 2, before the work is done, where no model has a column of such a name."""
     subjects = list(models)
-    names = [head[0] for flat in subjects for head in heads_of(flat)]
+    names = [name for flat in subjects for name in called_heads(flat)]
     chosen(plot, dict.fromkeys([*names, ENERGY]), subjects)
 
 

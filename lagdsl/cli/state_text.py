@@ -30,6 +30,8 @@ def steadiness_text(found: Steadiness) -> str:
             return "This is an equilibrium."
         case "steady motion":
             return _steady_text(found)
+        case "no freedom":
+            return "Nothing is free to move here: the state has no entry that could change by itself."
         case "neither":
             return f"This is neither an equilibrium nor a steady motion: {imbalance(found)}."
 

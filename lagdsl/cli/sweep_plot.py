@@ -12,7 +12,7 @@ from lagdsl.cli.plots import Plot, chosen
 from lagdsl.flat.display import Display
 from lagdsl.flat.model import FlatModel
 from lagdsl.plot.bundle import Bundle, Variation, shown
-from lagdsl.simulate.table import heads_of
+from lagdsl.simulate.table import called_heads
 
 if TYPE_CHECKING:
     import xarray
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def require_kept(plot: Plot, models: Sequence[FlatModel], columns: tuple[str, ...] | None) -> None:
     """Leave with status 2, before the work is done, where no run has such a column."""
-    every = dict.fromkeys(head[0] for flat in models for head in heads_of(flat))
+    every = dict.fromkeys(name for flat in models for name in called_heads(flat))
     chosen(plot, every if columns is None else ["time", *columns])
 
 
@@ -32,7 +32,7 @@ def draw_sweep(plot: Plot, data: xarray.Dataset, plan: Plan, models: Sequence[Fl
         return
     from lagdsl.plot.chosen import draw_chosen
 
-    heads = {head[0]: head for flat in models for head in heads_of(flat)}
+    heads = {name: head for flat in models for name, head in called_heads(flat).items()}
     over_time = {str(name): v.values for name, v in data.data_vars.items() if len(v.dims) > len(plan.shape)}
     time = next(data[v.dims[-1]].values for v in data.data_vars.values() if len(v.dims) > len(plan.shape))
     runs = {name: values.reshape(plan.runs, len(time)) for name, values in over_time.items()}

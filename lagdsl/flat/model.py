@@ -106,6 +106,17 @@ class Output(Quantity):
 
 
 @record(kw_only=True)
+class Alias(Item):
+    """`name` is another name of the coordinate `of`, which `connect` made one with it. `protected`: its class does not
+    show it."""
+
+    name: str
+    of: str
+    doc: str | None = None
+    protected: bool = False
+
+
+@record(kw_only=True)
 class Joint(Item):
     """A component with kinematics that may move: `coordinates` are its own, by qualified name.
 
@@ -374,6 +385,7 @@ class FlatModel:
     joints: tuple[Joint, ...] = ()
     events: Events = Events()
     observed: tuple[Definition, ...] = ()
+    aliases: tuple[Alias, ...] = ()
 
 
 def discrete_outputs(flat: FlatModel) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import json
 import sys
 from pathlib import Path
 
-from lagdsl.lsp.language import statement_of
+from lagdsl.manual.words import statement_of
 
 SNIPPETS = {
     "model": 'model ${1:Name} "${2:what it is}"\n  $0\nend ${1:Name};',

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -59,6 +60,16 @@ def matching(name: str) -> tuple[str, ...]:
     if not found:
         raise UnknownClass(name)
     return found
+
+
+def classes_on(topic: str) -> tuple[str, ...]:
+    """Full names of the classes that have the word `topic` in their name or their text."""
+    word = re.compile(rf"\b{re.escape(topic)}\b", re.IGNORECASE)
+    return tuple(
+        full
+        for full in class_names()
+        if topic.lower() in full.rpartition(".")[2].lower() or word.search(library_class(full).node.doc or "")
+    )
 
 
 @cache

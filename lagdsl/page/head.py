@@ -14,6 +14,7 @@ from lagdsl.page.words import WORDS
 from lagdsl.plot.picture.recording import up_of
 from lagdsl.scene.living import Living
 from lagdsl.scene.shapes import Scene, Shape
+from lagdsl.settings.aliases import other_names
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
 from lagdsl.structure.names import contact_rows
@@ -45,6 +46,8 @@ def head_of(
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
+    for name, others in other_names(model).items():
+        docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
         "name": model.name,
         "doc": model.doc,

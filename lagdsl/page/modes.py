@@ -45,7 +45,8 @@ def modes_page(
     p = own_parameters(prepared, dict(zip(names, modes.point.p.tolist(), strict=True)))
     shown = [i for i, s in enumerate(modes.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0][:_MOST_MODES]
     if not shown:
-        raise ValueError(f"{modes.model} has no mode that moves: all eigenvalues are zero")
+        why = "all eigenvalues are zero" if len(modes.eigenvalues) else "nothing in it is free to move"
+        raise ValueError(f"{modes.model} has no mode that moves: {why}")
     still = recording_of(prepared, States(points=[modes.point], p=p), "modes")
     runs = [run for i in shown for run in _runs(prepared, modes, i, p, still.motion)]
     head = head_of_recording(still, Wishes(), source)

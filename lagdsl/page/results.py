@@ -18,6 +18,7 @@ from lagdsl.page.runs import Run, page_of_runs
 from lagdsl.page.states import States, own_parameters, recording_of
 from lagdsl.plot.picture.recording import Prepared, prepare
 from lagdsl.plot.picture.wishes import Wishes
+from lagdsl.settings.aliases import results_names
 from lagdsl.signals.table_io import Tables, read_inputs
 from lagdsl.signals.trajectory import Column, Trajectory
 from lagdsl.simulate.table import heads_of
@@ -43,6 +44,8 @@ def results_page(
         own.raise_if_errors()
         raise ValueError(f"{path.name} holds no rows")
     prepared = prepare(flat)
+    known = results_names(prepared.own)
+    tables = {known.get(name, name): table for name, table in tables.items()}
     times, values = _checked(prepared.own, tables, path.name)
     if len(times) > _MOST_ROWS:  # thinned evenly; the last row stays
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))

@@ -46,7 +46,7 @@ class Bundle:
 
 def bundle_of(motion: Trajectory) -> Bundle:
     """All columns of a motion and its energy; ticks of clocks are no events to mark."""
-    curves = {c.name: shown(c.name, c.display, c.values[None, :]) for c in motion.columns}
+    curves = {name: shown(name, c.display, c.values[None, :]) for c in motion.columns for name in c.called}
     curves.setdefault(ENERGY, Curve(name=ENERGY, unit="J", values=motion.energy[None, :]))
     events = tuple(sorted({event.time for event in motion.events if event.kind != "tick"}))
     return Bundle(title=motion.model, time=motion.time, curves=curves, events=events)

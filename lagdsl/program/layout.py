@@ -32,6 +32,7 @@ def layout(flat: FlatModel) -> Layout:
         redundant=(False,) * len(rows),
         invariants=tuple(Slot(name=i.name, unit=unit_text(i.dimension), place=_place(i)) for i in flat.invariants),
         assertions=tuple(assertion.message for assertion in flat.assertions),
+        aliases=tuple((alias.name, alias.of) for alias in flat.aliases),
     )
 
 

@@ -54,6 +54,7 @@ class Layout:
     `kinematics`, where the program has them.
     `components` (nq + nz,) are the connected components of what the equations couple, see
     `program/passes/components.py`; where it is empty, everything counts as coupled.
+    `aliases` are other names of coordinates, each with the one that stands in `coordinates`.
     `speeds` flags inputs that prescribe a speed, see `program/passes/speeds.py`; where it is empty, none is known to.
     """
 
@@ -77,6 +78,7 @@ class Layout:
     points: tuple[str, ...] = ()
     components: tuple[int, ...] = ()
     speeds: tuple[bool, ...] = ()
+    aliases: tuple[tuple[str, str], ...] = ()
 
     def size(self, group: Group) -> int:
         """Length of the argument array of `group`."""

@@ -199,6 +199,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         joints=assembly.joints(),
         events=ctx.product.occurrences.events(),
         observed=tuple(ctx.product.observed),
+        aliases=assembly.aliases(coordinates),
     )
 
 

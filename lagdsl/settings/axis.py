@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
+from lagdsl.settings.aliases import own_name
 from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.ranges import Grid, counted, evenly, grid_of, is_count, parts_of, rewritten
@@ -62,7 +63,7 @@ def note_bare(target: Target, text: str, given: list[Literal], sink: Sink) -> No
 
 
 def _varied_target(flat: FlatModel, name: str) -> Target:
-    known = targets(flat, VARIED)
+    known, name = targets(flat, VARIED), own_name(flat, name)
     alone = known.get(f"{name}.start") if name not in known else None  # a start by the name of what moves
     return alone or find(flat, name, known)
 

@@ -10,6 +10,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
+from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, value_of
@@ -44,7 +45,7 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     names and values that do not fit."""
     result = Settings()
     known = targets(flat)
-    for name, text in spread(pairs, known).items():
+    for name, text in spread(by_own_names(flat, pairs), known).items():
         target = find(flat, name, known)
         _require_one(name, text)
         given = value_of(target, text)

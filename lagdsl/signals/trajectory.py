@@ -24,7 +24,7 @@ Kind = Literal["time", "coordinate", "rate", "state", "discrete", "output"]
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
     """One quantity over time in its coherent SI unit; `display` is how people see it. `lowest` and `highest` are those
-    of the motion, which may lie between rows; left out, those of the rows."""
+    of the motion, which may lie between rows; left out, those of the rows. `aliases` are other names of it."""
 
     name: str
     unit: str
@@ -33,6 +33,12 @@ class Column:
     values: Floats
     lowest: float = np.nan
     highest: float = np.nan
+    aliases: tuple[str, ...] = ()
+
+    @property
+    def called(self) -> tuple[str, ...]:
+        """All its names."""
+        return self.name, *self.aliases
 
     def __post_init__(self) -> None:
         seen = self.values[np.isfinite(self.values)] if np.isnan(self.lowest) else ()
@@ -138,29 +144,35 @@ class Trajectory:
     def column(self, name: str) -> Column:
         """The column with its unit; KeyError with the known names otherwise."""
         for column in self.columns:
-            if column.name == name:
+            if name in column.called:
                 return column
-        hint = did_you_mean(str(name), self.names, f"there are {listing(str(name), self.names)}")
+        hint = did_you_mean(str(name), self._called(), f"there are {listing(str(name), self.names)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:
         """Values (rows,) of the column, or (rows, elements) of the array `name`; KeyError with the known names."""
-        elements = [] if name in self.names else family(name, self.names)
+        called = self._called()
+        elements = [] if name in called else family(name, called)
         if elements:
             return np.stack([self.column(each).values for each in elements], axis=-1)
         return self.column(name).values
+
+    def _called(self) -> list[str]:
+        """All names of all columns."""
+        return [name for column in self.columns for name in column.called]
 
     def __len__(self) -> int:
         return len(self.time)
 
     def only(self, names: Collection[str] | None) -> Self:
-        """The motion with the time and the columns `names`, in their order here; with None itself."""
+        """The motion with the time and the columns `names`, in their order here and under the names that are asked for;
+        with None itself."""
         if names is None:
             return self
         finer = self.finer
         return replace(
             self,
-            columns=(self.columns[0], *(column for column in self.columns[1:] if column.name in names)),
+            columns=(self.columns[0], *(each for column in self.columns[1:] for each in _under(column, names))),
             finer=None if finer is None else lambda smooth: finer(smooth).only(names),
         )
 
@@ -182,6 +194,13 @@ class Trajectory:
         over `level` is a passage.
         """
         return crossing_times(self.time, self[name] - level, direction)
+
+
+def _under(column: Column, names: Collection[str]) -> list[Column]:
+    """The column once under each of the names that are its own."""
+    asked = [name for name in column.called if name in names]
+    others = tuple(name for name in column.called if name not in asked)
+    return [replace(column, name=name, aliases=others) for name in asked]
 
 
 def crossing_times(t: Floats, x: Floats, direction: int) -> Floats:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel, discrete_outputs
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
+from lagdsl.settings.aliases import other_names
 from lagdsl.signals.moved import MovedRow
 from lagdsl.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
 
@@ -16,7 +19,7 @@ def trajectory(
     flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
 ) -> Trajectory:
     """All rows so far."""
-    heads, places = heads_of(flat), places_of_columns(flat)
+    heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
     results = run.results
     rows = results.rows()
     table = np.ascontiguousarray(rows[:, places].T)
@@ -27,7 +30,16 @@ def trajectory(
     return Trajectory(
         model=flat.name,
         columns=tuple(
-            Column(name=name, unit=unit, kind=kind, display=shown, values=values, lowest=lowest, highest=highest)
+            Column(
+                name=name,
+                unit=unit,
+                kind=kind,
+                display=shown,
+                values=values,
+                lowest=lowest,
+                highest=highest,
+                aliases=others.get(name, ()),
+            )
             for (name, unit, kind, shown), values, lowest, highest in zip(
                 heads, table, low.tolist(), high.tolist(), strict=True
             )
@@ -83,6 +95,21 @@ def heads_of(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
     heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes if d.name not in outputs]
     heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
     return heads
+
+
+def called_heads(flat: FlatModel) -> dict[str, tuple[str, str, Kind, Display]]:
+    """Heads of the columns by all names: those of the results, then other names of coordinates and rates, with the
+    other name in the head."""
+    heads = {head[0]: head for head in heads_of(flat)}
+    others = {other: heads[name] for name, each in other_names(flat).items() for other in each}
+    return heads | {other: (other, *head[1:]) for other, head in others.items()}
+
+
+def asked(flat: FlatModel, column: str, wanted: Collection[str] | None) -> list[str]:
+    """The names of a column that are wanted; its own where nothing is said."""
+    if wanted is None:
+        return [column]
+    return [name for name in (column, *other_names(flat).get(column, ())) if name in wanted]
 
 
 def places_of_columns(flat: FlatModel) -> list[int]:

@@ -21,7 +21,7 @@ from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
 from lagdsl.simulate.simulate import grid
-from lagdsl.simulate.table import heads_of, places_of_columns
+from lagdsl.simulate.table import asked, heads_of, places_of_columns
 from lagdsl.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.sweep.failure_words import FailureWords
 from lagdsl.sweep.plan import Task
@@ -44,12 +44,12 @@ class Ensemble:
         names = [name for name, *_ in heads]
         rows = len(grid(flat.experiment.start_time, options.stop, options.interval))
         self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
-        chosen = [k for k, name in enumerate(names) if options.columns is None or name in options.columns]
+        chosen = [(k, name) for k, each in enumerate(names) for name in asked(flat, each, options.columns)]
         places = places_of_columns(flat)[1:]
-        self._columns = [places[k] - 1 for k in chosen]
+        self._columns = [places[k] - 1 for k, _ in chosen]
         self._unknown = UnknownOutputs(flat, engine)
-        self._names = tuple(names[k] for k in chosen)
-        self._units = tuple(heads[k][1] for k in chosen)
+        self._names = tuple(name for _, name in chosen)
+        self._units = tuple(heads[k][1] for k, _ in chosen)
 
     def run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
         """The outcome of every task, None for one that has to be made by itself to tell what is wrong with it; fewer

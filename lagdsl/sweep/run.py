@@ -140,7 +140,7 @@ def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) 
 def _outcome(
     task: Task, motion: Trajectory, options: Options, message: str = "", ended: float | None = None
 ) -> Outcome:
-    kept = [c for c in motion.columns[1:] if options.columns is None or c.name in options.columns]
+    kept = motion.only(options.columns).columns[1:]
     rows = _rows(motion, options)
     values = np.column_stack([c.values[rows] for c in kept]) if kept else np.empty((len(rows), 0))
     end = float(motion.time[-1]) if len(motion) else np.nan

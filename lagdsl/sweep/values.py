@@ -13,6 +13,7 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.numerics.rank import Floats
+from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.axis import note_bare, values_of
 from lagdsl.settings.failure import SettingError, short
@@ -46,7 +47,7 @@ def plan(models: Sequence[FlatModel], pairs: Mapping[str, str], random: int | No
     known: dict[str, Target] = {}
     for flat in models:
         known |= {name: target for name, target in targets(flat).items() if name not in known}
-    for number, (name, text) in enumerate(spread(pairs, known).items()):
+    for number, (name, text) in enumerate(spread(by_own_names(models[0], pairs), known).items()):
         target = find(models[0], name, known)
         call = CALL.fullmatch(text)
         if call is not None and _is_drawn(text):

@@ -167,12 +167,38 @@ class TestExplain:
 
     @pytest.mark.parametrize(
         ("name", "said"),
-        [("DCMtor", "did you mean `DCMotor`?"), ("Revolute", "Lag.Planar.Revolute, Lag.Spatial.Revolute")],
+        [
+            ("DCMtor", "did you mean `DCMotor`?"),
+            ("reacton", "did you mean `reaction`?"),
+            ("xyzzy", "function, type or"),
+        ],
     )
-    def test_a_name_that_is_no_class_or_of_several(self, invoke: Invoke, name: str, said: str) -> None:
+    def test_a_name_of_nothing(self, invoke: Invoke, name: str, said: str) -> None:
         result = invoke("explain", name)
         assert result.exit_code == 2
         assert said in result.stderr
+
+    def test_classes_of_one_name_and_about_one_thing_are_listed(self, invoke: Invoke) -> None:
+        named, about = invoke("explain", "Spring"), invoke("explain", "friction")
+        assert named.exit_code == about.exit_code == 0
+        assert "- `Lag.Planar.Spring`: Linear spring between two points\n" in named.stdout
+        assert "- `Lag.Translational.Spring`: " in named.stdout
+        assert "- `Lag.Rotational.Clutch`: Dry friction between two shafts" in about.stdout
+
+    @pytest.mark.parametrize(
+        ("word", "parts"),
+        [
+            ("force", ["force F at P;", "A force vector.", "section Forces and torques"]),
+            ("dissipation", ["Rayleigh function", "section Energies and masses"]),
+            ("reaction", ["reaction(A).force", "reaction(C).force;", "section Results"]),
+            ("contact", ["contact c: gap >= 0", "contact surface: h >= table", "docs/reference/events.md"]),
+            ("when", ["elsewhen", "reinit(der(h), -e*pre(der(h)));", "section Events"]),
+            ("Angle", ["`Angle` is a Real in `rad`"]),
+        ],
+    )
+    def test_a_word_of_the_language(self, invoke: Invoke, word: str, parts: list[str]) -> None:
+        page = invoke("explain", word).stdout
+        assert [part for part in parts if part not in page] == []
 
 
 class TestNewFromAModel:

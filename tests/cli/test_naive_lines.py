@@ -63,7 +63,7 @@ LINES = [
     ("modes pendulum.lag --vary l", 2, "expected name=value"),
     ("modes pendulum.lag --free l", 2, "give --trim"),
     ("derive pendulum.lag -o x.docx", 2, ".txt, .md, .tex, .html"),
-    ("explain pendulum", 2, "no class `pendulum`"),
+    ("explain pendulum", 2, "function, type or class `pendulum`"),
 ]
 
 

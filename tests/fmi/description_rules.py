@@ -86,8 +86,15 @@ def _names(root: ElementTree.Element, variables: list[Entry]) -> Iterator[str]:
         if declared is not None and declared not in types:
             yield f"{variable.name} has the type {declared}, which is not defined"
     references = [v.attributes["valueReference"] for v in variables]
-    if references != [str(index) for index in range(len(variables))]:
+    own = len(dict.fromkeys(references))
+    if references[:own] != [str(index) for index in range(own)]:
         yield "value references are not those of the table"
+    for alias in variables[own:]:
+        first = variables[int(alias.attributes["valueReference"])]
+        if alias.tag != first.tag or alias.values.get("unit") != first.values.get("unit"):
+            yield f"{alias.name} is another quantity than {first.name}, whose value reference it has"
+        if alias.starts or alias.is_state_derivative or alias.attributes["causality"] != "local":
+            yield f"{alias.name} is an alias and more than a name"
     if [v.name for v in variables if v.attributes["causality"] == "independent"] != ["time"]:
         yield "there is not one independent variable"
 

@@ -121,6 +121,23 @@ def test_a_coordinate_shows_its_equation(editor: Editor, four_bar: str, folder: 
     assert "θ̈" in _text(editor.about("hover", uri, PENDULUM, "sin(th|eta"))
 
 
+def test_a_name_that_connect_merged_tells_the_coordinate_it_is(editor: Editor, folder: Path) -> None:
+    text = """model Shaft
+  import Lag.Rotational.*;
+  Rotor motor(J = 2 kg.m2, phi(start = 5 deg)), load(J = 1 kg.m2);
+  Spring shaft(k = 6 N.m/rad);
+  connect(motor.phi, shaft.phi_a);
+  connect(shaft.phi_b, load.phi);
+  output Angle twist = shaft.phi_a - shaft.phi_b;
+end Shaft;
+"""
+    uri = editor.open((folder / "shaft.lag").as_uri(), text)
+    editor.diagnostics_of(uri)
+    told = _text(editor.about("hover", uri, text, "= shaft.ph|i_a"))
+    assert "`shaft.phi_a` is `motor.phi`: `connect` makes them one coordinate" in told
+    assert "`motor.phi` [rad], starts at `5 deg`" in told
+
+
 @pytest.mark.parametrize(
     ("mark", "words"),
     [

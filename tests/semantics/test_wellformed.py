@@ -120,11 +120,37 @@ def test_constraints_and_states_count_but_not_normalisations_and_outputs():
     assert codes(coordinates=(), states=(state,), named=(definition("r", ONE),)) == []
 
 
-def test_nothing_moves():
+def test_nothing_is_free_to_move():
+    """The note counts: frames that coincide are one motion, one that another carries is none of its own."""
     (diagnostic,) = found(coordinates=(), energies=())
-    assert diagnostic.code == "E0513" and diagnostic.labels[0].span.first.line == 1
+    assert diagnostic.code == "N0513" and diagnostic.labels[0].span.first.line == 1
+    assert "nothing to compute" in diagnostic.message
     (bare,) = found(coordinates=(), parameters=())
     assert bare.labels == ()
+    turn = fm.Rotate(2, fx.TIME)
+    frames = (
+        frame("A", "world", turn),
+        frame("seat", "world", turn),
+        frame("B", "A", fm.Move((ONE, fx.ZERO, fx.ZERO))),
+        definition("phase", times(num(3), fx.TIME)),
+        frame("C", "B", fm.Rotate(2, var("phase"))),
+    )
+    output = fm.Output(name="y", dimension=PARAMETERS[0].dimension, value=fx.TIME, spans=())
+    (moved,) = found(coordinates=(), named=frames, outputs=(output,))
+    assert moved.message.endswith("it has 2 prescribed motions and 1 output")
+
+
+@pytest.mark.parametrize(
+    "reading",
+    [fx.Component(fx.FrameReaction("A", "force"), 0), fx.SystemEnergy("kinetic")],
+    ids=["reaction", "energy"],
+)
+def test_a_driven_body_is_not_idle_if_its_reaction_or_energy_is_read(reading):
+    turning = (frame("A", "world", fm.Rotate(2, fx.TIME)), frame("B", "A", fm.Move((ONE, fx.ZERO, fx.ZERO))))
+    parts = {"energies": (MOTION,), "named": turning, "bodies": (body("B", M, (ONE, ONE, ONE)),), "gravity": DOWN}
+    assert codes(**parts) == ["W0514"]
+    output = fm.Output(name="y", dimension=PARAMETERS[0].dimension, value=reading, spans=())
+    assert codes(**parts, outputs=(output,)) == []
 
 
 @pytest.mark.parametrize(

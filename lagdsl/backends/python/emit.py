@@ -95,7 +95,7 @@ def module(program: Program) -> str:
         *bodies(program),
         _functions(program),
         f"evaluate = Functions(FUNCTIONS)\n_interface = interface_over(evaluate, {sizes_text(program)}, "
-        "DEFAULTS, NAMES, FRAMES, POINTS)",
+        "DEFAULTS, NAMES, FRAMES, POINTS, ALIASES)",
         *(f"{name} = _interface.{name}" for name in (*_PUBLIC, *_told(program))),
         "",
     ]

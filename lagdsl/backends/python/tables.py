@@ -31,6 +31,7 @@ def tables(program: Program) -> str:
             f"NAME = {program.name!a}",
             "# (name, SI unit) by index: q and qd; z; u; w; p; rows of constraints and lam; y",
             _table("COORDINATES", layout.coordinates),
+            f"# other names of coordinates\nALIASES: dict[str, str] = {dict(layout.aliases)!a}",
             _table("STATES", layout.states),
             _table("INPUTS", layout.inputs),
             _table("DISCRETES", layout.discretes),

@@ -37,7 +37,7 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.signals.inputs import report_missing
-from lagdsl.simulate.table import heads_of
+from lagdsl.simulate.table import called_heads
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:
@@ -264,7 +264,8 @@ def _summary(data: xarray.Dataset, plan: Plan, subjects: list[SweptModel]) -> st
     """Columns at the end of the runs, in the units that `lag run` shows."""
     import numpy as np
 
-    shown = {head[0]: head[3] for swept in subjects if swept.flat is not None for head in heads_of(swept.flat)}
+    flats = [swept.flat for swept in subjects if swept.flat is not None]
+    shown = {name: head[3] for flat in flats for name, head in called_heads(flat).items()}
     rows: list[tuple[str, ...]] = []
     for name, variable in data.data_vars.items():
         if len(variable.dims) > len(plan.shape):  # over time, too

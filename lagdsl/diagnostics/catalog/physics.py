@@ -64,10 +64,11 @@ ROWS: dict[str, Row] = {
         label="an energy is a function of coordinates, rates and time",
         help="write it with coordinates, rates and time only",
     ),
-    "E0513": error(
-        "nothing moves: the model has neither a coordinate nor a state",
-        label="declare what moves",
-        help="for example `coordinate Angle theta;`",
+    "N0513": note(
+        "nothing is free to move: the model has neither a coordinate nor a state; it has {has}",
+        label="the time, inputs and events determine the whole model",
+        help="this is correct for drives that prescribe a motion, a structure or a controller; "
+        "else declare what moves: `coordinate Angle theta;`",
     ),
     "W0514": warning(
         "this `{keyword}` has no effect: {reason}",

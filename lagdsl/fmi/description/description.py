@@ -86,7 +86,7 @@ def unit_elements(root: Element, table: Table) -> None:
 def named_types(table: Table) -> dict[TypeKey, NamedType]:
     """Types by what tells them apart: texts may have two of one name. Here their names are none of a variable and
     differ from each other, as FMI asks."""
-    taken = {variable.name for variable in table.variables}
+    taken = {name for v in table.variables for name in (v.name, *(other for other, _ in v.others))}
     found: dict[TypeKey, NamedType] = {}
     for variable in table.variables:
         key, attributes = _key(variable), variable.attributes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from lagdsl.fmi.description.description import (
     Attribution,
@@ -50,6 +51,10 @@ def fmi2_description(
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):
         _variable(variables, reference, variable, types)
+    for reference, variable in enumerate(table.variables):
+        for name, doc in variable.others:
+            other = replace(variable, name=name, attributes=replace(variable.attributes, causality="local", doc=doc))
+            _alias(variables, reference, other, types)
     _structure(root, table)
     return document(root)
 
@@ -108,6 +113,13 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
         derivative=None if variable.derivative_of is None else variable.derivative_of + 1,
         reinit=True if variable.reinit else None,
     )
+
+
+def _alias(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
+    """Another name of a variable, with its reference. Its start value stands at the variable itself, since at most one
+    variable of an alias set has one (FMI 2.0.4, 2.2.7)."""
+    scalar = element("ScalarVariable", parent, **identity_of(replace(variable, initial="calculated"), reference))
+    element(_TAGS[variable.attributes.type], scalar, **range_of(variable, types))
 
 
 def _structure(root: Element, table: Table) -> None:

@@ -116,6 +116,8 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
         element("Dimension", defined, start=extent)
     for start in variable.starts if text else ():
         element("Start", defined, value=str(start))
+    for name, doc in variable.others:
+        element("Alias", defined, name=name, description=doc)
 
 
 def _moves_within_steps(attributes: Attributes) -> bool:

@@ -27,9 +27,15 @@ def _runs(scalars: Sequence[Scalar]) -> list[list[Scalar]]:
 
     def kind(scalar: Scalar) -> object:
         name = scalar.name
-        return (name.path, name.order, len(name.indices), scalar.attributes.role, scalar.key)
+        return (name.path, name.order, len(name.indices), scalar.attributes.role, scalar.key, _others_of_array(scalar))
 
     return [list(run) for _, run in groupby(scalars, key=kind)]
+
+
+def _others_of_array(scalar: Scalar) -> tuple[str, ...]:
+    """The other names of an array of which the number is an entry: of the same entry there, else of the number."""
+    own = scalar.name.indices
+    return tuple(other.name.array if other.name.indices == own else other.name.text for other in scalar.others)
 
 
 def _shape(run: Sequence[Scalar]) -> tuple[int, ...] | None:
@@ -58,6 +64,7 @@ def _array(run: Sequence[Scalar], shape: tuple[int, ...]) -> Variable:
         starts=tuple(scalar.start for scalar in run if scalar.start is not None),
         reinit=any(scalar.reinit for scalar in run),
         derivative_of=first.derivative_of,
+        others=tuple((other.name.array, other.doc) for other in first.others),
     )
 
 
@@ -71,6 +78,7 @@ def _single(scalar: Scalar) -> Variable:
         starts=() if scalar.start is None else (scalar.start,),
         reinit=scalar.reinit,
         derivative_of=scalar.derivative_of,
+        others=tuple((other.name.text, other.doc) for other in scalar.others),
     )
 
 

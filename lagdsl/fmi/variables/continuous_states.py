@@ -3,21 +3,21 @@ entries of x, and no states of the FMU."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 
-from lagdsl.flat.model import Coordinate, FlatModel, State
+from lagdsl.flat.model import Alias, Coordinate, FlatModel, State
 from lagdsl.fmi.variables.attributes import attributes_of, bounds, rate_units
 from lagdsl.fmi.variables.names import named
 from lagdsl.fmi.variables.parameter_use import start_parameters
-from lagdsl.fmi.variables.scalar import Attributes, Initial, Role, Scalar
+from lagdsl.fmi.variables.scalar import Attributes, Initial, Other, Role, Scalar
 from lagdsl.fmi.variables.settings import Settings
 from lagdsl.program.program import Program
 
 
 def states(flat: FlatModel, program: Program, settings: Settings, dependent: Collection[int] = ()) -> Iterator[Scalar]:
     """q, qd and z. The rate of a coordinate is its derivative and a state itself. `dependent` are places of q."""
-    n, x = len(flat.coordinates), settings.start.x
+    n, x, others = len(flat.coordinates), settings.start.x, others_of(flat)
     initial, reset = _initials(flat, program), _reset(flat, program)
 
     def state(place: int, item: Coordinate | State) -> Scalar:
@@ -31,6 +31,7 @@ def states(flat: FlatModel, program: Program, settings: Settings, dependent: Col
             start=x[place],
             key=attributes,
             reinit=reset[place] and not follows,
+            others=others(item, 0),
         )
 
     yield from (state(place, item) for place, item in enumerate(flat.coordinates))
@@ -46,13 +47,14 @@ def states(flat: FlatModel, program: Program, settings: Settings, dependent: Col
             key=(attributes, settings.nominal[n + index]),
             derivative_of=None if follows else index,
             reinit=reset[n + index] and not follows,
+            others=others(item, 1),
         )
     yield from (state(place, item) for place, item in enumerate(flat.states, 2 * n))
 
 
 def derivatives(flat: FlatModel, settings: Settings, dependent: Collection[int] = ()) -> Iterator[Scalar]:
     """Of rates and of first-order states; `dependent` are places of q."""
-    n, x = len(flat.coordinates), settings.start.x
+    n, x, others = len(flat.coordinates), settings.start.x, others_of(flat)
     every: list[tuple[Coordinate | State, int, int]] = [
         *((item, index, 2) for index, item in enumerate(flat.coordinates)),
         *((item, 2 * n + index, 1) for index, item in enumerate(flat.states)),
@@ -68,7 +70,28 @@ def derivatives(flat: FlatModel, settings: Settings, dependent: Collection[int] 
             initial="calculated",
             key=(attributes, settings.nominal[of]),
             derivative_of=None if follows else of,
+            others=others(item, order),
         )
+
+
+def others_of(flat: FlatModel) -> Callable[[Coordinate | State, int], tuple[Other, ...]]:
+    """Other names of a coordinate, of its rate and of its acceleration."""
+    found: dict[str, list[Alias]] = {}
+    for alias in flat.aliases:
+        found.setdefault(alias.of, []).append(alias)
+
+    def others(item: Coordinate | State, order: int) -> tuple[Other, ...]:
+        return tuple(
+            Other(named(each.name, order), each.doc if order == 0 else _rate_text(each.name, order), each.protected)
+            for each in found.get(item.name, ())
+        )
+
+    return others
+
+
+def _rate_text(name: str, order: int) -> str:
+    words = {1: "rate of change", 2: "second time derivative"}[order]
+    return f"{words} of {name}"
 
 
 def _state_attributes(item: Coordinate | State, nominal: float, start: float, *, follows: bool) -> Attributes:
@@ -79,7 +102,6 @@ def _state_attributes(item: Coordinate | State, nominal: float, start: float, *,
 def _rate(item: Coordinate | State, of: Attributes, order: int, nominal: float | None) -> Attributes:
     """Of the `order`-th time derivative of what has the attributes `of`."""
     unit, display_unit = rate_units(item, order)
-    words = {1: "rate of change", 2: "second time derivative"}[order]
     return replace(
         of,
         unit=unit,
@@ -88,7 +110,7 @@ def _rate(item: Coordinate | State, of: Attributes, order: int, nominal: float |
         maximum=None,
         nominal=nominal,
         type_name=None,
-        doc=f"{words} of {item.name}",
+        doc=_rate_text(item.name, order),
     )
 
 

@@ -57,7 +57,21 @@ def shown(scalars: Sequence[Scalar], ports: Ports, sink: Sink, *, arrays: bool) 
         for scalar in scalars
     ]
     hidden = _hidden(made, ports.hidden, sink)
-    return [scalar for place, scalar in enumerate(made) if place not in hidden]
+    return [_without(scalar, ports.hidden) for place, scalar in enumerate(made) if place not in hidden]
+
+
+def _without(scalar: Scalar, patterns: Sequence[str]) -> Scalar:
+    """The variable without those of its other names that are protected or hidden."""
+    kept = tuple(
+        other
+        for other in scalar.others
+        if not other.protected and not any(_fits(other.name, pattern) for pattern in patterns)
+    )
+    return scalar if kept == scalar.others else replace(scalar, others=kept)
+
+
+def _names(scalar: Scalar) -> list[Name]:
+    return [scalar.name, *(other.name for other in scalar.others)]
 
 
 def _asked(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> list[Name]:
@@ -65,9 +79,9 @@ def _asked(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> li
     possible = [scalar for scalar in scalars if scalar.attributes.role in (*_COMPUTED, Role.OUTPUT)]
     possible = [scalar for scalar in possible if scalar.attributes.causality in ("local", "output")]
     for pattern in patterns:
-        own = [scalar.name for scalar in possible if _fits(scalar.name, pattern)]
+        own = [scalar.name for scalar in possible if any(_fits(name, pattern) for name in _names(scalar))]
         if not own:
-            others = [scalar.name.text for scalar in possible]
+            others = [name.text for scalar in possible for name in _names(scalar)]
             sink.report("E0925", None, help=did_you_mean(pattern, others), name=pattern)
         found += own
     return found
@@ -101,7 +115,8 @@ def _hidden(scalars: Sequence[Scalar], patterns: Sequence[str], sink: Sink) -> s
     hidden = {place for place in possible if scalars[place].protected}
     for pattern in patterns:
         own = [place for place in possible if _fits(scalars[place].name, pattern)]
-        if not own:
+        others_too = (name for scalar in scalars for name in _names(scalar)[1:])
+        if not own and not any(_fits(name, pattern) for name in others_too):
             others = [scalars[place].name.text for place in possible]
             sink.report("E0926", None, help=did_you_mean(pattern, others), name=pattern)
         _tell_inputs([scalars[place] for place in own if place not in hidden], pattern, sink)

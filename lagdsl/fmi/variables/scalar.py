@@ -62,6 +62,15 @@ class Attributes:
     type_doc: str | None = None
 
 
+@record()
+class Other:
+    """Another name of a variable and what it stands for there. `protected`: the model does not show it."""
+
+    name: Name
+    doc: str | None = None
+    protected: bool = False
+
+
 @record(kw_only=True)
 class Scalar:
     """`first` is its index in the array of its role. `key` is the same for numbers that may be one array: for states
@@ -76,12 +85,14 @@ class Scalar:
     reinit: bool = False  # events may change the state
     derivative_of: int | None = None  # index of the state whose time derivative it is
     protected: bool = False  # the model does not show it
+    others: tuple[Other, ...] = ()
 
 
 @record(kw_only=True)
 class Variable:
     """One variable of an FMU; its value reference is its index. `starts` in row-major order of `shape`, which is empty
-    for a scalar. `derivative_of`: index of the variable of whose states it is the time derivative."""
+    for a scalar. `derivative_of`: index of the variable of whose states it is the time derivative. `others`: names
+    under which it is known, too, with their texts."""
 
     name: str
     first: int
@@ -91,6 +102,7 @@ class Variable:
     starts: tuple[float | str, ...]
     reinit: bool = False
     derivative_of: int | None = None
+    others: tuple[tuple[str, str | None], ...] = ()
 
     @property
     def count(self) -> int:

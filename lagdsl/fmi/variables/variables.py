@@ -118,7 +118,7 @@ def _scalars(
             declared.discretes(flat),
         )
     )
-    taken = [scalar.name.text for scalar in own]
+    taken = [name.text for scalar in own for name in (scalar.name, *(other.name for other in scalar.others))]
     added = list(
         chain(
             declared.contacts(flat),

@@ -10,13 +10,13 @@ from lagdsl.lsp.features.arguments import arguments_at, shapes_at
 from lagdsl.lsp.features.cursor import Cursor, cursor_at
 from lagdsl.lsp.features.hover import head_of
 from lagdsl.lsp.features.symbols import symbol_kind
-from lagdsl.lsp.language import ATTRIBUTES, FUNCTIONS, VARIABLES, constant_text, statement_of, type_text
 from lagdsl.lsp.names.classes import ClassNames, of_entry
 from lagdsl.lsp.names.declarations import Declaration
 from lagdsl.lsp.snapshot import Snapshot
 from lagdsl.lsp.snippets import SNIPPETS
 from lagdsl.manual.component_page import component_page
 from lagdsl.manual.library import UnknownClass, matching
+from lagdsl.manual.words import ATTRIBUTES, FUNCTIONS, VARIABLES, constant_text, statement_of, type_text
 from lagdsl.semantics.operators.geometry import AXES, FRAME_MEMBERS, METHODS
 from lagdsl.semantics.scope.imports import root_of
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES

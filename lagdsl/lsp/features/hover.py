@@ -13,7 +13,11 @@ from lagdsl.flat.expression import Number
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import Coordinate, Definition, FlatModel, Input, Output, Parameter, State
 from lagdsl.lsp.deep import Depth
-from lagdsl.lsp.language import (
+from lagdsl.lsp.names.declarations import Declaration
+from lagdsl.lsp.names.occurrences import Occurrence
+from lagdsl.lsp.positions import range_of
+from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.manual.words import (
     ATTRIBUTES,
     VARIABLES,
     arguments_of,
@@ -23,10 +27,7 @@ from lagdsl.lsp.language import (
     type_text,
     unit_text,
 )
-from lagdsl.lsp.names.declarations import Declaration
-from lagdsl.lsp.names.occurrences import Occurrence
-from lagdsl.lsp.positions import range_of
-from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.settings.aliases import own_name
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.tokens import unit_of
@@ -111,12 +112,14 @@ def _declared(snapshot: Snapshot, found: Occurrence, declaration: Declaration, d
     if declaration.doc:
         yield declaration.doc
     name = _qualified(snapshot, found, declaration)
+    own = name
     for flat in snapshot.flats.values():
         told = list(_values(flat, name))
         yield from told
         if told:
+            own = own_name(flat, name)
             break
-    equation = depth.equations.get(name) if depth is not None else None
+    equation = depth.equations.get(own) if depth is not None else None
     if equation is not None:
         yield f"equation of motion: `{equation}`"
 
@@ -163,10 +166,18 @@ def _values(flat: FlatModel, name: str) -> Iterator[str]:
     items: list[Item] = [*flat.parameters, *flat.coordinates, *flat.states, *flat.inputs, *flat.outputs]
     items += [each for each in flat.named if isinstance(each, Definition)]
     items += flat.observed
-    several = [each for each in items if each.name == name or each.name.startswith(f"{name}[")]
+    merged = {alias.name: alias.of for alias in flat.aliases if _is_of(alias.name, name)}
+    yield from (f"`{other}` is `{own}`: `connect` makes them one coordinate" for other, own in merged.items())
+    own_names = set(merged.values())
+    several = [each for each in items if _is_of(each.name, name) or each.name in own_names]
     lines = [line for each in several[:6] if (line := _line(each)) is not None]
     if lines:
         yield "  \n".join(lines)
+
+
+def _is_of(element: str, name: str) -> bool:
+    """True for the name itself and for elements of the array `name`."""
+    return element == name or element.startswith(f"{name}[")
 
 
 def _line(item: Item) -> str | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from lsprotocol import types as lsp
 
 from lagdsl.lsp.features.cursor import cursor_at
-from lagdsl.lsp.language import arguments_of, paragraph_on
 from lagdsl.lsp.snapshot import Snapshot
+from lagdsl.manual.words import arguments_of, paragraph_on
 from lagdsl.semantics.scope.scope import ClassSymbol, Entry, FunctionSymbol, lookup
 
 

@@ -12,10 +12,15 @@ from lagdsl.textbook.counting import Count
 def count_blocks(count: Count, letter: Callable[[str], Box]) -> list[Block]:
     """`letter` gives a letter that is not the model's."""
     blocks: list[Block] = []
+    free = count.placing + count.other
+    if not free and not count.in_space:
+        return [Paragraph(text("There is no coordinate, and so no equation of motion."))]
     if count.in_space and count.built_in >= 0:
         blocks += _in_space(count, letter)
     else:
         blocks += _coordinates_only(count, letter)
+    if not free:
+        blocks.append(Paragraph(text("No coordinate is left: the time and inputs determine all positions.")))
     if count.rank > count.position_rank:
         independent = count.rank - count.position_rank
         blocks.append(

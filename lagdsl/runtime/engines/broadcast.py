@@ -45,6 +45,7 @@ def interface(program: Program, engine: BatchEngine) -> Interface:
         motion_sizes(program),
         program.layout.defaults,
         argument_names(program),
+        aliases=dict(program.layout.aliases),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
-from lagdsl.flat.model import Coordinate, Joint, Output
+from lagdsl.flat.model import Alias, Coordinate, Joint, Output
 from lagdsl.record import record
 from lagdsl.semantics.assembly.chains import ports_of
 from lagdsl.semantics.assembly.closures import Closures
@@ -77,6 +77,10 @@ class Assembly:
     def coordinates(self, found: Sequence[Coordinate]) -> tuple[Coordinate, ...]:
         """Coordinates of the model, merged ones once."""
         return tuple(self._merges.listed(found))
+
+    def aliases(self, found: Sequence[Coordinate]) -> tuple[Alias, ...]:
+        """Other names of merged coordinates."""
+        return tuple(self._merges.aliases(found))
 
     def is_computed(self, symbol: Symbol) -> bool:
         """True if the coordinate follows from others: its joint closes a loop."""

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Coordinate
+from lagdsl.flat.model import Alias, Coordinate
 from lagdsl.flat.quantity import Variability
 from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.semantics.scope.constants import NoValue, evaluate
@@ -88,6 +88,14 @@ class Merges:
             name = self.name_of(item.name)
             kept[name] = self._both(kept[name], item) if name in kept else item
         return list(kept.values())
+
+    def aliases(self, found: Sequence[Coordinate]) -> list[Alias]:
+        """Names of merged coordinates that are not those of the results, in the order of the text."""
+        return [
+            Alias(spans=item.spans, name=item.name, of=own, doc=item.doc, protected=item.protected)
+            for item in found
+            if (own := self.name_of(item.name)) != item.name
+        ]
 
     def _both(self, a: Coordinate, b: Coordinate) -> Coordinate:
         start = self._stronger(

@@ -7,12 +7,14 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.semantics.wellformed.bounds import check_bounds
 from lagdsl.semantics.wellformed.constraints import check_constraints
-from lagdsl.semantics.wellformed.effect import check_effects, check_reactions, check_unused_coordinates
+from lagdsl.semantics.wellformed.effect import check_effects, check_unused_coordinates
 from lagdsl.semantics.wellformed.energy import check_energies
 from lagdsl.semantics.wellformed.frames import check_frames
 from lagdsl.semantics.wellformed.free_parameters import check_free_parameters
 from lagdsl.semantics.wellformed.gravity import check_gravity
+from lagdsl.semantics.wellformed.immobile import check_freedom
 from lagdsl.semantics.wellformed.inertia import check_inertias
+from lagdsl.semantics.wellformed.reactions import check_reactions
 
 
 def check(flat: fm.FlatModel, sink: Sink, *, sampled: bool = True) -> None:
@@ -25,6 +27,7 @@ def check(flat: fm.FlatModel, sink: Sink, *, sampled: bool = True) -> None:
     check_energies(flat, dependence, sink)
     check_inertias(flat, dependence, sink)
     check_gravity(flat, dependence, sink, sampled=sampled)
+    check_freedom(flat, dependence, sink)
     check_effects(flat, dependence, sink)
     check_reactions(flat, sink)
     check_constraints(flat, sink)

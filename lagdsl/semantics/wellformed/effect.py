@@ -1,30 +1,29 @@
-"""E0501, E0508, E0513, W0514, W0525: everything declared must do something."""
+"""E0501, E0508, W0514: everything declared must do something."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence, Orders
-from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
-from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
-from lagdsl.source import Span
+from lagdsl.semantics.wellformed.readings import Readings, read_by
 
 
 def check_unused_coordinates(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """E0501 for coordinates in no physics item: outputs and drawings only look at them."""
-    used = set(dependence.nothing.merged(*_physics(flat, dependence)))
+    used = set(dependence.nothing.merged(*physics(flat, dependence)))
     for coordinate in flat.coordinates:
         if coordinate.name not in used:
             sink.report("E0501", place(coordinate), *around(coordinate), name=coordinate.name)
 
 
-def _physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
+def physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
+    """Of each item of the physics, the quantities that it depends on."""
     for term in flat.energies:
         yield dependence.of(term.value)
     for mass in flat.masses:
@@ -64,21 +63,31 @@ def load_frames(load: fm.Load) -> list[str]:
 
 
 def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
-    """E0513 for a model in which nothing moves, E0508 for positions made of rates, W0514 for items without effect."""
-    if not flat.coordinates and not flat.states:
-        sink.report("E0513", _anywhere(flat))
-        return
+    """E0508 for positions made of rates, W0514 for items that change neither the motion nor what the model reads of
+    reactions and energies."""
+    readings = cache(lambda: read_by(flat))
     for mass in flat.masses:
-        _check_place(flat, mass, _Place("mass", "position of this mass", dependence.of(mass.position)), sink)
+        where = _Place("mass", "position of this mass", partial(_place_of_mass, mass))
+        _check_place(flat, mass, where, dependence, readings, sink)
     for body in flat.bodies:
-        _check_place(flat, body, _Place("body", "frame of this body", dependence.of_frame(body.frame)), sink)
+        where = _Place("body", "frame of this body", partial(_place_of_body, body))
+        _check_place(flat, body, where, dependence, readings, sink)
     for load in flat.loads:
-        keyword, displaced = _displaced(load, dependence)
+        keyword = load_keyword(load)
         idle = _idle(load)
         if idle is not None:
             sink.report("W0514", place(load), *around(load), keyword=keyword, reason=idle)
             continue
-        _check_place(flat, load, _Place(keyword, "place of this load", displaced), sink)
+        where = _Place(keyword, "place of this load", partial(displaced, load))
+        _check_place(flat, load, where, dependence, readings, sink)
+
+
+def _place_of_mass(mass: fm.PointMass, dependence: Dependence) -> Orders:
+    return dependence.of(mass.position)
+
+
+def _place_of_body(body: fm.RigidBody, dependence: Dependence) -> Orders:
+    return dependence.of_frame(body.frame)
 
 
 def _idle(load: fm.Load) -> str | None:
@@ -100,11 +109,22 @@ class _Place:
 
     keyword: str
     words: str
-    orders: Orders
+    orders: Callable[[Dependence], Orders]
 
 
-def _displaced(load: fm.Load, dependence: Dependence) -> tuple[str, Orders]:
-    """Keyword of a load and what its virtual displacement depends on."""
+def load_keyword(load: fm.Load) -> str:
+    """The statement that a load is."""
+    match load:
+        case fm.PointForce():
+            return "force"
+        case fm.FrameTorque():
+            return "torque"
+        case fm.GeneralizedForce():
+            return load.keyword
+
+
+def displaced(load: fm.Load, dependence: Dependence) -> Orders:
+    """The quantities on which the virtual displacement of a load depends."""
     match load:
         case fm.PointForce():
             # A material point of a frame moves with the frame, wherever the force finds it.
@@ -112,60 +132,34 @@ def _displaced(load: fm.Load, dependence: Dependence) -> tuple[str, Orders]:
             reaction = dependence.nothing if load.origin is None else dependence.of(load.origin)
             if load.origin_frame is not None:
                 reaction = dependence.of_frame(load.origin_frame)
-            return "force", at.merged(reaction)
+            return at.merged(reaction)
         case fm.FrameTorque():
             frames = [frame for frame in (load.frame, load.origin) if frame is not None]
             turnings = (dependence.of_frame(frame, turning_only=True) for frame in frames)
-            return "torque", dependence.nothing.merged(*turnings)
+            return dependence.nothing.merged(*turnings)
         case fm.GeneralizedForce():
             scalars = [load.target] + ([load.origin] if load.origin is not None else [])
-            return load.keyword, dependence.of_all(scalars)
+            return dependence.of_all(scalars)
 
 
-def _check_place(flat: fm.FlatModel, item: Item, where: _Place, sink: Sink) -> None:
-    rates = set(where.orders.differentiated())
+def _check_place(
+    flat: fm.FlatModel,
+    item: fm.PointMass | fm.RigidBody | fm.Load,
+    where: _Place,
+    dependence: Dependence,
+    readings: Callable[[], Readings],
+    sink: Sink,
+) -> None:
+    orders = where.orders(dependence)
+    rates = set(orders.differentiated())
     rate = next((coordinate.name for coordinate in flat.coordinates if coordinate.name in rates), None)
     if rate is not None:
         sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rate})", base=rate)
-    elif not any(coordinate.name in where.orders for coordinate in flat.coordinates):
+        return
+    if any(coordinate.name in orders for coordinate in flat.coordinates):
+        return
+    read = readings()
+    of_all_masses = read.masses and isinstance(item, fm.PointMass | fm.RigidBody)
+    if not of_all_masses and read.released.isdisjoint(where.orders(read.dependence)):
         reason = "no coordinate moves the place where it acts"
         sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
-
-
-def check_reactions(flat: fm.FlatModel, sink: Sink) -> None:
-    """W0525 where nothing that has mass, load or constraint is reached through a point whose reaction is asked for."""
-    for point, item in _asked(flat).items():
-        released = replace(flat, named=tuple(_as_variable(each) if each.name == point else each for each in flat.named))
-        if not any(point in orders for orders in _physics(released, Dependence(released))):
-            sink.report("W0525", place(item), *around(item), name=point)
-
-
-def _as_variable(named: fm.Named) -> fm.Named:
-    """A point that depends on nothing but itself."""
-    return replace(named, position=fx.Variable(named.name)) if isinstance(named, fm.Point) else named
-
-
-def _asked(flat: fm.FlatModel) -> dict[str, Item]:
-    """Points whose reaction is asked for, each with the item that asks first."""
-    definitions = (item for item in flat.named if isinstance(item, fm.Definition))
-    asking: tuple[fm.Output | fm.Invariant | fm.Definition, ...] = (*flat.outputs, *flat.invariants, *definitions)
-    asked: dict[str, Item] = {}
-    seen: set[int] = set()
-    for item in asking:
-        for node in postorder(item.value, seen):
-            seen.add(id(node))
-            if isinstance(node, fx.ReactionAlong):
-                asked.setdefault(node.point, item)
-    return asked
-
-
-def _anywhere(flat: fm.FlatModel) -> Span | None:
-    items: tuple[Item, ...] = (
-        *flat.parameters,
-        *flat.inputs,
-        *flat.named,
-        *flat.masses,
-        *flat.bodies,
-        *flat.outputs,
-    )
-    return next((item.spans[-1] for item in items if item.spans), None)

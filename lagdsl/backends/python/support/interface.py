@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, frame_of, point_of
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
-from lagdsl.backends.python.support.names import arrays_of, with_entries
+from lagdsl.backends.python.support.names import arrays_of, own_entries, with_entries
 
 Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
@@ -40,8 +40,9 @@ class Interface:
         names: Mapping[str, Sequence[str]],
         frames: tuple[str, ...] = (),
         points: tuple[str, ...] = (),
+        aliases: Mapping[str, str] | None = None,
     ) -> None:
-        self._names = names
+        self._names, self._aliases = names, aliases or {}
         self._frames, self._points = frames, points
         self._evaluate = evaluate
         self._solve = solve
@@ -299,7 +300,8 @@ class Interface:
         """Entries by name, or all of them; those that are left out by name are those of `others`."""
         names = self._names[name]
         if isinstance(given, Mapping):
-            return with_entries(name, names, self._numbers(name, given), others)
+            own = own_entries(self._aliases, given) if name in ("q", "qd") else given
+            return with_entries(name, names, self._numbers(name, own), others)
         return _vector(name, given, len(names))
 
     def _numbers(self, name: str, given: Mapping[str, Any]) -> Mapping[str, ArrayLike]:
@@ -314,9 +316,10 @@ def interface_over(
     names: Mapping[str, Sequence[str]],
     frames: tuple[str, ...] = (),
     points: tuple[str, ...] = (),
+    aliases: Mapping[str, str] | None = None,
 ) -> Interface:
     """The interface over functions that NumPy evaluates and solves. `frames` and `points` are those that the function
-    `kinematics` tells of."""
+    `kinematics` tells of, `aliases` other names of coordinates."""
     return Interface(
         evaluate,
         lambda *state: solve_motion(evaluate, sizes, *state),
@@ -326,6 +329,7 @@ def interface_over(
         names,
         frames,
         points,
+        aliases,
     )
 
 

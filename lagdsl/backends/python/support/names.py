@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,6 +34,19 @@ def with_entries(
     rest = np.zeros(len(names)) if others is None else np.asarray(others, dtype=np.float64)
     columns = [found[place] if place in found else rest[..., place] for place in range(len(names))]
     return np.stack(np.broadcast_arrays(*columns), axis=-1) if columns else np.zeros(0)
+
+
+def own_entries(aliases: Mapping[str, str], given: Mapping[str, Any]) -> dict[str, Any]:
+    """`given` by the names of entries, in place of other names of them or of arrays of them. Raises ValueError where
+    two names are those of one entry."""
+    found: dict[str, Any] = {}
+    for name, value in given.items():
+        bases = {_base(own) for other, own in aliases.items() if _base(other) == name}
+        own = aliases.get(name, bases.pop() if len(bases) == 1 else name)
+        if own in found:
+            raise ValueError(f"`{own}` is given twice, once as `{name}`")
+        found[own] = value
+    return found
 
 
 def arrays_of(names: Sequence[str], values: Floats) -> dict[str, Floats]:

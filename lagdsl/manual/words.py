@@ -27,7 +27,7 @@ KEYWORDS = {
     "block": "a class of signals without mechanics",
     "connector": "a class of what components meet in: potentials, and `flow` quantities that sum to zero",
     "package": "a class that holds classes, constants and functions",
-    "record": "a class that holds quantities only",
+    "record": "a class that holds quantities only: `record Sizes ... end Sizes;`",
     "type": "a name for a quantity with attributes: `type Stretch = Length(min = 0);`",
     "partial": "the class is made to be extended",
     "protected": "what follows is not seen from outside of the class",
@@ -133,6 +133,11 @@ def paragraph_on(word: str) -> str | None:
         if re.search(rf"`[^`\n]*\b{re.escape(word)}\(", paragraph) and not paragraph.startswith(("|", "```")):
             return _LINK.sub(r"\1", paragraph)
     return None
+
+
+def function_of(word: str) -> tuple[str, str] | None:
+    """The calls of a function in the row of the manual that first shows it, and its meaning."""
+    return _row_with(rf"(?<![\w.]){re.escape(word)}\(")
 
 
 def type_text(name: str) -> str | None:

@@ -1,0 +1,22 @@
+"""W0525: a reaction that is asked for is the reaction on something."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.quantity import Item
+from lagdsl.flat.spans import around, place
+from lagdsl.semantics.wellformed.effect import physics
+from lagdsl.semantics.wellformed.readings import mechanical, with_released
+
+
+def check_reactions(flat: fm.FlatModel, sink: Sink) -> None:
+    """W0525 where nothing that has mass, load or constraint is reached through a point whose reaction is asked for."""
+    asked: dict[str, Item] = {}
+    for node, item in mechanical(flat):
+        if isinstance(node, fx.ReactionAlong):
+            asked.setdefault(node.point, item)
+    for point, item in asked.items():
+        if not any(point in orders for orders in physics(flat, with_released(flat, frozenset((point,))))):
+            sink.report("W0525", place(item), *around(item), name=point)
