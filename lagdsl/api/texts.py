@@ -22,7 +22,7 @@ def grid_of(flat: FlatModel, name: str, values: ArrayLike | str) -> Floats:
 
 
 def require_units(sink: Sink) -> None:
-    """Raise ValueError for the first N0871: nobody would see the note."""
+    """Raise ValueError for the first value without a unit: nobody would see what is said of it."""
     for note in sink.diagnostics:
-        if note.code == "N0871":
+        if note.code in ("N0871", "W0421"):
             raise ValueError(f"{note.message}; {note.help}, or give numbers in SI units")

@@ -7,7 +7,16 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.ranges import Grid, counted, evenly, grid_of, is_count, parts_of, rewritten
-from lagdsl.settings.target import Kind, Target, find, lacks_unit, note_lacking_unit, targets, value_of
+from lagdsl.settings.target import (
+    Kind,
+    Target,
+    find,
+    lacks_unit,
+    note_lacking_unit,
+    report_lacking_unit,
+    targets,
+    value_of,
+)
 
 _STEPS = 101  # of a search that is given an interval only
 _MOST = 100_000
@@ -57,8 +66,7 @@ def note_bare(target: Target, text: str, given: list[Literal], sink: Sink) -> No
     if shown.unit != target.unit:
         value = f"{largest.value:.6g} {target.unit} = {shown(largest.value):.4g} {shown.unit}"
         readings.append(f"up to {value}")
-    ways = " or ".join(f"`{text} {unit}`" for unit in dict.fromkeys((shown.unit, target.unit)))
-    sink.report("N0871", None, what=f"{target.name}={text}", reading=", ".join(readings), ways=ways)
+    report_lacking_unit(target, text, ", ".join(readings), largest.value, sink)
 
 
 def _varied_target(flat: FlatModel, name: str) -> Target:

@@ -12,13 +12,14 @@ from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
-from lagdsl.flat.quantity import Quantity
+from lagdsl.flat.quantity import MORE_THAN_A_TURN, Quantity
 from lagdsl.record import record
 from lagdsl.settings.arrays import family
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.literal import Literal, literal, require_dimension
 from lagdsl.units.dimension import TIME, Dimension
 from lagdsl.units.naming import rate_text
+from lagdsl.units.written import literal_text
 
 Kind: TypeAlias = OneOf["parameter", "structural", "start", "input"]
 SETTABLE: tuple[Kind, ...] = ("parameter", "structural", "start")
@@ -123,14 +124,20 @@ def lacks_unit(target: Target, given: Literal) -> bool:
 
 
 def note_lacking_unit(target: Target, text: str, value: float, sink: Sink) -> None:
-    """N0871: `theta.start=30` is 30 rad = 1719 deg."""
+    """N0871, or W0421 for an angle of more than a turn: `theta.start=30` is 30 rad = 1719 deg."""
     shown = target.display
-    readings = [f"{value:.6g} {target.unit}"]
+    readings = [literal_text(f"{value:.6g}", target.unit)]
     if shown.unit != target.unit and math.isfinite(shown(value)):
-        readings.append(f"{shown(value):.4g} {shown.unit}")
-    units = dict.fromkeys((shown.unit, target.unit))
-    ways = " or ".join(f"`{text} {unit}`" for unit in units)
-    sink.report("N0871", None, what=f"{target.name}={text}", reading=" = ".join(readings), ways=ways)
+        readings.append(literal_text(f"{shown(value):.4g}", shown.unit))
+    report_lacking_unit(target, text, " = ".join(readings), value, sink)
+
+
+def report_lacking_unit(target: Target, text: str, reading: str, largest: float, sink: Sink) -> None:
+    """N0871, or W0421 where the `largest` of the values is an angle of more than a turn."""
+    degrees = target.unit == "rad" and abs(largest) > MORE_THAN_A_TURN
+    units = dict.fromkeys((target.display.unit, target.unit))
+    ways = " or ".join(f"`{literal_text(text, unit)}`" for unit in units)
+    sink.report("W0421" if degrees else "N0871", None, what=f"{target.name}={text}", reading=reading, ways=ways)
 
 
 def _unknown(flat: FlatModel, name: str, known: Mapping[str, Target]) -> str:

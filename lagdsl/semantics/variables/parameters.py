@@ -57,8 +57,8 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
         return
     found = attributes.attributes(ctx, symbol)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape, unit=info.unit)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape, unit=info.unit)
     sign = attributes.text(ctx, found.get("symbol"))
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
