@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.admissible import report_outside
+from lagdsl.flat.model import Coordinate, FlatModel, Input, State
 from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.ranges import Grid, counted, evenly, grid_of, is_count, parts_of, rewritten
@@ -24,10 +25,14 @@ VARIED: tuple[Kind, ...] = ("parameter", "start", "input")
 
 
 def values_of(target: Target, text: str, grid: Grid, sink: Sink) -> tuple[float, ...]:
-    """The values of a grid in SI units; N0871 where they lack a unit, N0872 where steps do not meet the last value.
-    Raises SettingError."""
+    """The values of a grid in SI units; N0871 where they lack a unit, N0872 where steps do not meet the last value,
+    W0328 for starts and inputs out of bounds. Raises SettingError."""
     given = [value_of(target, each) for each in grid.texts()]
     note_bare(target, text, given, sink)
+    item = target.quantity
+    if isinstance(item, Coordinate | State | Input) and not target.rate:
+        for value in (min(each.value for each in given), max(each.value for each in given)):
+            report_outside(item, target.name, value, sink)
     if grid.missed:
         whole = f"{target.name}={text}"
         sink.report("N0872", None, what=whole, given=grid.shown, last=grid.missed, count=grid.count)

@@ -87,8 +87,8 @@ class Counts:
 
 @record()
 class Written:
-    """The text of a value of a declared quantity, the whole that it is an element of, the coherent unit of the quantity,
-    and the number that stands there without a unit, or None."""
+    """The text of a value of a declared quantity, the whole that it is an element of, the coherent unit of the
+    quantity, and the number that stands there without a unit, or None."""
 
     node: nodes.Node
     whole: Span
@@ -103,8 +103,8 @@ class Reports:
     `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
     unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must
     have been. `jump` is the first call that jumps without an event being located. `absent` has the places of names that
-    a false condition leaves undeclared, by qualified name. `written` are the values that the text of the model writes as
-    numbers, by where they begin.
+    a false condition leaves undeclared, by qualified name. `written` are the values that the text of the model
+    writes as numbers, by where they begin.
     """
 
     reported: set[str] = field(default_factory=set)

@@ -297,7 +297,7 @@ def _default(ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[in
 
 def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
     shape = _extent(ctx, symbol)
-    if shape is None:
+    if shape is None or symbol.info is None:
         return []
     result = []
     sign = attributes.sign_of(ctx, symbol)
