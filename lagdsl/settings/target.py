@@ -64,6 +64,7 @@ def targets(flat: FlatModel, kinds: Iterable[Kind] = SETTABLE) -> dict[str, Targ
         *(
             Target(name=p.name, key=p.name, kind="structural" if p.structural else "parameter", quantity=p)
             for p in flat.parameters
+            if not p.constant
         ),
         *(Target(name=i.name, key=i.name, kind="input", quantity=i) for i in flat.inputs),
         *(Target(name=f"{s.name}.start", key=s.name, kind="start", quantity=s) for s in flat.coordinates),
@@ -155,6 +156,8 @@ def report_lacking_unit(target: Target, text: str, reading: str, largest: float,
 def _unknown(flat: FlatModel, name: str, known: Mapping[str, Target]) -> str:
     if any(getattr(item, "name", None) == name for item in (*flat.named, *flat.outputs)):
         return f"`{name}` is computed from others in {flat.name}; set what it depends on"
+    if any(item.name == name for item in flat.parameters):
+        return f"`{name}` is a constant of {flat.name}; declare it as a `parameter` to set it"
     if any(item.name == name for item in flat.inputs):
         return f"`{name}` is an input of {flat.name}; give it with --input '{name}=...', or in a table"
     if f"{name}.start" in known:

@@ -289,10 +289,24 @@ def _default(ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[in
     if found is None:
         return None
     if rank(found.variability) > rank(Variability.PARAMETER):
-        what = f"the default of input `{symbol.short}`"
-        ctx.sink.report("E0317", binding.node.span, what=what, allowed="parameters and constants")
+        what, way = f"the default of input `{symbol.short}`", None
+        outside = binding.scope.owner.instance
+        if binding.scope is not symbol.scope and symbol.scope.owner.instance is outside:  # from `extends`
+            name = symbol.scope.title.strip("`")
+            text = " ".join(binding.node.span.text.split())
+            way = (
+                f"the input of a component takes what varies: in place of `extends {name}(...)` write "
+                f"`{name} {_component(name)}({symbol.short} = {text});`"
+            )
+        ctx.sink.report("E0317", binding.node.span, what=what, allowed="parameters and constants", help=way)
         return None
     return [found.expression] if isinstance(found, Scalar) else list(found.elements)
+
+
+def _component(name: str) -> str:
+    """`a` for `A`, a name for a component of the class."""
+    short = name.rpartition(".")[2]
+    return short[:1].lower() + short[1:] if not short[:1].islower() else f"{short}_1"
 
 
 def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
