@@ -6,7 +6,7 @@ import pytest
 from click.testing import CliRunner
 
 import lagdsl
-from lagdsl.cli.main import main
+from lagdsl.cli.main import lag
 
 TEXT = """model Spring
   parameter Stiffness k = 4 N/m;
@@ -42,7 +42,7 @@ def spring(tmp_path: Path) -> Path:
 
 
 def ran(*arguments: object):
-    return CliRunner().invoke(main, [str(each) for each in arguments])
+    return CliRunner().invoke(lag, [str(each) for each in arguments])
 
 
 def test_an_ending_names_a_form(spring: Path):

@@ -38,18 +38,13 @@ def check_beside(ctx: Context, scope: Scope, *sides: nodes.Expression) -> None:
 
 def _is_angle(ctx: Context, scope: Scope, node: nodes.Node) -> bool:
     """True for a name that is declared as an angle, a literal of one, and sums with one."""
-    match node:
-        case nodes.Quantity():
-            return counts_angles(node.unit) and parse_unit(node.unit).dimension.is_dimensionless
-        case nodes.Parenthesized():
-            return _is_angle(ctx, scope, node.inner)
-        case nodes.Unary():
-            return _is_angle(ctx, scope, node.operand)
-        case nodes.Binary():
-            return node.operator in ("+", "-") and any(_is_angle(ctx, scope, each) for each in (node.left, node.right))
-        case nodes.Reference() | nodes.Member() | nodes.Index():
-            target = node.target if isinstance(node, nodes.Index) else node
-            entry = designated(ctx, scope, target)
-            return isinstance(entry, Symbol) and entry.info is not None and entry.info.unit == "rad"
-        case _:
-            return False
+    if isinstance(node, nodes.Quantity):
+        return counts_angles(node.unit) and parse_unit(node.unit).dimension.is_dimensionless
+    if isinstance(node, nodes.Parenthesized | nodes.Unary):
+        return _is_angle(ctx, scope, node.inner if isinstance(node, nodes.Parenthesized) else node.operand)
+    if isinstance(node, nodes.Binary):
+        return node.operator in ("+", "-") and any(_is_angle(ctx, scope, each) for each in (node.left, node.right))
+    if not isinstance(node, nodes.Reference | nodes.Member | nodes.Index):
+        return False
+    entry = designated(ctx, scope, node.target if isinstance(node, nodes.Index) else node)
+    return isinstance(entry, Symbol) and entry.info is not None and entry.info.unit == "rad"

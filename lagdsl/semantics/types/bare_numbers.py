@@ -89,25 +89,24 @@ def _report(ctx: Context, place: Label, node: nodes.Node, number: float, unit: s
 
 def _pieces(piece: _Piece) -> Iterator[_Piece]:
     node, values = piece.node, piece.values
-    match node:
-        case nodes.Parenthesized():
-            yield from _pieces(_Piece(node.inner, values, piece.indices))
-        case nodes.Array() | nodes.Matrix():
-            rows = (node.elements,) if isinstance(node, nodes.Array) else node.rows
-            parts = [part for row in rows for part in row]
-            size = len(values) // len(parts) if parts and len(values) % len(parts) == 0 else 0
-            for k, part in enumerate(parts):
-                yield from _pieces(_Piece(part, values[k * size : (k + 1) * size], piece.indices))
-        case nodes.Conditional():
-            for part in (*(branch.value for branch in node.branches), node.otherwise):
-                yield from _pieces(_Piece(part, (), piece.indices))
-        case nodes.Comprehension():
-            indices = piece.indices | {iterator.name for iterator in node.iterators}
-            yield from _pieces(_Piece(node.body, values, indices))
-        case nodes.Call(function=nodes.Reference(name="fill")) if node.arguments:
-            yield from _pieces(_Piece(node.arguments[0], values[:1], piece.indices))
-        case _:
-            yield piece
+    if isinstance(node, nodes.Parenthesized):
+        yield from _pieces(_Piece(node.inner, values, piece.indices))
+    elif isinstance(node, nodes.Array | nodes.Matrix):
+        rows = (node.elements,) if isinstance(node, nodes.Array) else node.rows
+        parts = [part for row in rows for part in row]
+        size = len(values) // len(parts) if parts and len(values) % len(parts) == 0 else 0
+        for k, part in enumerate(parts):
+            yield from _pieces(_Piece(part, values[k * size : (k + 1) * size], piece.indices))
+    elif isinstance(node, nodes.Conditional):
+        for part in (*(branch.value for branch in node.branches), node.otherwise):
+            yield from _pieces(_Piece(part, (), piece.indices))
+    elif isinstance(node, nodes.Comprehension):
+        indices = piece.indices | {iterator.name for iterator in node.iterators}
+        yield from _pieces(_Piece(node.body, values, indices))
+    elif isinstance(node, nodes.Call) and node.function.span.text == "fill" and node.arguments:
+        yield from _pieces(_Piece(node.arguments[0], values[:1], piece.indices))
+    else:
+        yield piece
 
 
 def _is_literal(scope: Scope, piece: _Piece) -> bool:

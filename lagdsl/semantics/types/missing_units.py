@@ -56,13 +56,8 @@ def _quotient(node: nodes.Node) -> _Quotient | None:
 def _factors(node: nodes.Node, *, below: bool) -> Iterator[tuple[nodes.Node, bool]]:
     """The factors of a product, products and quotients in it included, and whether they divide."""
     yield node, below
-    match node:
-        case nodes.Parenthesized():
-            yield from _factors(node.inner, below=below)
-        case nodes.Unary():
-            yield from _factors(node.operand, below=below)
-        case nodes.Binary(operator="*" | "/"):
-            yield from _factors(node.left, below=below)
-            yield from _factors(node.right, below=below != (node.operator == "/"))
-        case _:
-            return
+    if isinstance(node, nodes.Parenthesized | nodes.Unary):
+        yield from _factors(node.inner if isinstance(node, nodes.Parenthesized) else node.operand, below=below)
+    elif isinstance(node, nodes.Binary) and node.operator in ("*", "/"):
+        yield from _factors(node.left, below=below)
+        yield from _factors(node.right, below=below != (node.operator == "/"))
