@@ -45,9 +45,10 @@ class Derivation:
         self._recipe = recipe
 
     def to(self, form: Form, *, units: bool = False) -> str:
-        """The document in the form `text`, `markdown`, `latex`, `html` or `json`.
+        """The document in the form `text`, `markdown`, `latex`, `html` or `json`; `md`, `tex` and `txt` mean theirs.
 
         `units` adds those of all symbols and equations; JSON always has those of the symbols."""
+        form = ENDINGS.get(f".{form}", form)
         if form == "json":
             from lagdsl.report.listing import listing
 

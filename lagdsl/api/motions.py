@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, KeysView, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import keys_of, number
+from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
@@ -42,6 +43,16 @@ class Motions:
 
     def __len__(self) -> int:
         return len(self.ended)
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns, so that `dict(motions)` holds them all."""
+        return iter(self.columns)
+
+    def keys(self) -> KeysView[str]:
+        return self.columns.keys()
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.columns or (isinstance(name, str) and bool(family(name, self.columns)))
 
     def __getitem__(self, name: str) -> Floats:
         """Values (..., rows) of the column, or (..., rows, elements) of the array `name`; KeyError with known names."""
@@ -146,7 +157,7 @@ def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
 
 def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
     """The number of runs, and each value in every one of them. Raises ValueError for sequences that do not fit."""
-    arrays = [{name: np.asarray(values, dtype=np.float64) for name, values in each.items()} for each in given]
+    arrays = [{name: real_numbers(name, values) for name, values in each.items()} for each in given]
     lengths = {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
     for each in arrays:
         for name, values in each.items():

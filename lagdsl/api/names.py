@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics import CompilationFailed, Sink, failed
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.settings.arrays import family
@@ -106,7 +107,7 @@ def entries(what: str, given: Given, targets: Mapping[str, Target]) -> dict[str,
     ValueError for what does not fit."""
     if given is None or isinstance(given, Mapping):
         return known(what, given, targets)
-    array = np.asarray(given, dtype=np.float64)
+    array = real_numbers(what, given)
     if array.shape != (len(targets),) and not (array.ndim == 0 and len(targets) == 1):
         raise ValueError(f"{what} must have {len(targets)} entries, its shape is {array.shape}")
     return known(what, dict(zip(targets, array.reshape(-1).tolist(), strict=True)), targets)

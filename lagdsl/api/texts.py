@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
@@ -14,7 +15,7 @@ from lagdsl.settings.axis import varied
 def grid_of(flat: FlatModel, name: str, values: ArrayLike | str) -> Floats:
     """Values of what `lag modes --vary` takes, in SI units. Raises ValueError for a text that is none."""
     if not isinstance(values, str):
-        return np.atleast_1d(np.asarray(values, dtype=np.float64))
+        return np.atleast_1d(real_numbers(name, values))
     sink = Sink()
     _, found = varied(flat, name, values, sink)
     require_units(sink)
@@ -22,7 +23,7 @@ def grid_of(flat: FlatModel, name: str, values: ArrayLike | str) -> Floats:
 
 
 def require_units(sink: Sink) -> None:
-    """Raise ValueError for the first N0871: nobody would see the note."""
+    """Raise ValueError for the first value without a unit: nobody would see what is said of it."""
     for note in sink.diagnostics:
-        if note.code == "N0871":
+        if note.code in ("N0871", "W0421"):
             raise ValueError(f"{note.message}; {note.help}, or give numbers in SI units")

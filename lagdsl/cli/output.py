@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import click
 
@@ -36,6 +36,17 @@ def require_writable(path: Path | None) -> None:
 
 
 _Form = TypeVar("_Form", bound=str)
+
+
+class Forms(click.Choice[str]):
+    """The forms of a result by name, or by the ending of the files: `markdown`, `md`."""
+
+    def __init__(self, forms: Sequence[str], endings: Mapping[str, str]) -> None:
+        super().__init__(forms)
+        self._endings = {ending.removeprefix("."): form for ending, form in endings.items() if form in forms}
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        return super().convert(self._endings.get(value, value), param, ctx)
 
 
 def form_of(path: Path | None, asked: _Form | None, endings: Mapping[str, _Form], default: _Form) -> _Form:

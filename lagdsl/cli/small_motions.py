@@ -18,7 +18,7 @@ from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, combined, takes_engine, takes_inputs, takes_settings
-from lagdsl.cli.output import draft_of, form_of, require_writable, write_text
+from lagdsl.cli.output import Forms, draft_of, form_of, require_writable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
@@ -85,7 +85,7 @@ def takes_state(command: Command) -> Command:
         click.option(
             "--to",
             "form",
-            type=click.Choice(["text", "json", "csv"]),
+            type=Forms(["text", "json", "csv"], {".txt": "text"}),
             help="Form of the result on standard output; default: text.",
         ),
         click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),

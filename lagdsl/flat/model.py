@@ -22,7 +22,8 @@ from lagdsl.units import Dimension
 class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
 
-    `structural` ones (and constants) are listed for reports; they are folded into the expressions and never in `p`.
+    `structural` ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the
+    expressions and never in `p`.
     A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a large change.
     """
 
@@ -32,6 +33,7 @@ class Parameter(Quantity):
     minimum: float | None = None
     maximum: float | None = None
     structural: bool = False
+    constant: bool = False
     kind: Literal["Real", "Integer", "Boolean", "String"] = "Real"
     text: str | None = None
 

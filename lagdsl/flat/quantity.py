@@ -48,6 +48,10 @@ class Quantity(Item):
     protected: bool = False
 
 
+MORE_THAN_A_TURN = 6.29
+"""Radians; a turn as people round it is less."""
+
+
 def is_angle(item: Quantity) -> bool:
     return item.type_name == "Angle" or item.unit == "rad"
 

@@ -68,10 +68,16 @@ def _told(modes: Modes, i: int) -> Json:
         "damping": damping if math.isfinite(damping) else None,
         "constant": constant if math.isfinite(constant) else None,
         "shape": [
-            {"name": place.name, "size": abs(entry), "phase": math.degrees(math.atan2(entry.imag, entry.real))}
+            {"name": place.name, "size": abs(entry), "phase": _phase(entry)}
             for place, entry in zip(modes.places, modes.shapes[i].tolist(), strict=True)
         ],
     }
+
+
+def _phase(entry: complex) -> float:
+    """Degrees in (-179.5, 180.5]; those that are shown as 0 without the sign of rounding."""
+    angle = math.degrees(math.atan2(entry.imag, entry.real))
+    return 0.0 if abs(angle) < 0.5 else angle if angle > -179.5 else angle + 360.0
 
 
 def _locus(variation: Variation) -> Json:

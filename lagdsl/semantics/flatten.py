@@ -33,6 +33,7 @@ from lagdsl.semantics.scope.limits import MAX_COMPONENTS
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.usage import warn_unused, warn_unused_imports
 from lagdsl.semantics.statements import Physics, elaborate_item, initial_equation
+from lagdsl.semantics.types.bare_numbers import warn_unlike
 from lagdsl.semantics.variables import quantities
 from lagdsl.semantics.variables.attributes import attributes
 from lagdsl.semantics.variables.rates import check_inputs, check_linear
@@ -240,6 +241,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_inputs(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
     warn_unused(ctx, contents.symbols)
+    warn_unlike(ctx)
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
     check_corners(flat, dependence, ctx.sink)

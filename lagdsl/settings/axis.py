@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.admissible import report_outside
+from lagdsl.flat.model import Coordinate, FlatModel, Input, State
 from lagdsl.settings.aliases import own_name
 from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.ranges import Grid, counted, evenly, grid_of, is_count, parts_of, rewritten
-from lagdsl.settings.target import Kind, Target, find, lacks_unit, note_lacking_unit, targets, value_of
+from lagdsl.settings.target import (
+    Kind,
+    Target,
+    find,
+    lacks_unit,
+    note_lacking_unit,
+    report_lacking_unit,
+    targets,
+    value_of,
+)
 
 _STEPS = 101  # of a search that is given an interval only
 _MOST = 100_000
@@ -16,10 +26,14 @@ VARIED: tuple[Kind, ...] = ("parameter", "start", "input")
 
 
 def values_of(target: Target, text: str, grid: Grid, sink: Sink) -> tuple[float, ...]:
-    """The values of a grid in SI units; N0871 where they lack a unit, N0872 where steps do not meet the last value.
-    Raises SettingError."""
+    """The values of a grid in SI units; N0871 where they lack a unit, N0872 where steps do not meet the last value,
+    W0328 for starts and inputs out of bounds. Raises SettingError."""
     given = [value_of(target, each) for each in grid.texts()]
     note_bare(target, text, given, sink)
+    item = target.quantity
+    if isinstance(item, Coordinate | State | Input) and not target.rate:
+        for value in (min(each.value for each in given), max(each.value for each in given)):
+            report_outside(item, target.name, value, sink)
     if grid.missed:
         whole = f"{target.name}={text}"
         sink.report("N0872", None, what=whole, given=grid.shown, last=grid.missed, count=grid.count)
@@ -58,8 +72,7 @@ def note_bare(target: Target, text: str, given: list[Literal], sink: Sink) -> No
     if shown.unit != target.unit:
         value = f"{largest.value:.6g} {target.unit} = {shown(largest.value):.4g} {shown.unit}"
         readings.append(f"up to {value}")
-    ways = " or ".join(f"`{text} {unit}`" for unit in dict.fromkeys((shown.unit, target.unit)))
-    sink.report("N0871", None, what=f"{target.name}={text}", reading=", ".join(readings), ways=ways)
+    report_lacking_unit(target, text, ", ".join(readings), largest.value, sink)
 
 
 def _varied_target(flat: FlatModel, name: str) -> Target:

@@ -13,7 +13,7 @@ from lagdsl.record import record
 from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.arrays import family, spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
-from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, value_of
+from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, to_vary, value_of
 
 _DECIMAL_COMMA = re.compile(r"[^,:]*[0-9],[0-9][^,:]*")
 
@@ -47,7 +47,7 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     known = targets(flat)
     for name, text in spread(by_own_names(flat, pairs), known).items():
         target = find(flat, name, known)
-        _require_one(name, text)
+        _require_one(name, text, "`lag sweep --set` takes ranges and lists")
         given = value_of(target, text)
         if lacks_unit(target, given):
             note_lacking_unit(target, text, given.value, sink)
@@ -73,7 +73,7 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
         if name not in known:
             hint = did_you_mean(name, known, f"inputs: {listing(name, known)}")
             raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
-        _require_one(name, text)
+        _require_one(name, text, to_vary(known[name]))
         given = value_of(known[name], text)
         if lacks_unit(known[name], given):
             note_lacking_unit(known[name], text, given.value, sink)
@@ -81,9 +81,8 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
     return values
 
 
-def _require_one(name: str, text: str) -> None:
+def _require_one(name: str, text: str, hint: str) -> None:
     if _DECIMAL_COMMA.fullmatch(text):
         return  # a fault of the number, which its reader tells
     if ":" in text or "," in text:
-        hint = "`lag sweep --set` takes ranges and lists"
         raise SettingError(f"{name}={short(text)}: one value stands here, as in 2 kg; {hint}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from typing import Literal as OneOf
 from typing import TypeAlias
@@ -12,13 +13,14 @@ from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
-from lagdsl.flat.quantity import Quantity
+from lagdsl.flat.quantity import MORE_THAN_A_TURN, Quantity
 from lagdsl.record import record
 from lagdsl.settings.arrays import family
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.literal import Literal, literal, require_dimension
 from lagdsl.units.dimension import TIME, Dimension
 from lagdsl.units.naming import rate_text
+from lagdsl.units.written import literal_text
 
 Kind: TypeAlias = OneOf["parameter", "structural", "start", "input"]
 SETTABLE: tuple[Kind, ...] = ("parameter", "structural", "start")
@@ -62,6 +64,7 @@ def targets(flat: FlatModel, kinds: Iterable[Kind] = SETTABLE) -> dict[str, Targ
         *(
             Target(name=p.name, key=p.name, kind="structural" if p.structural else "parameter", quantity=p)
             for p in flat.parameters
+            if not p.constant
         ),
         *(Target(name=i.name, key=i.name, kind="input", quantity=i) for i in flat.inputs),
         *(Target(name=f"{s.name}.start", key=s.name, kind="start", quantity=s) for s in flat.coordinates),
@@ -79,6 +82,17 @@ def find(flat: FlatModel, name: str, known: Mapping[str, Target]) -> Target:
     if name not in known:
         raise UnknownSettingError(_unknown(flat, name, known))
     return known[name]
+
+
+def to_vary(target: Target) -> str:
+    """The way to several values of an input."""
+    item, own = target.quantity, re.sub(r"[^A-Za-z0-9_]", "_", target.name) + "_0"
+    value = literal_text("1", target.unit)
+    return (
+        f"an input has one value, or one table over time, in all runs; to vary it, write "
+        f"`parameter {item.type_name} {own} = {value};` and `input {item.type_name} {target.name} = {own};`, and set "
+        f"`{own}`"
+    )
 
 
 def value_of(target: Target, text: str) -> Literal:
@@ -123,19 +137,27 @@ def lacks_unit(target: Target, given: Literal) -> bool:
 
 
 def note_lacking_unit(target: Target, text: str, value: float, sink: Sink) -> None:
-    """N0871: `theta.start=30` is 30 rad = 1719 deg."""
+    """N0871, or W0421 for an angle of more than a turn: `theta.start=30` is 30 rad = 1719 deg."""
     shown = target.display
-    readings = [f"{value:.6g} {target.unit}"]
+    readings = [literal_text(f"{value:.6g}", target.unit)]
     if shown.unit != target.unit and math.isfinite(shown(value)):
-        readings.append(f"{shown(value):.4g} {shown.unit}")
-    units = dict.fromkeys((shown.unit, target.unit))
-    ways = " or ".join(f"`{text} {unit}`" for unit in units)
-    sink.report("N0871", None, what=f"{target.name}={text}", reading=" = ".join(readings), ways=ways)
+        readings.append(literal_text(f"{shown(value):.4g}", shown.unit))
+    report_lacking_unit(target, text, " = ".join(readings), value, sink)
+
+
+def report_lacking_unit(target: Target, text: str, reading: str, largest: float, sink: Sink) -> None:
+    """N0871, or W0421 where the `largest` of the values is an angle of more than a turn."""
+    degrees = target.unit == "rad" and abs(largest) > MORE_THAN_A_TURN
+    units = dict.fromkeys((target.display.unit, target.unit))
+    ways = " or ".join(f"`{literal_text(text, unit)}`" for unit in units)
+    sink.report("W0421" if degrees else "N0871", None, what=f"{target.name}={text}", reading=reading, ways=ways)
 
 
 def _unknown(flat: FlatModel, name: str, known: Mapping[str, Target]) -> str:
     if any(getattr(item, "name", None) == name for item in (*flat.named, *flat.outputs)):
         return f"`{name}` is computed from others in {flat.name}; set what it depends on"
+    if any(item.name == name for item in flat.parameters):
+        return f"`{name}` is a constant of {flat.name}; declare it as a `parameter` to set it"
     if any(item.name == name for item in flat.inputs):
         return f"`{name}` is an input of {flat.name}; give it with --input '{name}=...', or in a table"
     if f"{name}.start" in known:

@@ -10,6 +10,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
@@ -306,16 +307,10 @@ def _allowed(item: Input, least: float | None, most: float | None) -> str:
 
 
 def _check_bounds(item: Input, values: Floats, sink: Sink) -> None:
-    """W0328 for the value that is farthest outside of `min` or `max`."""
-    if not len(values):
-        return
-    unit = "" if item.unit == "1" else f" {item.unit}"
-    low, high = float(np.min(values)), float(np.max(values))
-    for which, value, limit in (("min", low, item.minimum), ("max", high, item.maximum)):
-        if limit is not None and (value < limit if which == "min" else value > limit):
-            place = item.spans[0] if item.spans else None
-            value_text, limit_text = f"{value:g}{unit}", f"{limit:g}{unit}"
-            sink.report("W0328", place, name=item.name, value=value_text, which=which, limit=limit_text)
+    """W0328 for the values that are farthest outside of `min` or `max`."""
+    if len(values):
+        for value in (float(np.min(values)), float(np.max(values))):
+            report_outside(item, item.name, value, sink)
 
 
 @record()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import TYPE_CHECKING, Literal, Self
@@ -148,6 +148,16 @@ class Trajectory:
                 return column
         hint = did_you_mean(str(name), self._called(), f"there are {listing(str(name), self.names)}")
         raise KeyError(f"no column `{name}`; {hint}")
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns, so that `dict(trajectory)` holds them all."""
+        return iter(self.names)
+
+    def keys(self) -> tuple[str, ...]:
+        return self.names
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names or (isinstance(name, str) and bool(family(name, self.names)))
 
     def __getitem__(self, name: str) -> Floats:
         """Values (rows,) of the column, or (rows, elements) of the array `name`; KeyError with the known names."""

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from lagdsl.diagnostics import Severity, Sink
+from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
@@ -80,6 +81,7 @@ def find_start(
     before = len(sink.diagnostics)
     given = _by_place(flat, start, sink)
     found = run.find(t, given, equations=bool(flat.initial_equations))
+    _report_outside(flat, found.starts, given, sink)
     if not report_numbers(flat, found.starts, u, sink):
         report_no_start(flat, engine.layout, run, t, found, sink)
     n = len(flat.coordinates)
@@ -125,6 +127,15 @@ def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[i
         if name not in places:
             sink.report("E0805", None, name=name, known=", ".join(places))
     return {places[name]: value for name, value in start.items() if name in places}
+
+
+def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float], sink: Sink) -> None:
+    """W0328 for start values outside of their bounds."""
+    n = len(flat.coordinates)
+    items = dict(enumerate(flat.coordinates)) | dict(enumerate(flat.states, 2 * n))
+    for place, item in items.items():
+        if place in given or item.start_explicit:
+            report_outside(item, f"{item.name}(start)", float(starts[place]), sink)
 
 
 def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:

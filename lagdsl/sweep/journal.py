@@ -27,7 +27,8 @@ class Busy(ValueError):  # noqa: N818  it is not the sweep that is wrong
 
 
 class Journal:
-    """Open for appending, by one process at a time; use it in a `with` statement. Raises OSError, Busy."""
+    """Open for appending, by one process at a time; use it in a `with` statement, which leaves no file without a run.
+    Raises OSError, Busy."""
 
     def __init__(self, path: Path, fingerprint: str) -> None:
         """Go on with what is there, which must be of the same sweep, or begin."""
@@ -39,7 +40,7 @@ class Journal:
             self._file.close()
             raise
         self._file.seek(0)
-        if _first_line(self._file) is None:
+        if _first_line(self._file) != fingerprint:  # it holds no run: nobody goes on with those of another sweep
             self._file.truncate(0)
             self._file.write(_title(fingerprint))
         else:
@@ -55,6 +56,8 @@ class Journal:
         self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._file.close()
+        if next(outcomes(self.path), None) is None:  # nothing that could be resumed
+            self.path.unlink()
 
     def append(self, outcome: Outcome) -> None:
         """On disk when it returns, as far as this process can see to it."""

@@ -124,6 +124,8 @@ def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
     if found is None:
         return
     require_idle(path)
+    if next(outcomes(path), None) is None:  # of a process that was killed before its first run ended
+        return
     if not resume:
         raise Unfinished(
             f"{path} holds the finished runs of a sweep that was interrupted; resume it, or delete that file"

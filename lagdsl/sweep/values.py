@@ -20,7 +20,7 @@ from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.pieces import QUANTITY
 from lagdsl.settings.ranges import CALL, grid_of
-from lagdsl.settings.target import Target, find, targets, value_of
+from lagdsl.settings.target import Target, find, targets, to_vary, value_of
 from lagdsl.sweep.plan import Axis, Plan, require_few, variants
 from lagdsl.units.definition import si_value
 from lagdsl.units.parse import parse_unit
@@ -45,9 +45,12 @@ def plan(models: Sequence[FlatModel], pairs: Mapping[str, str], random: int | No
     runs = 1 if random is None else random
     require_few(runs)
     known: dict[str, Target] = {}
+    given = targets(models[0], ("input",))
     for flat in models:
         known |= {name: target for name, target in targets(flat).items() if name not in known}
     for number, (name, text) in enumerate(spread(by_own_names(models[0], pairs), known).items()):
+        if name in given and (CALL.fullmatch(text) or ":" in text or "," in text):
+            raise SettingError(f"{name}={short(text)}: {to_vary(given[name])}")
         target = find(models[0], name, known)
         call = CALL.fullmatch(text)
         if call is not None and _is_drawn(text):

@@ -216,6 +216,16 @@ class Session:
                 return value
         return None
 
+    def outermost_block(self) -> Token | None:
+        """The word that begins the outermost open loop or branch of the innermost open class."""
+        found: Token | None = None
+        for state, value in zip(self.stack.states, self.stack.values, strict=False):
+            if isinstance(value, Token) and value.type == "CLASS_KIND":
+                found = None
+            elif isinstance(value, Token) and value.value in BLOCKS and state in boundaries():
+                found = found or value
+        return found
+
     def open_classes(self) -> list[str]:
         """Names of the classes that are open, outermost first."""
         return [

@@ -6,6 +6,16 @@ import re
 
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
+
+def literal_text(number: str, unit: str) -> str:
+    """A number with a unit text as model texts take it: `2 /s` for `1/s`, `3 J/kg.K` for `J/(kg.K)`, as everything
+    behind the one slash divides."""
+    if unit in ("", "1"):
+        return number
+    above, slash, below = unit.partition("/")
+    return f"{number} {above if above != '1' else ''}{slash}{below.removeprefix('(').removesuffix(')')}"
+
+
 _LONGEST = 80  # characters on each side that are looked at
 _POWER = r"[A-Za-z]+[0-9]?(?:(?:\^|\*\*)-?[1-9])?"
 _FACTOR = rf"{_POWER}(?:\.{_POWER})*"

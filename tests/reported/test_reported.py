@@ -10,13 +10,19 @@ import math
 from math import asin, sqrt
 from pathlib import Path
 
+import fmpy
 import numpy as np
 import pytest
-from choice import engines
+from choice import engines, paired
+from click.testing import CliRunner
+from fmi.described import of_text
+from fmi.exported import export_quickly
 from fmi.texts import export_text
 
 import lagdsl
+from lagdsl.cli.main import lag
 from lagdsl.diagnostics import Sink
+from lagdsl.fmi.variables.ports import Ports
 from lagdsl.pipeline import flatten_file
 from lagdsl.plot.picture.faces import Faces
 from lagdsl.plot.picture.recording import record_motion
@@ -26,14 +32,6 @@ from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.source import SourceFile
 
 TEXTS = Path(__file__).parent / "texts"
-import fmpy
-from choice import paired
-from click.testing import CliRunner
-from fmi.described import of_text
-from fmi.exported import export_quickly
-
-from lagdsl.cli.main import lag
-from lagdsl.fmi.variables.ports import Ports
 
 # ---- bounces: a contact that is located as closing strikes -----------------------------------------------------------
 
@@ -132,7 +130,7 @@ def test_every_name_of_a_connected_coordinate_is_that_of_a_column_and_of_a_start
     assert np.allclose(many["shaft.phi_b"][:, -1], [right, _twisted(1.0, -0.6)[1]], atol=1e-8)
     at = {"shaft.phi_a": 0.3, "load.phi": 0.0}
     assert model.forward_dynamics(0.0, at, {"motor.phi": 0.0, "shaft.phi_b": 0.0}) == pytest.approx([-0.9, 1.8])
-    with pytest.raises(ValueError, match="`motor.phi` and `shaft.phi_a` one coordinate"):
+    with pytest.raises(ValueError, match=r"`motor.phi` and `shaft.phi_a` one coordinate"):
         model.simulate(start={"motor.phi": 1.0, "shaft.phi_a": 1.0})
 
 

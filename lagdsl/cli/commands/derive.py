@@ -10,7 +10,7 @@ from lagdsl.api.derivation import ENDINGS, Derivation, Form
 from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
 from lagdsl.cli.options import PATH, takes_settings
-from lagdsl.cli.output import form_of, require_writable, write_text
+from lagdsl.cli.output import Forms, form_of, require_writable, write_text
 
 
 @click.command("derive", cls=Command)
@@ -19,7 +19,7 @@ from lagdsl.cli.output import form_of, require_writable, write_text
 @click.option(
     "--to",
     "form",
-    type=click.Choice(["text", "markdown", "latex", "html", "json"]),
+    type=Forms(["text", "markdown", "latex", "html", "json"], ENDINGS),
     help="Form of the result; default: that of the file name, else text.",
 )
 @click.option("--units", is_flag=True, help="Show the units of all symbols and equations.")

@@ -8,7 +8,7 @@ import click
 
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import Format, read_or_leave, takes_model
-from lagdsl.cli.output import require_writable, write_text
+from lagdsl.cli.output import Forms, require_writable, write_text
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import Sink
 
@@ -16,7 +16,10 @@ from lagdsl.diagnostics import Sink
 @click.command("verify")
 @takes_model
 @click.option(
-    "--to", "form", type=click.Choice(["text", "json", "html"]), help="Default: by the suffix of -o, else text."
+    "--to",
+    "form",
+    type=Forms(["text", "json", "html"], {".txt": "text", ".htm": "html"}),
+    help="Default: by the suffix of -o, else text.",
 )
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
 @click.option("--fmu", is_flag=True, help="Also export FMUs of both versions and kinds, and run them in FMPy.")

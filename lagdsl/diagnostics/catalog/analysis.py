@@ -27,7 +27,7 @@ ROWS: dict[str, Row] = {
     "W0854": warning(
         "this point is neither an equilibrium nor part of a steady motion: {reason}",
         None,
-        "the eigenvalues describe the neighborhood for an instant only; find an equilibrium with `lag trim`",
+        "the eigenvalues describe the neighborhood for an instant only; `--trim` takes the nearest equilibrium",
     ),
     "E0855": error(
         "no linearization at this point: {name} has no finite derivative there",

@@ -15,7 +15,8 @@ ROWS: dict[str, Row] = {
     "E0702": error(
         "`{name}` is not connected to `world`",
         "no chain of joints leads from `world` to it",
-        "connect it; a body that moves freely needs a joint of six coordinates, `FreeMotion`, between it and `world`",
+        "connect it: `connect(world, {name});`; a body that moves freely needs a joint with all coordinates, "
+        "`FreeMotion`, between it and `world`",
     ),
     "E0703": error(
         "`{name}` has one port and cannot stand in the middle of a `connect`",
@@ -93,7 +94,7 @@ ROWS: dict[str, Row] = {
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
     "N0718": note(
-        "`{name}` follows from the other joints of its loop; its start value only selects the revolution of the angle",
+        "`{name}` follows from the other joints of its loop; {use}",
         "no initial value",
         "write `prefer = always` to keep the coordinate and its start",
     ),

@@ -43,8 +43,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0610": error(
         "{subject} are tangent: where they hold together, they do not determine their forces",
-        "the mechanism cannot move there, but its linearized constraints permit a motion",
-        "change a length or a position so that the mechanism can move, or fix each coordinate by its own condition",
+        "where they touch, their gradients depend on each other",
+        "change a length or a position so that they cross, or fix each coordinate by its own condition",
     ),
     "N0611": note(
         "nothing can move: {independent} leave no degree of freedom",

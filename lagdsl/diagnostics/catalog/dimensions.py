@@ -1,6 +1,6 @@
 """Family 04: dimensions and units."""
 
-from lagdsl.diagnostics.catalog.row import Row, error, note
+from lagdsl.diagnostics.catalog.row import Row, error, warning
 
 # Help of E0401 where a factor made of parameters is what is missing.
 MISSING_FACTOR = "the {which} term is short by `{unit}`; a factor `{factor}` would make it {words}"
@@ -90,14 +90,14 @@ ROWS: dict[str, Row] = {
         label="a point, not an amount",
         help="write `{number} K` for a difference, `{kelvin} K` for the temperature",
     ),
-    "N0419": note(
-        "angles are in radians: `{number}` is {turns} turns",
-        label="a number without a unit",
-        help="write `{number} deg` if degrees are meant, `{number} rad` if not",
-    ),
     "E0420": error(
         "{what} is a frequency, and `{unit}` counts angles",
         label="an angular velocity",
         help="write Hz, as 60 rpm are 1 Hz, or declare an `AngularVelocity`",
+    ),
+    "W0421": warning(
+        "`{what}` has no unit: it is {reading}",
+        label="a number without a unit",
+        help="write {ways}",
     ),
 }

@@ -267,6 +267,19 @@ def call_help(name: str, argument: str) -> str | None:
     return f"a start is an attribute: `coordinate Angle {name}(start = 30 deg);`" if is_start else None
 
 
+OF_MOTION = "equations of motion follow from energies and forces: write `mass`, `kinetic`, `force`; delete this one"
+
+
+def constraint_help(equation: str) -> str:
+    """Help: the text to write for an equation between coordinates."""
+    return f"an equation between coordinates is a constraint: `constraint {' '.join(equation.rstrip(' ;').split())};`"
+
+
+def value_help(name: str) -> str:
+    """Help for an equation of what has its value already."""
+    return f"give `{name}` its value where it is declared"
+
+
 def energy_help(name: str) -> str | None:
     """Help: the text to write for `T = ...;` among the declarations."""
     word = _ENERGIES.get(name)

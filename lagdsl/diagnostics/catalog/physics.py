@@ -131,4 +131,15 @@ ROWS: dict[str, Row] = {
         label="nothing is held there",
         help="write `mass m at {name};`: an equal position that is written again is another one",
     ),
+    "W0526": warning(
+        "the kinetic energy of `{item}` may be counted twice",
+        label="equals the automatic term",
+        secondary="has this kinetic energy by itself",
+        help="remove one of the two",
+    ),
+    "W0527": warning(
+        "gravity has no effect: it acts along z, and all masses move in the plane z = 0",
+        label="perpendicular to every motion",
+        help="write `gravity = -g_n*world.y;`, or `gravity = 0;` for motion in a horizontal plane",
+    ),
 }

@@ -158,7 +158,6 @@ ROWS: dict[str, Row] = {
     "E0340": error(
         "`{name}` cannot be declared inside a loop",
         label="the loop would declare it several times",
-        help="declare an array outside: `{name}[N]`, and give its elements in the loop: `{name}[i] = ...`",
     ),
     "E0341": error(
         "there is no dimension {index}: the number of dimensions is {extent}",

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.backends.python.support.interface import Interface
+from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine, Floats
@@ -64,7 +65,7 @@ class Spread:
 def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
     """Raises ValueError for an argument of a wrong length or with leading axes that do not fit. Length None: no axis
     of its own (the time)."""
-    given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
+    given = [real_numbers(name, argument) for (name, _), argument in zip(signature, arguments, strict=True)]
     leading: tuple[int, ...] = ()
     for (name, length), array in zip(signature, given, strict=True):
         if length is not None and (array.ndim == 0 or array.shape[-1] != length):

@@ -9,7 +9,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output
-from lagdsl.flat.quantity import Variability, fields_of
+from lagdsl.flat.quantity import Variability, fields_of, is_angle
 from lagdsl.semantics.assembly.closed_form.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.closed_form.linear import variables
 from lagdsl.semantics.assembly.closed_form.pose import displacement, misalignment
@@ -122,11 +122,13 @@ class Closures:
         cut.outputs.sort(key=lambda output: order[output.name])
 
     def _tell_starts(self, known: list[flat_model.Coordinate]) -> None:
-        """N0718 for starts that are no longer needed."""
+        """N0718 for starts that are no longer needed; that of an angle tells in which revolution it begins."""
         spans = {item.start_span or item.rate_start_span: item for item in reversed(known)}
         for span, item in spans.items():
             if span is not None:
-                self._ctx.sink.report("N0718", span, name=item.name)
+                turns = is_angle(item) and span is item.start_span
+                use = "its start value only selects the revolution of the angle" if turns else "its start has no use"
+                self._ctx.sink.report("N0718", span, name=item.name, use=use)
 
     def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
         """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
 from lagdsl.numerics.disjoint_sets import DisjointSets
-from lagdsl.semantics.assembly.net import Net
+from lagdsl.semantics.assembly.net import Net, Port
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Instance
@@ -16,11 +16,12 @@ from lagdsl.semantics.scope.values import POISON
 def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[Instance]) -> None:
     """E0702 for each group of components with kinematics that hangs together and is not reached.
 
-    Only `instances` are spoken of.
+    Only `instances` are spoken of. A group that is bound to a frame of another one follows from that.
     """
     names = {instance.scope.prefix: instance for instance in instances}
     groups = _groups(net, routes)
-    for ports in groups:
+    unbound = [ports for ports in groups if not any(_is_bound(net.ports[number]) for number in ports)]
+    for ports in unbound or groups:
         found: dict[Instance, None] = {}
         for number in ports:
             symbol = net.ports[number].symbol
@@ -28,10 +29,15 @@ def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[I
                 found[names[symbol.scope.prefix]] = None
         if found:
             report(ctx, list(found))
+    for ports in groups:
         for number in ports:
             port = net.ports[number]
-            if port.symbol is not None and port.indices not in port.symbol.given.bindings:
+            if port.symbol is not None and not _is_bound(port):
                 port.symbol.made.cells[port.indices] = POISON
+
+
+def _is_bound(port: Port) -> bool:
+    return port.symbol is not None and port.indices in port.symbol.given.bindings
 
 
 def report(ctx: Context, found: list[Instance]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.catalog.habits import OF_MOTION, constraint_help, value_help
 from lagdsl.semantics.operators.paths import designated
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
@@ -83,13 +84,13 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
             unsolved.kind = "unknown"
     hint = None
     if _acceleration(ctx, scope, item):
-        hint = "equations of motion follow from energies and forces: write `mass`, `kinetic`, `force`; delete this one"
+        hint = OF_MOTION
     elif symbol is not None and symbol.kind == "coordinate":
-        hint = f"an equation between coordinates is a constraint: `constraint {item.span.text.strip().rstrip(';')};`"
+        hint = constraint_help(item.span.text)
     elif symbol is not None and symbol.kind == "discrete":
         hint = f"`{symbol.short}` changes at events: write the equation in a `when` clause"
     elif symbol is not None and symbol.kind in ("parameter", "constant", "structural"):
-        hint = f"give `{symbol.short}` its value where it is declared"
+        hint = value_help(symbol.short)
     ctx.sink.report("E0322", item.span, help=hint)
 
 

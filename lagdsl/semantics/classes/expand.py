@@ -59,6 +59,7 @@ class Expander:
         self.contents = contents
         self.declarer = declarer
         self.instance = declarer.instance
+        self.loops: list[nodes.For] = []
 
     def expand(self, parts: list[Part]) -> None:
         """All items of the instance, then what is left of its modifiers."""
@@ -79,8 +80,8 @@ class Expander:
             case nodes.Geometry() | nodes.Component() if scope.kind == "local":
                 self._elements(item, scope)
             case nodes.Coordinate() if scope.kind == "local":
-                span = item.declarators[0].name_span
-                self.ctx.sink.report("E0340", span, name=item.declarators[0].name)
+                for declarator in item.declarators:
+                    self._declared_in_loop(item, declarator, scope)
             case nodes.Annotation():
                 if self.instance.around is None:
                     self.contents.annotations.append(Placed(item, scope, self.instance))
@@ -136,9 +137,11 @@ class Expander:
             if iterator.name in ("time", "world"):
                 self.ctx.sink.report("E0207", iterator.span, name=iterator.name)
                 return
+        self.loops.append(item)
         for turn in unrolled(self.ctx, part.scope, item):
             for inner in self._inside(item.body, turn, part):
                 self._item(inner)
+        self.loops.pop()
 
     def _if(self, item: nodes.If, part: Part) -> None:
         """Only the branch taken is read, unless that is decided while the motion runs."""
@@ -194,8 +197,7 @@ class Expander:
         """The items of components stand where the components are declared."""
         for declarator in item.declarators:
             if scope.kind == "local":
-                hint = f"declare an array of components outside the loop: `{type_text(item.type_name)} name[n](...)`"
-                self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name, help=hint)
+                self._declared_in_loop(item, declarator, scope)
             for child in self.declarer.children.pop(declarator.name, ()):
                 Expander(self.ctx, self.contents, child).expand(child.body.parts)
 
@@ -206,7 +208,7 @@ class Expander:
             if entry is None and declarator.subscripts and self.ctx.reports.incomplete:
                 continue
             if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
-                self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
+                self._declared_in_loop(item, declarator, scope)
                 continue
             if not structural_condition(self.ctx, scope, declarator.condition, f"`{declarator.name}`"):
                 continue
@@ -221,6 +223,26 @@ class Expander:
             indices = equations.element_indices(self.ctx, scope, entry, subscripts, declarator.name_span)
             if indices is not None:
                 equations.bind(self.ctx, entry, indices, binding)
+
+    def _declared_in_loop(
+        self, item: nodes.Geometry | nodes.Component | nodes.Coordinate, declarator: nodes.Declarator, scope: Scope
+    ) -> None:
+        """E0340, with the declaration of an array in its place; the name counts as declared."""
+        name, word = declarator.name, _word(item)
+        iterators = list({each.name: each for loop in self.loops for each in loop.iterators}.values())
+        indices, sizes = ", ".join(each.name for each in iterators), ", ".join(map(_size, iterators))
+        array, element = f"{word} {name}[{sizes}]", f"`{name}[{indices}]`"
+        prefixes = item.prefixes if isinstance(item, nodes.Component) else ()
+        is_component = isinstance(item, nodes.Component) and component_class(item, scope) is not None
+        if declarator.value is not None and not isinstance(item, nodes.Coordinate) and set(prefixes) <= {"output"}:
+            element = f"`{word} {name}[{indices}] = {declarator.value.span.text};`"
+        elif declarator.value is not None and not is_component:
+            turns = ", ".join(each.span.text for each in reversed(iterators))
+            array += f" = {{{declarator.value.span.text} for {turns}}}"
+        way = f"declare an array before the loop, `{array};`, and write {element} in the loop"
+        self.ctx.sink.report("E0340", declarator.name_span, name=name, help=way)
+        unknown = Symbol(scope.owner.qualify(name), "unknown", declarator.name_span, scope.owner, name)
+        scope.owner.entries.setdefault(name, unknown)
 
     # ---- labels ------------------------------------------------------------------------------------------------------
 
@@ -247,9 +269,21 @@ class Expander:
         self.contents.items.append(Placed(item, scope, self.instance, symbol))
 
 
-def _word(item: nodes.Geometry | nodes.Component) -> str:
+def _word(item: nodes.Geometry | nodes.Component | nodes.Coordinate) -> str:
     """Kind of the names of the declaration."""
-    return item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, type_text(item.type_name)))
+    match item:
+        case nodes.Geometry():
+            return item.keyword
+        case nodes.Coordinate():
+            return f"coordinate {type_text(item.type_name)}"
+        case nodes.Component():
+            return " ".join((*item.prefixes, type_text(item.type_name)))
+
+
+def _size(iterator: nodes.Iterator) -> str:
+    """`3` for `i in 1:3`, else `n`."""
+    text = iterator.range.span.text
+    return text.removeprefix("1:") if text.startswith("1:") and ":" not in text[2:] else "n"
 
 
 def _head(item: nodes.Item) -> Span:

@@ -40,7 +40,9 @@ def resets(
     with ctx.current.without_relations():
         value = ctx.elaborate(ctx, scope, value_node, True)
     shape = () if isinstance(whole, Scalar) else whole.shape
-    expected = Expected(f"`{target.span.text}`", whole.dimension or DIMENSIONLESS, shape)
+    expected = Expected(
+        f"`{target.span.text}`", whole.dimension or DIMENSIONLESS, shape, unit=_unit(ctx, scope, target)
+    )
     got = conform(ctx, scope, value_node, value, expected)
     if got is None:
         return []
@@ -53,6 +55,12 @@ def resets(
         name, rate = each
         found.append(events.Reset(spans=spans, name=name, rate=rate, value=part, guard=guard))
     return found
+
+
+def _unit(ctx: Context, scope: Scope, target: nodes.Expression) -> str:
+    """The declared unit of a state; that of a rate is not told."""
+    found = named_element(ctx, scope, target) if derivative_of(target) is None else None
+    return "1" if found is None or found[0].info is None else found[0].info.unit
 
 
 def _may_jump(ctx: Context, scope: Scope, target: nodes.Expression) -> bool:

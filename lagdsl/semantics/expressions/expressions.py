@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.semantics.expressions import calls, references
-from lagdsl.semantics.operators import arithmetic, arrays, geometry
+from lagdsl.semantics.operators import angles, arithmetic, arrays, geometry
 from lagdsl.semantics.operators.arithmetic import Operand
 from lagdsl.semantics.operators.choice import choice
 from lagdsl.semantics.operators.nested_loops import loop_fits
@@ -42,6 +42,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
             left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
             if node.operator not in ("and", "or"):
                 left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
+            angles.check_operator(ctx, scope, node)
             return arithmetic.binary(ctx, scope, node, left, right)
         case nodes.Unary(operand=nodes.Quantity() as literal) if scale_points.is_signed_point(node):
             return _quantity(ctx, literal, node.operator)
@@ -54,6 +55,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
             return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Call():
             scale_points.check_call(ctx, scope, node)
+            angles.check_call(ctx, scope, node)
             return calls.call(ctx, scope, node)
         case nodes.Member():
             return references.member(ctx, scope, node)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.semantics.operators.angles import check_beside
 from lagdsl.semantics.operators.arithmetic import Operand, added
 from lagdsl.semantics.operators.geometry import operand
 from lagdsl.semantics.scope.context import Context
@@ -59,6 +60,7 @@ def difference(ctx: Context, scope: Scope, node: nodes.Constraint | nodes.Equati
     if not fits(*dimensions):
         report_unequal(ctx, "equate", scope, (left.node, dimensions[0]), (right.node, dimensions[1]))
         return None
+    check_beside(ctx, scope, node.left, node.right)
     residual = _subtracted(ctx, scope, left, right, node)
     if isinstance(residual, Vector):
         return components(residual)

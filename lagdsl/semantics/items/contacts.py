@@ -15,6 +15,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.operators.angles import check_beside
 from lagdsl.semantics.operators.arithmetic import Operand, added
 from lagdsl.semantics.operators.conditions import structural_condition
 from lagdsl.semantics.operators.event_limits import require
@@ -65,6 +66,7 @@ def _gap(ctx: Context, scope: Scope, node: nodes.Contact) -> Scalar | None:
             if not isinstance(side.value, Poison):
                 ctx.sink.report("E0312", side.node.span, expected="a scalar", found=kind_of(side.value))
             return None
+    check_beside(ctx, scope, *pair)
     gap = added(ctx, scope, "-", left, right, relation)
     if not isinstance(gap, Scalar):
         return None

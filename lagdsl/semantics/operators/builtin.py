@@ -31,6 +31,7 @@ from lagdsl.semantics.scope.values import (
     highest,
     latest,
 )
+from lagdsl.semantics.types.bare_numbers import warn_turns
 from lagdsl.semantics.types.dimensions import bare_number, fits, joined, product
 from lagdsl.syntax import nodes
 from lagdsl.units.definition import UnitDefinition
@@ -38,7 +39,6 @@ from lagdsl.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
 Builtin = Callable[[Application], Value]
-_MORE_THAN_A_TURN = 7.0  # radians
 
 # ---- functions of numbers --------------------------------------------------------------------------------------------
 
@@ -63,17 +63,17 @@ def _of_number(call: Application, argument: Scalar) -> Value:
     if call.name in ("floor", "ceil"):
         return _rounded(call, argument)
     if call.name in ("sin", "cos", "tan"):
-        _note_degrees(call.ctx, call.arguments[0].node)
+        _warn_degrees(call.ctx, call.arguments[0].node)
     return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
 
 
-def _note_degrees(ctx: Context, node: nodes.Node) -> None:
+def _warn_degrees(ctx: Context, node: nodes.Node) -> None:
     """A number of more than one turn in radians, as an angle or in a sum, was meant in degrees."""
     if isinstance(node, nodes.Binary) and node.operator in ("+", "-"):
-        _note_degrees(ctx, node.left)
-        _note_degrees(ctx, node.right)
-    elif (bare := bare_number(node)) is not None and (size := float(bare.lstrip("-"))) >= _MORE_THAN_A_TURN:
-        ctx.sink.report("N0419", node.span, number=bare.lstrip("-"), turns=f"{size / (2 * pi):.3g}")
+        _warn_degrees(ctx, node.left)
+        _warn_degrees(ctx, node.right)
+    elif (bare := bare_number(node)) is not None:
+        warn_turns(ctx, node, float(bare.replace("--", "")))
 
 
 def _rounded(call: Application, x: Scalar) -> Scalar:

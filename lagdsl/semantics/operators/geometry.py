@@ -35,6 +35,7 @@ from lagdsl.semantics.scope.values import (
     latest,
     rank,
 )
+from lagdsl.semantics.types.bare_numbers import collect
 from lagdsl.semantics.types.dimensions import bare_number, fits, require
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -204,6 +205,7 @@ class _Arguments:
     def angle(self, index: int) -> FlatExpression:
         value = self.values[index]
         if isinstance(value, Scalar) and fits(value.dimension, DIMENSIONLESS) and value.kind != "Boolean":
+            collect(self.ctx, self.scope, self.node(index), value, "rad")
             return value.expression
         if isinstance(value, Scalar) and value.kind != "Boolean":
             found = quantity(value.dimension)

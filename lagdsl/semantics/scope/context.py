@@ -9,7 +9,7 @@ from typing import Protocol
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Spans
-from lagdsl.record import mutable_record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.product import Product
 from lagdsl.semantics.scope.scope import Indices, Instance, Scope, Symbol
@@ -85,6 +85,17 @@ class Counts:
     exceeded: set[str] = field(default_factory=set)
 
 
+@record()
+class Written:
+    """The text of a value of a declared quantity, the whole that it is an element of, the coherent unit of the
+    quantity, and the number that stands there without a unit, or None."""
+
+    node: nodes.Node
+    whole: Span
+    unit: str
+    bare: float | None
+
+
 @mutable_record()
 class Reports:
     """State on which later reports depend.
@@ -92,7 +103,8 @@ class Reports:
     `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
     unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must
     have been. `jump` is the first call that jumps without an event being located. `absent` has the places of names that
-    a false condition leaves undeclared, by qualified name.
+    a false condition leaves undeclared, by qualified name. `written` are the values that the text of the model
+    writes as numbers, by where they begin.
     """
 
     reported: set[str] = field(default_factory=set)
@@ -100,6 +112,7 @@ class Reports:
     withheld: Span | None = None
     jump: nodes.Call | None = None
     absent: dict[str, Span] = field(default_factory=dict)
+    written: dict[int, Written] = field(default_factory=dict)
 
 
 @mutable_record()

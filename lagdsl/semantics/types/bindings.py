@@ -24,6 +24,7 @@ from lagdsl.semantics.scope.values import (
     components,
     is_zero,
 )
+from lagdsl.semantics.types.bare_numbers import collect
 from lagdsl.semantics.types.dimensions import fits, require
 from lagdsl.syntax import nodes
 from lagdsl.units.parse import counts_angles, counts_turns
@@ -59,6 +60,7 @@ def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected
     if not fits(shaped.dimension, expected.dimension):
         require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
         return None
+    collect(ctx, scope, node, shaped, expected.unit)
     return shaped if shaped.dimension is not None else replace(shaped, dimension=expected.dimension)
 
 

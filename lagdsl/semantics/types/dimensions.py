@@ -14,6 +14,7 @@ from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import quantity
 from lagdsl.semantics.scope.scope import Scope, Symbol, lookup
 from lagdsl.semantics.scope.values import AnyDimension
+from lagdsl.semantics.types.missing_units import unit_help
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
 from lagdsl.units import Dimension
@@ -94,7 +95,7 @@ def report_unequal(
         Label(right[0].span, f"this is {quantity(second)}"),
         Label(left[0].span, f"this is {quantity(first)}"),
         notes=(*hidden_variables(scope, left[0]), *hidden_variables(scope, right[0])),
-        help=_missing(scope, first, second),
+        help=unit_help(right[0], second, first) or unit_help(left[0], first, second) or _missing(scope, first, second),
         verb=verb,
         left=describe(first),
         right=describe(second),
@@ -187,6 +188,7 @@ def require(
             help = f"a unit stands behind its number: `{literal}`"
         if wanted == dimension_of(K=1) and isinstance(node, nodes.Quantity) and node.unit == "C":
             help = f"`C` is the coulomb: did you mean `{node.number} degC`?"
+        help = help or unit_help(node, found, wanted)
         if help is None and code == "E0407":
             help = _declared_help(found)
         texts = {"expected": quantity(wanted), "found": quantity(found), **words}

@@ -181,6 +181,7 @@ def numbers(
     dimension: AnyDimension,
     shape: tuple[int, ...],
     base: BaseType = "Real",
+    unit: str = "1",
 ) -> list[float | None]:
     """One number for each element, known while compiling; None where there is none."""
     count = prod(shape)
@@ -190,7 +191,8 @@ def numbers(
     _check_each(ctx, attribute, what, shape)
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, base == "Real")
     wanted = () if attribute.each or isinstance(value, Scalar) else shape
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, base, code="E0415"))
+    expected = Expected(what, dimension, wanted, base, unit, "E0415")
+    found = conform(ctx, attribute.scope, attribute.value, value, expected)
     if found is None:
         return [None] * count
     if not is_structural(found):

@@ -55,7 +55,9 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], binding: Binding 
         return
     dimension = info.dimension or DIMENSIONLESS
     columns = [
-        attributes.numbers(ctx, found.get(name), f"`{name}`", dimension, shape)
+        attributes.numbers(
+            ctx, found.get(name), f"`{name}`", dimension, shape, unit="1" if name == "nominal" else info.unit
+        )
         for name in ("start", "nominal", "min", "max")
     ]
     sign = attributes.text(ctx, found.get("symbol"))

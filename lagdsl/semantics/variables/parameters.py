@@ -57,8 +57,8 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
         return
     found = attributes.attributes(ctx, symbol)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape, unit=info.unit)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape, unit=info.unit)
     sign = attributes.text(ctx, found.get("symbol"))
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
@@ -112,6 +112,7 @@ def _element(
         minimum=bounds[0],
         maximum=bounds[1],
         structural=folded,
+        constant=kind == "constant",
         kind="Boolean" if symbol.info.base == "Boolean" else "Real" if symbol.info.base == "Real" else "Integer",
     )
     ctx.product.parameters.append(parameter)
@@ -148,6 +149,8 @@ def _text(ctx: Context, symbol: Symbol) -> None:
         return
     fields = quantity_fields(symbol, (), None)
     folded = symbol.kind != "parameter"
-    parameter = flat_model.Parameter(**fields, value=0.0, structural=folded, kind="String", text=value.value)
+    parameter = flat_model.Parameter(
+        **fields, value=0.0, structural=folded, constant=symbol.kind == "constant", kind="String", text=value.value
+    )
     ctx.product.parameters.append(parameter)
     symbol.made.cells[()] = value

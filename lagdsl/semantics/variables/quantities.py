@@ -14,7 +14,7 @@ from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
-from lagdsl.semantics.scope.scope import Indices, Symbol
+from lagdsl.semantics.scope.scope import Indices, Symbol, TypeInfo
 from lagdsl.semantics.scope.values import Array, Order, Poison, Scalar, rank
 from lagdsl.semantics.types.bindings import Expected, conform
 from lagdsl.semantics.types.quantity_fields import quantity_fields
@@ -84,8 +84,8 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
         starts_known = starts or [flat.ZERO] * math.prod(shape)
     rates_known = rates or [flat.ZERO] * math.prod(shape)
     nominal = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape, unit=symbol.info.unit)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape, unit=symbol.info.unit)
     sign = attributes.text(ctx, found.get("symbol"))
     return [
         flat_model.Coordinate(
@@ -132,8 +132,8 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
     starts = _start(ctx, symbol, found.get("start"), "the start", dimension, shape, symbol.info.unit)
     fixed = attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
     nominal = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape, unit=symbol.info.unit)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape, unit=symbol.info.unit)
     sign = attributes.text(ctx, found.get("symbol"))
     result = []
     whole = _derivative(ctx, symbol, None, shape) if None in symbol.given.derivatives else None
@@ -175,8 +175,8 @@ def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
         what = f"the start of `{symbol.short}`"
         starts = attributes.expressions(ctx, start, what, dimension, shape, unit=info.unit, base=info.base)
     attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape, unit=symbol.info.unit)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape, unit=symbol.info.unit)
     sign = attributes.text(ctx, found.get("symbol"))
     listed = info.base not in ("Real", "Integer", "Boolean")  # a value of an enumeration is the number of its place
     kind = cast(Literal["Real", "Integer", "Boolean"], "Integer" if listed else info.base)
@@ -243,7 +243,7 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
     stated = bool(defaults or start)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))
-    limits = _limits(ctx, found, dimension, shape, symbol.info.minimum if symbol.info is not None else None)
+    limits = _limits(ctx, found, dimension, shape, symbol.info)
     result = []
     for k, indices in enumerate(every(shape)):
         fields = quantity_fields(symbol, indices, sign)
@@ -289,15 +289,29 @@ def _default(ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[in
     if found is None:
         return None
     if rank(found.variability) > rank(Variability.PARAMETER):
-        what = f"the default of input `{symbol.short}`"
-        ctx.sink.report("E0317", binding.node.span, what=what, allowed="parameters and constants")
+        what, way = f"the default of input `{symbol.short}`", None
+        outside = binding.scope.owner.instance
+        if binding.scope is not symbol.scope and symbol.scope.owner.instance is outside:  # from `extends`
+            name = symbol.scope.title.strip("`")
+            text = " ".join(binding.node.span.text.split())
+            way = (
+                f"the input of a component takes what varies: in place of `extends {name}(...)` write "
+                f"`{name} {_component(name)}({symbol.short} = {text});`"
+            )
+        ctx.sink.report("E0317", binding.node.span, what=what, allowed="parameters and constants", help=way)
         return None
     return [found.expression] if isinstance(found, Scalar) else list(found.elements)
 
 
+def _component(name: str) -> str:
+    """`a` for `A`, a name for a component of the class."""
+    short = name.rpartition(".")[2]
+    return short[:1].lower() + short[1:] if not short[:1].islower() else f"{short}_1"
+
+
 def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
     shape = _extent(ctx, symbol)
-    if shape is None:
+    if shape is None or symbol.info is None:
         return []
     result = []
     sign = attributes.sign_of(ctx, symbol)
@@ -307,8 +321,7 @@ def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
         value = ctx.resolver.element(ctx, symbol, indices, symbol.span)
         if isinstance(value, Scalar):
             fields = quantity_fields(symbol, indices, sign, value.dimension)
-            least = symbol.info.minimum if symbol.info is not None else None
-            limits = _limits(ctx, found, fields["dimension"], shape, least) if limits is None else limits
+            limits = _limits(ctx, found, fields["dimension"], shape, symbol.info) if limits is None else limits
             result.append(flat_model.Output(**fields, **limits[k], value=value.expression))
     return result
 
@@ -320,13 +333,13 @@ class _Limits(TypedDict):
 
 
 def _limits(
-    ctx: Context, found: dict[str, Attribute], dimension: Dimension, shape: tuple[int, ...], least: float | None
+    ctx: Context, found: dict[str, Attribute], dimension: Dimension, shape: tuple[int, ...], info: TypeInfo
 ) -> list[_Limits]:
-    """`nominal`, `min` and `max` of each element; `least` is the `min` of its type."""
-    numbers = (
-        attributes.numbers(ctx, found.get(name), f"`{name}`", dimension, shape) for name in ("nominal", "min", "max")
-    )
+    """`nominal`, `min` and `max` of each element; a `min` that is not given is that of the type."""
+    nominals = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
+    lowest = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape, unit=info.unit)
+    highest = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape, unit=info.unit)
     return [
-        {"nominal": nominal, "minimum": least if low is None else low, "maximum": most}
-        for nominal, low, most in zip(*numbers, strict=True)
+        {"nominal": nominal, "minimum": info.minimum if low is None else low, "maximum": high}
+        for nominal, low, high in zip(nominals, lowest, highest, strict=True)
     ]

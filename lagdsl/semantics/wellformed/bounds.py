@@ -6,8 +6,8 @@ from typing import TypeAlias
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as fm
+from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.spans import around, place
 
 _Bounded: TypeAlias = fm.Coordinate | fm.State | fm.Input | fm.Output
@@ -30,29 +30,9 @@ def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
         elif item.nominal is not None and not 0.0 < item.nominal < float("inf"):
             reason = f"its nominal size must be positive and finite, found {item.nominal:g}"
             sink.report("E0517", place(item), *around(item), name=item.name, reason=reason)
-        elif isinstance(item, fm.Input):
-            _check_start(item, item.default, evaluator, sink)
-        elif not isinstance(item, fm.Output) and item.start_explicit:
-            _check_start(item, item.start, evaluator, sink)
-
-
-def _check_start(
-    item: fm.Coordinate | fm.State | fm.Input, value_: FlatExpression, evaluator: Evaluator, sink: Sink
-) -> None:
-    try:
-        start = evaluator.scalar(value_)
-    except NotEvaluable:
-        return
-    for limit, outside, word in (
-        (item.minimum, item.minimum is not None and start < item.minimum, "min"),
-        (item.maximum, item.maximum is not None and start > item.maximum, "max"),
-    ):
-        if outside and limit is not None:
-            value, bound = _shown(start, item.unit), _shown(limit, item.unit)
-            sink.report(
-                "W0328", place(item), *around(item), name=f"{item.name}(start)", value=value, which=word, limit=bound
-            )
-
-
-def _shown(number: float, unit: str) -> str:
-    return f"{number:g}" if unit == "1" else f"{number:g} {unit}"
+        elif isinstance(item, fm.Input) or (not isinstance(item, fm.Output) and item.start_explicit):
+            try:
+                start = evaluator.scalar(item.default if isinstance(item, fm.Input) else item.start)
+            except NotEvaluable:
+                continue
+            report_outside(item, f"{item.name}(start)", start, sink)

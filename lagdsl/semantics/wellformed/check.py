@@ -7,6 +7,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.semantics.wellformed.bounds import check_bounds
 from lagdsl.semantics.wellformed.constraints import check_constraints
+from lagdsl.semantics.wellformed.doubled import check_doubled
 from lagdsl.semantics.wellformed.effect import check_effects, check_unused_coordinates
 from lagdsl.semantics.wellformed.energy import check_energies
 from lagdsl.semantics.wellformed.frames import check_frames
@@ -20,7 +21,8 @@ from lagdsl.semantics.wellformed.reactions import check_reactions
 def check(flat: fm.FlatModel, sink: Sink, *, sampled: bool = True) -> None:
     """Report every fault of family 05 that shows before anything is derived; degrees of freedom come later.
 
-    Without `sampled` functions are not compared at random moments (W0511): that takes as long as all the rest.
+    Without `sampled` functions are not compared at random moments (W0511, W0526, W0527): that takes as long as all the
+    rest.
     """
     dependence = Dependence(flat)
     check_unused_coordinates(flat, dependence, sink)
@@ -28,6 +30,8 @@ def check(flat: fm.FlatModel, sink: Sink, *, sampled: bool = True) -> None:
     check_inertias(flat, dependence, sink)
     check_gravity(flat, dependence, sink, sampled=sampled)
     check_freedom(flat, dependence, sink)
+    if sampled:
+        check_doubled(flat, dependence, sink)
     check_effects(flat, dependence, sink)
     check_reactions(flat, sink)
     check_constraints(flat, sink)

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from itertools import pairwise
 
 from lark import Token
 
 from lagdsl.diagnostics import Edit, Label
-from lagdsl.diagnostics.catalog.habits import call_help, energy_help, function_help
+from lagdsl.diagnostics.catalog.habits import (
+    OF_MOTION,
+    call_help,
+    constraint_help,
+    energy_help,
+    function_help,
+    value_help,
+)
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
 from lagdsl.syntax.session import CLOSING, Session
@@ -136,9 +144,43 @@ def bare_equation(session: Session, token: Token) -> bool:
         called = next((t.value for t, mark in pairwise(tokens) if t.type == "IDENT" and mark.value == "("), None)
         if way is None and called is not None:
             way = function_help(called, ())
-        session.sink.report("E0103", span, help=way, line=session.file.line_number(start))
+        if way is None and sides:
+            way = _of_declared(session, tokens, span.text)
+        outer = session.outermost_block()
+        above = start if outer is None else start_of(outer)
+        session.sink.report("E0103", span, help=way, line=session.file.line_number(above))
     session.panic(token)
     return True
+
+
+_OPERATORS = frozenset("+-*/^")
+_DECLARED = r"\b{keyword}\s+[\w.]+(?:\s*\[[^\]]*\])?\s+(?:[^;]*,\s*)?{name}\s*[\[(,;\"=]"
+
+
+def _of_declared(session: Session, equation: list[Token], text: str) -> str | None:
+    """Help for an equation that would define nothing among equations, as far as the text around tells."""
+    words, text = [token.value for token in equation], text.partition("\n")[0]
+    left, right = words[: words.index("=")], words[words.index("=") + 1 :]
+    alone = equation[-1].type != "IDENT"  # on the right, where there is one word
+    rate = left[:2] == ["der", "("]
+    if left[:4] == ["der", "(", "der", "("]:
+        return OF_MOTION
+    name = left[2] if rate and len(left) > 2 else left[0]
+    if len(left) == 1 or left[1] == "[" or rate:
+        if _is_declared(session, "coordinate", name):
+            return constraint_help(text)
+        if not rate and any(_is_declared(session, word, name) for word in ("parameter", "constant")):
+            return value_help(name)
+    elif not _OPERATORS.isdisjoint(left) and (
+        right[1:] or alone or any(_is_declared(session, "coordinate", each) for each in right)
+    ):
+        return constraint_help(text)
+    return None
+
+
+def _is_declared(session: Session, keyword: str, name: str) -> bool:
+    pattern = _DECLARED.format(keyword=keyword, name=re.escape(name))
+    return re.search(pattern, session.file.text) is not None
 
 
 def _sides(statement: Iterable[Token]) -> list[Token] | None:

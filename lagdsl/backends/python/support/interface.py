@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, frame_of, point_of
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
-from lagdsl.backends.python.support.names import arrays_of, own_entries, with_entries
+from lagdsl.backends.python.support.names import arrays_of, own_entries, real_numbers, with_entries
 
 Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
@@ -335,7 +335,7 @@ def interface_over(
 
 def _time(t: ArrayLike, shape: tuple[int, ...], count: int) -> Floats:
     """Raises ValueError for what must be the coordinates: one state whose time is a vector as long as it."""
-    time = _numbers("t", t)
+    time = real_numbers("t", t)
     if time.ndim and time.shape[-1] == count and len(shape) == 1 and count > 1:
         raise ValueError(
             f"t has the shape {time.shape}, that of coordinates: the time is the first argument. For one state at "
@@ -349,15 +349,8 @@ def _is_partial(given: Entries | None) -> bool:
     return given is None or isinstance(given, Mapping)
 
 
-def _numbers(name: str, value: ArrayLike) -> Floats:
-    try:
-        return np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be made of real numbers in SI units: {error}") from error
-
-
 def _vector(name: str, value: ArrayLike, length: int) -> Floats:
-    array = _numbers(name, value)
+    array = real_numbers(name, value)
     if array.ndim == 0 and length == 1:
         array = array.reshape(1)
     if array.ndim == 0 or array.shape[-1] != length:

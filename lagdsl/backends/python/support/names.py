@@ -11,6 +11,18 @@ Floats = NDArray[np.float64]
 _SUBSCRIPTS = re.compile(r"\[([^\[\]]*)\]")
 
 
+def real_numbers(name: str, value: ArrayLike) -> Floats:
+    """An array of floats. Raises ValueError for what is none, complex numbers included: NumPy would drop the imaginary
+    parts."""
+    try:
+        given = np.asarray(value)
+        if np.iscomplexobj(given):
+            raise TypeError("these are complex")
+        return np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be made of real numbers in SI units: {error}") from error
+
+
 def with_entries(
     what: str, names: Sequence[str], given: Mapping[str, ArrayLike], others: ArrayLike | None = None
 ) -> Floats:
@@ -22,7 +34,7 @@ def with_entries(
     found: dict[int, Floats] = {}
     for name, value in given.items():
         places = _places(what, names, name)
-        array = np.asarray(value, dtype=np.float64)
+        array = real_numbers(name, value)
         single = _elements(name, array, places, names) if names[places[0]] != name else [array]
         for place, element in zip(places, single, strict=True):
             if place in found:
@@ -31,7 +43,7 @@ def with_entries(
     if others is None and len(found) < len(names):
         missing = [name for place, name in enumerate(names) if place not in found]
         raise ValueError(f"{what}: there is no value for {', '.join(missing)}")
-    rest = np.zeros(len(names)) if others is None else np.asarray(others, dtype=np.float64)
+    rest = np.zeros(len(names)) if others is None else real_numbers(what, others)
     columns = [found[place] if place in found else rest[..., place] for place in range(len(names))]
     return np.stack(np.broadcast_arrays(*columns), axis=-1) if columns else np.zeros(0)
 

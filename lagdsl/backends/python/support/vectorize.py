@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.elementary import Elementary
+from lagdsl.backends.python.support.names import real_numbers
 
 Floats = NDArray[np.float64]
 Signature = tuple[tuple[str, int | None], ...]
@@ -41,7 +42,7 @@ def apply(
     """
     if len(arguments) != len(signature):
         raise ValueError(f"{name} takes {len(signature)} arguments, not {len(arguments)}")
-    arrays = [np.asarray(argument, dtype=np.float64) for argument in arguments]
+    arrays = [real_numbers(label, argument) for argument, (label, _) in zip(arguments, signature, strict=True)]
     leading: tuple[int, ...] = ()
     for array, (label, length) in zip(arrays, signature, strict=True):
         if length is not None and (array.ndim == 0 or array.shape[-1] != length):
