@@ -6,6 +6,12 @@ that are longer than a screen, and files of other tools, lie in `texts` beside t
 
 from __future__ import annotations
 
+import pytest
+from choice import engines
+
+import lagdsl
+from lagdsl.runtime.engines.engine import EngineName
+
 # ---- bounces: a contact that is located as closing strikes -------------------------------------------------------------
 
 # ---- fixed steps after bounces -----------------------------------------------------------------------------------------
@@ -25,6 +31,25 @@ from __future__ import annotations
 # ---- linearization of circuits, verdicts on sampled loops --------------------------------------------------------------
 
 # ---- lowest and highest of outputs -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("engine", engines(["tape", "c", "numpy"]))
+def test_the_highest_of_an_output_lies_between_rows(engine: EngineName) -> None:
+    """x = cos 10 t passes zero at pi/20 s, where the output is 1; outside of 4 cm it is nothing."""
+    text = """
+    model Flash
+      coordinate Length x(start = 1 m);
+      kinetic 1/2*(1 kg)*der(x)^2;
+      potential 1/2*(100 N/m)*x^2;
+      output Real flash = exp(-(x/(5 mm))^2);
+      output Length twice = 2*x;
+    end Flash;
+    """
+    motion = lagdsl.compile(text, engine=engine).simulate(stop=3.0, interval=0.5)
+    assert motion.column("flash").highest == pytest.approx(1.0, rel=1e-6)
+    assert motion.column("flash").lowest == 0.0
+    assert motion.column("twice").lowest == pytest.approx(-2.0, rel=1e-7)
+
 
 # ---- derivations: stability and equilibria -----------------------------------------------------------------------------
 
