@@ -28,6 +28,28 @@ from lagdsl.runtime.engines.engine import EngineName
 
 # ---- certificates of statics -------------------------------------------------------------------------------------------
 
+
+def test_a_mechanism_that_cannot_move_has_a_certificate() -> None:
+    """A shelf on two consoles, one row too many: it stays where it is, and no momentum is called one of symmetry."""
+    text = """
+    model Shelf
+      coordinate Length x, y(start = 1.2 m);
+      coordinate Angle q;
+      frame board = world.at({x, y, 0}).rotz(q);
+      body b(m = 4 kg, com = {0.05 m, 0}, Izz = 0.3 kg.m2) on board;
+      gravity = -g_n*world.y;
+      point L = board.point({-0.3 m, 0, 0}), R = board.point({0.5 m, 0, 0});
+      constraint left: {L.x, L.y} = {-0.3 m, 1.2 m};
+      constraint right: {R.x, R.y} = {0.5 m, 1.2 m};
+      output Force F[2] = multiplier(left);
+      annotation(experiment(StopTime = 1));
+    end Shelf;
+    """
+    certificate = lagdsl.compile(text).verify()
+    assert certificate.holds
+    assert not any("ignorable" in line.says for line in certificate.lines)
+
+
 # ---- linearization of circuits, verdicts on sampled loops --------------------------------------------------------------
 
 # ---- lowest and highest of outputs -------------------------------------------------------------------------------------
