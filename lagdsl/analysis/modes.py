@@ -131,7 +131,7 @@ def _normalized(vectors: Complexes) -> Complexes:
 
 
 def held_text(names: Sequence[str]) -> str:
-    """What eigenvalues are those of, where samples close a loop."""
+    """The words for eigenvalues of a model in which samples close a loop."""
     told = ", ".join(f"`{name}`" for name in names[:_MOST_TOLD])
     more = f" and {len(names) - _MOST_TOLD} more" if len(names) > _MOST_TOLD else ""
     return f"the sampled controller is held ({told}{more}), and these figures are those of the plant alone"
