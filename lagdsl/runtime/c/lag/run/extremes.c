@@ -242,6 +242,18 @@ static void see_outputs(lag_extremes *extremes, size_t ny, const double *y, cons
     }
 }
 
+/* Outputs on the dense output, which are seen; no numbers where the method has none: that does not end the run. */
+static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, double *y, const unsigned char *without)
+{
+    const size_t ny = run->motion.model->ny;
+    if (lag_stepper_dense(&run->stepper, t, extremes->sample) == LAG_OK) {
+        find_outputs(run, t, extremes->sample, y);
+    } else {
+        lag_fill(ny, (double)NAN, y);
+    }
+    see_outputs(extremes, ny, y, without);
+}
+
 /* True if states on the cubics show that some output may exceed its range so far, or hide what is between them. */
 static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
 {
@@ -261,7 +273,7 @@ static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, co
             const double sign = side ? -1.0 : 1.0;
             take_values(extremes, ny, i, SCREEN, sign, y);
             for (size_t k = 0; k <= SCREEN; ++k) {
-                if (isnan(y[k]) || is_hidden(y, SCREEN, k) || reach_at(y, SCREEN, k) > record_of(extremes, ny, i, sign)) {
+                if ((isnan(y[k]) && !isnan(y[SCREEN])) || is_hidden(y, SCREEN, k) || reach_at(y, SCREEN, k) > record_of(extremes, ny, i, sign)) {
                     return 1;
                 }
             }
@@ -274,7 +286,7 @@ static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, co
  * The largest value of sign times output i between two times, of which `known` at `at` is the largest so far: by parabolas, else the golden
  * section (Brent, Algorithms for minimization without derivatives, 1973, chapter 5). Every output is seen on the way.
  */
-static lag_status search(lag_extremes *extremes, lag_run *run, const unsigned char *without, size_t i, double sign, double a, double b,
+static void search(lag_extremes *extremes, lag_run *run, const unsigned char *without, size_t i, double sign, double a, double b,
     double at, double known)
 {
     static const double GOLD = 0.3819660112501051;
@@ -297,16 +309,11 @@ static lag_status search(lag_extremes *extremes, lag_run *run, const unsigned ch
             step = GOLD * earlier;
         }
         const double u = x + (fabs(step) >= close ? step : step > 0.0 ? close : -close);
-        const lag_status status = lag_stepper_dense(&run->stepper, u, extremes->sample);
-        if (status != LAG_OK) {
-            return status;
-        }
-        find_outputs(run, u, extremes->sample, y);
-        see_outputs(extremes, ny, y, without);
+        find_outputs_inside(extremes, run, u, y, without);
         ++extremes->searched;
         const double fu = sign * y[i];
         if (isnan(fu)) {
-            return LAG_OK;
+            return;
         }
         if (fu >= fx) {
             *(u < x ? &b : &a) = x;
@@ -323,52 +330,44 @@ static lag_status search(lag_extremes *extremes, lag_run *run, const unsigned ch
             }
         }
     }
-    return LAG_OK;
 }
 
 /* Searches where values of outputs at equal distances show that there may be more beside them, or hide what is there. */
-static lag_status search_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+static void search_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
 {
     const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
     const double part = (t - s->t_before) / LAG_SAMPLES;
     double y[LAG_SAMPLES + 1];
-    lag_status status = LAG_OK;
     for (size_t i = 0; i < ny; ++i) {
         for (int side = 0; side < 2 && (without == NULL || !without[i]); ++side) {
             const double sign = side ? -1.0 : 1.0;
             take_values(extremes, ny, i, LAG_SAMPLES, sign, y);
-            for (size_t k = 0; k <= LAG_SAMPLES && status == LAG_OK; ++k) {
+            for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
                 const double reach = reach_at(y, LAG_SAMPLES, k);
                 const int worth = extremes->searched < s->evaluations + SPARE && is_hidden(y, LAG_SAMPLES, k);
                 if (reach > record_of(extremes, ny, i, sign) || (reach > -(double)INFINITY && worth)) {
                     const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
                     const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;
-                    status = search(extremes, run, without, i, sign, a, b, s->t_before + part * (double)k, y[k]);
+                    search(extremes, run, without, i, sign, a, b, s->t_before + part * (double)k, y[k]);
                 }
             }
         }
     }
-    return status;
 }
 
-static lag_status look_at_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+static void look_at_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
 {
-    lag_stepper *s = &run->stepper;
+    const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
     if (!outputs_get_beyond(extremes, run, t, without)) {
-        return LAG_OK;
+        return;
     }
     for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
         const double at = s->t_before + (t - s->t_before) * (double)k / LAG_SAMPLES;
-        const lag_status status = lag_stepper_dense(s, at, extremes->sample);
-        if (status != LAG_OK) {
-            return status;
-        }
-        find_outputs(run, at, extremes->sample, extremes->outputs + k * ny);
-        see_outputs(extremes, ny, extremes->outputs + k * ny, without);
+        find_outputs_inside(extremes, run, at, extremes->outputs + k * ny, without);
     }
-    return search_outputs(extremes, run, t, without);
+    search_outputs(extremes, run, t, without);
 }
 
 lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
@@ -380,7 +379,7 @@ lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t, con
         status = look_inside(extremes, s, t);
     }
     if (t > s->t_before && run->motion.model->ny > 0 && status == LAG_OK) {
-        status = look_at_outputs(extremes, run, t, without);
+        look_at_outputs(extremes, run, t, without);
     }
     if (whole && status == LAG_OK) {
         for (size_t i = 0; i < extremes->size; ++i) {
