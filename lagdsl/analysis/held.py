@@ -1,12 +1,21 @@
-"""Discrete variables in a linearization: they keep their values."""
+"""Discrete variables in a linearization: they keep their values, so that a loop that is closed by samples is open."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from lagdsl.analysis.point import System
+from lagdsl.analysis.sparsity.accelerations import bits_of
+from lagdsl.analysis.sparsity.influence import Influences
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Reset
 from lagdsl.flat.model import FlatModel
+from lagdsl.graph.operation import Group
 
 _MOST_TOLD = 4
 _SAMPLED = "the sampled loop is open here, its entries are zero; write the continuous law in its place to see it closed"
+_SAMPLED_KINDS = ("variable", "condition", "relation")
 _OTHER = "entries of what acts through them are zero; start the model in the mode that you mean"
 
 
@@ -24,3 +33,40 @@ def report_held(flat: FlatModel, sink: Sink) -> None:
         held=f"{', '.join(names)}{more}{by}",
         advice=_SAMPLED if clocks else _OTHER,
     )
+
+
+def sampled(system: System) -> tuple[str, ...]:
+    """Names of what ticks of clocks set and the motion depends on: the signals of sampled controllers. Discrete
+    variables, relations that read them, and states that are reset at ticks."""
+    program, layout = system.program, system.program.layout
+    if not system.flat.events.clocks:
+        return ()
+    graph = program.graph
+    symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
+    after, acts = (block.elements for block in program.function("event").results[:2])
+    indicators = program.function("indicator").results[0].elements
+    motion = [
+        node for name in ("residual", "state_derivative") for block in program.function(name).results
+        for node in block.elements
+    ]  # fmt: skip
+    found = Influences(graph, [*after, *acts, *indicators, *motion], {node: 1 << k for k, node in enumerate(symbols)})
+    relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
+    read = {place: found[node][0] for place, node in enumerate(after)}
+    read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
+    ticking = _reached(layout.kinds, read)
+    acting = bits_of(found.of_all(motion)[0] & ticking)
+    resets = [action.name for branch in branches(system.flat) for action in branch.actions if isinstance(action, Reset)]
+    reset = [name for name, node in zip(resets, acts, strict=True) if found[node][0] & ticking]
+    return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *reset]))
+
+
+def _reached(kinds: Sequence[str], read: dict[int, int]) -> int:
+    """Bits of the entries that change at ticks, from the bits that each `read`s."""
+    clocks = sum(1 << place for place, kind in enumerate(kinds) if kind == "clock")
+    reached, before = clocks, 0
+    while reached != before:
+        before = reached
+        for place, bits in read.items():
+            if kinds[place] in _SAMPLED_KINDS and bits & reached:
+                reached |= 1 << place
+    return reached & ~clocks

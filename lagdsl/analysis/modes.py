@@ -9,6 +9,7 @@ import numpy as np
 
 from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.eigen import Complexes, eigen
+from lagdsl.analysis.held import sampled
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, System
@@ -18,6 +19,7 @@ from lagdsl.numerics.rank import Floats
 
 # Real parts below this part of the eigenvalue's magnitude count as zero: twice the digits of a double eigenvalue.
 AXIS = 1e-7
+_MOST_TOLD = 4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,7 +29,8 @@ class Modes:
     `places` are all coordinates and first-order states; the largest entry of a shape is 1, others are relative to it in
     SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state,
     generalized ones for the zeros.
-    `dropped` counts zeros that were left out, one for each integrable row of velocity level.
+    `dropped` counts zeros that were left out, one for each integrable row of velocity level. `held` are signals of
+    sampled controllers: the modes are those of the plant with these signals held, and decide nothing about the loop.
     """
 
     model: str
@@ -40,6 +43,7 @@ class Modes:
     steadiness: Steadiness
     dropped: int
     integrable: tuple[str, ...]
+    held: tuple[str, ...] = ()
 
     @property
     def frequencies(self) -> Floats:
@@ -97,6 +101,7 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         steadiness=found,
         dropped=len(plain.value) - len(at.value),
         integrable=tuple(layout.constraints[row].name for row in integrable),
+        held=sampled(system),
     )
 
 
@@ -125,6 +130,13 @@ def _normalized(vectors: Complexes) -> Complexes:
     return result
 
 
+def held_text(names: Sequence[str]) -> str:
+    """The words for eigenvalues of a model in which samples close a loop."""
+    told = ", ".join(f"`{name}`" for name in names[:_MOST_TOLD])
+    more = f" and {len(names) - _MOST_TOLD} more" if len(names) > _MOST_TOLD else ""
+    return f"the sampled controller is held ({told}{more}), and these figures are those of the plant alone"
+
+
 def statement(modes: Modes) -> str:
     """Lyapunov's theorem on the first approximation, in plain words."""
     values = modes.eigenvalues
@@ -135,6 +147,8 @@ def statement(modes: Modes) -> str:
         return "no statement: the point is neither an equilibrium nor part of a steady motion"
     if system == "no freedom":
         return "no statement: nothing is free to move, so that there is no mode"
+    if modes.held:
+        return f"no statement on stability: {held_text(modes.held)}"
     if modes.unstable:
         growing = values[values.real > AXIS * np.abs(values)]
         oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))

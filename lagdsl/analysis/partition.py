@@ -52,7 +52,7 @@ class Partition:
         dependent = [j for j in range(n) if j not in set(independent)]
         result = np.zeros((n, right.shape[1]))
         if dependent and len(rows):
-            lengths = _lengths(rows * self.sizes)
+            lengths = _powers_of_two(_lengths(rows * self.sizes))
             matrix = (rows * self.sizes / lengths[:, None])[:, dependent]
             result[dependent] = self.sizes[dependent, None] * _solved(matrix, right / lengths[:, None])
         return result
@@ -109,7 +109,11 @@ def directions(system: System, point: Point, chosen: Partition, inputs: int) -> 
 
 
 def _solved(matrix: Floats, right: Floats) -> Floats:
-    """Of full column rank; rows that depend on others agree with them."""
+    """Of full column rank; rows that depend on others agree with them. By elimination in rows that do not: what cancels
+    between rows of ones, as currents of a node, leaves no round-off."""
+    rows = _dependent(matrix.T, range(len(matrix)))
+    if len(rows) == matrix.shape[1]:
+        return np.asarray(np.linalg.solve(matrix[rows], right[rows]))
     return np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0])
 
 
@@ -117,6 +121,11 @@ def _lengths(rows: Floats) -> Floats:
     """Lengths of the rows; infinite for a row that vanishes on the constraints: its direction is round-off."""
     lengths = np.linalg.norm(rows, axis=1)
     return np.where(lengths > _VANISHES * np.max(lengths, initial=0.0), lengths, np.inf)
+
+
+def _powers_of_two(lengths: Floats) -> Floats:
+    """The next larger ones: a division by them does not round."""
+    return np.ldexp(1.0, np.frexp(lengths)[1])
 
 
 def _dependent(rows: Floats, place: Sequence[int]) -> list[int]:

@@ -15,6 +15,7 @@ import numpy as np
 
 from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.eigen import Complexes, eigen
+from lagdsl.analysis.held import sampled
 from lagdsl.analysis.linearize import Named, Reduced, reduce
 from lagdsl.analysis.modes import AXIS
 from lagdsl.analysis.point import Point, System
@@ -53,7 +54,7 @@ class Threshold:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Variation:
     """`eigenvalues` (k, n) [1/s], each column a branch, nan where there is no linearization; `unstable` (k,) numbers
-    of growing modes, -1 there."""
+    of growing modes, -1 there. `held`: see `Modes`; thresholds are those of the plant, then, not of the loop."""
 
     model: str
     varied: Named
@@ -61,6 +62,7 @@ class Variation:
     eigenvalues: Complexes
     unstable: tuple[int, ...]
     thresholds: tuple[Threshold, ...]
+    held: tuple[str, ...] = ()
 
 
 def variation(system: System, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
@@ -82,6 +84,7 @@ def variation(system: System, varied: Named, values: Sequence[float], place: Pla
         eigenvalues=_branches(found),
         unstable=counts,
         thresholds=tuple(thresholds),
+        held=sampled(system),
     )
 
 

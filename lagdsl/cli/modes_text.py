@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from lagdsl.analysis.modes import AXIS, Modes
+from lagdsl.analysis.modes import AXIS, Modes, held_text
 from lagdsl.analysis.point import System
 from lagdsl.analysis.variation import Variation
 from lagdsl.cli.state_text import point_text, steadiness_text
@@ -82,6 +82,8 @@ def variation_text(found: Variation, shown: Display) -> str:
         lines.append(f"  threshold {name} = {shown(each.value):.12g}{unit}: {how}, growing {side}")
     if not found.thresholds:
         lines.append("  no eigenvalue crosses the imaginary axis")
+    if found.held:
+        lines.append(f"  no statement on stability: {held_text(found.held)}")
     missing = sum(count < 0 for count in found.unstable)
     if missing:
         lines.append(f"  {missing} value(s) have no linearization")

@@ -40,7 +40,9 @@ def linearization_table(found: Linearization) -> str:
     parts = [("A", found.A, states, states), ("B", found.B, states, inputs)]
     parts += [("C", found.C, outputs, states), ("D", found.D, outputs, inputs)]
     made = [_matrix(name, matrix, rows, columns) for name, matrix, rows, columns in parts if rows and columns]
-    return f"<b>{escape(found.model)}</b>{''.join(made)}"
+    names = ", ".join(each.name for each in found.left_out)
+    told = f"<p>Left out: {escape(names)}; no other state and no output depends on these charges.</p>"
+    return f"<b>{escape(found.model)}</b>{told if names else ''}{''.join(made)}"
 
 
 def certificate_table(found: Certificate) -> str:

@@ -187,6 +187,7 @@ class Extremes(Structure):
     _fields_ = [
         *_all(c_size_t, "size count"),
         *_all(c_void_p, "low high turns pivot way sample outputs"),
+        *_all(c_size_t, "searched"),
     ]
 
 

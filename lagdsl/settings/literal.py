@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import re
+
 from lagdsl.diagnostics import Sink
 from lagdsl.record import record
 from lagdsl.settings.failure import SettingError, short
@@ -11,10 +14,11 @@ from lagdsl.syntax.parser import parse_expression
 from lagdsl.units.definition import si_value
 from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
 from lagdsl.units.naming import describe
-from lagdsl.units.parse import counts_otherwise, parse_unit
+from lagdsl.units.parse import UnknownUnit, counts_otherwise, parse_unit
 
 _OF_NUMBERS = ("E0105", "E0108", "E0116")
 """No unit, a character such as a degree sign, no number of double precision."""
+_WRITTEN = re.compile(r"([+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)[ \t]*([^0-9. \t].*|1/.*)")
 
 
 @record()
@@ -31,7 +35,8 @@ class Literal:
 
 
 def literal(name: str, text: str, example: str = "2 kg") -> Literal:
-    """A number, a quantity as in a model text (`2000 g`), or true or false. Raises SettingError."""
+    """A number, a quantity as in a model text (`2000 g`) or with a unit as in its declaration (`2 V/(rad.s)`), or true
+    or false. Raises SettingError."""
     where = f"{name}={short(text)}"
     sink = Sink()
     expression = parse_expression(SourceFile(name, text), sink)
@@ -53,10 +58,38 @@ def literal(name: str, text: str, example: str = "2 kg") -> Literal:
         )
     if isinstance(expression, nodes.Boolean):
         return Literal(text, float(expression.value), DIMENSIONLESS, boolean=True)
+    declared = _with_declared_unit(text)
+    if declared is not None:
+        return declared
     for fault in sink.diagnostics:
         if fault.code in _OF_NUMBERS or (fault.code == "E0100" and fault.edit is not None):  # or a decimal comma
             raise SettingError(f"{where}: {fault.message}; {fault.help}")
+    if (suggestion := _unit_meant(text)) is not None:
+        raise SettingError(f"{where}: did you mean the unit `{suggestion}`?")
     raise SettingError(f"{where}: expected a number with or without a unit, as in {example}")
+
+
+def _with_declared_unit(text: str) -> Literal | None:
+    """`2 V/(rad.s)`, `2 1/s`: units of declarations, which in a model text would be products with names."""
+    match = _WRITTEN.fullmatch(text.strip())
+    try:
+        definition = parse_unit(match[2]) if match is not None else None
+    except UnknownUnit:
+        return None
+    if match is None or definition is None:
+        return None
+    value = si_value(match[1], definition)
+    return Literal(text, value, definition.dimension, unit=match[2]) if math.isfinite(value) else None
+
+
+def _unit_meant(text: str) -> str | None:
+    """The unit that resembles what stands behind a number: `V/rad.s` for `2 V/rad/s`."""
+    match = _WRITTEN.fullmatch(text.strip())
+    try:
+        parse_unit(match[2] if match is not None else "")
+    except UnknownUnit as fault:
+        return fault.suggestion
+    return None
 
 
 def require_dimension(name: str, given: Literal, dimension: Dimension, unit: str) -> None:

@@ -18,7 +18,7 @@ _TOKEN = re.compile(r"(?P<name>[A-Za-z_µμ°%Ω]+)|(?P<one>1)|(?P<mark>[./()*])
 _EXPONENT = re.compile(r"\^?(?P<whole>[+-]?[1-9][0-9]?)(?![0-9])|\^\((?P<ratio>-?[1-9][0-9]?/[1-9][0-9]?)\)")
 _LONGEST = 100
 _CYCLES = ("Hz", "kHz", "MHz")
-_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "rpm"})
+_ANGLES = frozenset({"rad", "mrad", "deg", "arcmin", "arcsec", "rev", "rpm"})
 
 
 class UnknownUnit(ValueError):  # noqa: N818 the contract's name
@@ -150,12 +150,14 @@ _SPELLINGS = {
     "Nm": "N.m", "kNm": "kN.m", "Nmm": "N.mm", "Ns": "N.s", "Nms": "N.m.s", "kgm": "kg.m", "Ws": "W.s", "As": "A.s",
     "kWh": "kW.h", "Ah": "A.h", "Vs": "V.s", "kmh": "km/h", "kph": "km/h", "mps": "m/s", "cc": "cm3",
     "sec": "s", "secs": "s", "hr": "h", "hrs": "h", "mins": "min", "in": "inch", "L": "litre", "l": "litre",
-    "Kg": "kg", "KG": "kg", "°": "deg", "RPM": "rpm", "Ω": "Ohm", "°C": "degC",
+    "Kg": "kg", "KG": "kg", "KN": "kN", "Kn": "kN", "°": "deg", "RPM": "rpm", "Ω": "Ohm", "°C": "degC",
     "µm": "um", "μm": "um", "µs": "us", "μs": "us",
 }  # fmt: skip
 _FULL_NAMES = {
     "meter": "m", "metre": "m", "gram": "g", "kilo": "kg", "second": "s", "minute": "min", "hour": "h",
     "tonne": "t", "ton": "t", "liter": "litre", "litre": "litre", "micron": "um", "inche": "inch",
+    "foot": "ft", "feet": "ft", "yard": "yd", "pound": "lb", "knot": "kn", "horsepower": "hp", "calorie": "cal",
+    "electronvolt": "eV", "arcminute": "arcmin", "arcsecond": "arcsec", "percent": "%", "atmosphere": "atm",
     "radian": "rad", "degree": "deg", "turn": "rev", "revolution": "rev", "hertz": "Hz", "kelvin": "K",
     "newton": "N", "joule": "J", "watt": "W", "pascal": "Pa", "volt": "V", "amp": "A", "ampere": "A", "ohm": "Ohm",
     "celsius": "degC", "farad": "F", "henry": "H", "tesla": "T", "weber": "Wb", "coulomb": "C",

@@ -19,14 +19,17 @@ def literal_text(number: str, unit: str) -> str:
 _LONGEST = 80  # characters on each side that are looked at
 _POWER = r"[A-Za-z]+[0-9]?(?:(?:\^|\*\*)-?[1-9])?"
 _FACTOR = rf"{_POWER}(?:\.{_POWER})*"
+_BRACKET = rf"{_POWER}(?:[ \t]*[.*][ \t]*{_POWER})*"
 _PRODUCT = re.compile(
     rf"(?<![\w.])(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)"
-    rf"(?P<units>(?:[ \t]*(?![eE])|[ \t]+){_FACTOR})?(?P<rest>(?:[ \t]*[*/][ \t]*{_FACTOR})+)(?![\w(\[.])"
+    rf"(?P<units>(?:[ \t]*(?![eE])|[ \t]+){_FACTOR})?(?P<rest>(?:[ \t]*[*/][ \t]*(?:{_FACTOR}|\({_BRACKET}\)))+)"
+    rf"(?![\w(\[.])"
 )
 
 
 def literal_around(text: str, start: int, end: int) -> str | None:
-    """The literal, `9.81 m/s2`, of the product of a number and units that the name at `start` to `end` is part of."""
+    """The literal, `9.81 m/s2`, of the product of a number and units that the name at `start` to `end` is part of:
+    `9.81*m/s^2`, `2 V/(rad.s)`."""
     first = max(start - _LONGEST, text.rfind("\n", 0, start) + 1)
     for match in _PRODUCT.finditer(text, first, min(end + _LONGEST, len(text))):
         if match.start() <= start and end <= match.end():
@@ -60,8 +63,8 @@ def _literal(match: re.Match[str]) -> str | None:
     """None where a factor is no unit."""
     above: list[str] = [match["units"].strip()] if match["units"] else []
     below: list[str] = []
-    for mark, factor in re.findall(rf"([*/])[ \t]*({_FACTOR})", match["rest"]):
-        (above if mark == "*" else below).append(factor)
+    for mark, factor in re.findall(rf"([*/])[ \t]*({_FACTOR}|\({_BRACKET}\))", match["rest"]):
+        (above if mark == "*" else below).append(re.sub(r"[ \t()]+", "", factor).replace("**", "^").replace("*", "."))
     if any("/" in factor for factor in above):
         return None
     unit = ".".join(above) + (f"/{'.'.join(below)}" if below else "")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from lagdsl.diagnostics import CompilationFailed
+from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.signals.trajectory import Trajectory
@@ -16,10 +17,13 @@ from lagdsl.simulate.simulate import simulate
 from lagdsl.verify.certificate import Line
 from lagdsl.verify.conserved.along import along
 from lagdsl.verify.conserved.find import conserved_quantities
+from lagdsl.verify.states import coordinate_sizes
 
 _ROWS = 201
 _ON_CONSTRAINTS = 1e-6
 _FINER = 0.1
+# A coordinate with a range of this part of its natural size rests; its range is round-off.
+_RESTS = 1e-12
 
 
 def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
@@ -46,7 +50,7 @@ def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
     quantities = conserved_quantities(compilation)
     if quantities:
         yield from along(compilation, quantities, found, initial_state(flat, engine).p, experiment.tolerance)
-    yield _against_finer(found, finer)
+    yield _against_finer(found, finer, coordinate_sizes(flat, compilation.program, initial_state(flat, engine).p))
 
 
 def _on_constraints(found: Trajectory) -> Line:
@@ -62,14 +66,15 @@ def _on_constraints(found: Trajectory) -> Line:
     )
 
 
-def _against_finer(found: Trajectory, finer: Trajectory) -> Line:
-    """The largest difference of a coordinate, as a part of its range, at the times that both have."""
+def _against_finer(found: Trajectory, finer: Trajectory, sizes: Floats) -> Line:
+    """The largest difference of a coordinate at the times that both have, as a part of its range, or of its natural
+    size where it rests."""
     largest, where = 0.0, ""
-    for mine, other in zip(found.columns, finer.columns, strict=True):
-        if mine.kind != "coordinate":
-            continue
+    pairs = [pair for pair in zip(found.columns, finer.columns, strict=True) if pair[0].kind == "coordinate"]
+    for (mine, other), size in zip(pairs, sizes.tolist(), strict=True):
         at = np.interp(found.time, finer.time, other.values)
-        spread = max(mine.highest - mine.lowest, np.finfo(float).tiny)
+        spread = mine.highest - mine.lowest
+        spread = spread if spread > _RESTS * size else size
         part = float(np.max(np.abs(mine.values - at), initial=0.0)) / spread
         if part > largest:
             largest, where = part, f"largest in {mine.name}"

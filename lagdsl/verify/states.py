@@ -13,6 +13,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Program
+from lagdsl.structure.points import natural_sizes
 
 Arrays: TypeAlias = dict[Group, Any]
 """Values by group, one row for each state."""
@@ -65,6 +66,12 @@ def drawn_states(
     return state | {g: random.normal(size=(len(p), n)) for g, n in sizes.items() if g not in state}
 
 
+def coordinate_sizes(flat: FlatModel, program: Program, p: Floats) -> Floats:
+    """Natural sizes (nq,) of the coordinates."""
+    (start, _, _, _) = values(program, "start", {Group.TIME: np.asarray(flat.experiment.start_time), Group.P: p})
+    return natural_sizes(flat.coordinates, program.layout.components, np.asarray(start, dtype=float))
+
+
 def whole_parameters(flat: FlatModel) -> Flags:
     """(np) True where a parameter is a Boolean or an Integer, which keeps its value."""
     return np.array([p.kind != "Real" for p in flat.parameters if not p.structural], dtype=np.bool_)
@@ -72,9 +79,13 @@ def whole_parameters(flat: FlatModel) -> Flags:
 
 def about(start: Floats, random: np.random.Generator) -> Floats:
     """Within a third of the start value; where that is zero, of one SI unit or of the largest neighbor."""
+    return np.asarray(start + 0.3 * drawn_sizes(start) * random.uniform(-1, 1, start.shape))
+
+
+def drawn_sizes(start: Floats) -> Floats:
+    """Of the start values; where one is zero, of the largest neighbor, or one SI unit."""
     size = np.max(np.abs(start), axis=-1, initial=0.0, keepdims=True)
-    scale = np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
-    return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, start.shape))
+    return np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
 
 
 def _widely(values: Floats, least: int, random: np.random.Generator) -> Floats:

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from named_models import compiled
 
-from lagdsl.fmi.sparsity.coupling import components, matching
-from lagdsl.fmi.sparsity.influence import Kind
+from lagdsl.analysis.sparsity.coupling import components, matching
+from lagdsl.analysis.sparsity.influence import Kind
 from lagdsl.fmi.variables.dependencies import Entry, dependencies
 from lagdsl.fmi.variables.scalar import Role
 from lagdsl.graph.operation import Group

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from choice import engines
@@ -97,3 +99,26 @@ def test_extremes_are_those_of_a_fine_grid(tolerance: float) -> None:
         column = coarse.column(name)
         assert column.highest == pytest.approx(np.max(fine[name]), rel=1e-4)
         assert column.lowest == pytest.approx(np.min(fine[name]), rel=1e-4)
+
+
+@pytest.mark.parametrize("settings", [{}, {"tolerance": 1e-5}, {"solver": "radau"}, {"solver": "rk4", "step": 0.01}])
+def test_extremes_of_outputs_lie_between_rows(settings: dict[str, Any]) -> None:
+    """x = cos 10 t: products of states, an acceleration, peaks narrower than a step, and a function of time alone."""
+    text = """
+    model Peaks
+      coordinate Length x(start = 1 m);
+      kinetic 1/2*(1 kg)*der(x)^2;
+      potential 1/2*(100 N/m)*x^2;
+      output Power P = -100 N/m*x*der(x);
+      output Acceleration a = der(der(x));
+      output Real rest = 1 - 2/(1 + (x/(0.1 mm))^2);
+      output Length beside = 3 m - 2 m*exp(-((x - 0.3 m)/(2 cm))^2);
+      output Real fast = sin(200 rad/s*time);
+    end Peaks;
+    """
+    motion = lagdsl.compile(text).simulate(stop=3.0, interval=1.0, **settings)
+    known = {"P": (-500, 500), "a": (-100, 100), "rest": (-1, 1), "beside": (1, 3), "fast": (-1, 1)}
+    for name, (lowest, highest) in known.items():
+        column = motion.column(name)
+        assert column.lowest == pytest.approx(lowest, rel=1e-3)
+        assert column.highest == pytest.approx(highest, rel=1e-3)

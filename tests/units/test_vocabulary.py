@@ -73,6 +73,21 @@ def test_values_are_rounded_once():
     assert from_si(math.inf, UNITS["mm"]) == math.inf
 
 
+def test_customary_units_by_their_definitions():
+    """International yard and pound (1959), standard gravity, thermochemical calorie, SI 2019."""
+    foot, pound, gravity = 0.3048, 0.45359237, 9.80665
+    known = {
+        "ft": foot, "yd": 3 * foot, "inch": foot / 12, "mile": 5280 * foot, "kn": 1852 / 3600, "lb": pound,
+        "lbf": pound * gravity, "psi": pound * gravity / (foot / 12) ** 2, "atm": 101325.0, "cal": 4.184,
+        "kcal": 4184.0, "hp": 550 * foot * pound * gravity, "eV": 1.602176634e-19, "arcmin": math.pi / 180 / 60,
+        "arcsec": math.pi / 180 / 3600, "%": 0.01, "lbf.ft": foot * pound * gravity, "mile/h": 0.44704,
+    }  # fmt: skip
+    for name, factor in known.items():
+        assert parse_unit(name).factor == pytest.approx(factor, rel=1e-15)
+    assert parse_unit("lb").dimension == parse_unit("kg").dimension
+    assert parse_unit("lbf").dimension == parse_unit("N").dimension
+
+
 @given(st.sampled_from(sorted(UNITS)), st.floats(-1e9, 1e9))
 def test_there_and_back(name, number):
     unit = UNITS[name]

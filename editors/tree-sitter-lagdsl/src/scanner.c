@@ -24,7 +24,7 @@ void tree_sitter_lagdsl_external_scanner_deserialize(void *state, const char *bu
 
 static bool is_letter(int32_t c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 static bool is_power(int32_t c) { return c >= '1' && c <= '9'; }
-static bool goes_on(int32_t c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '^'; }
+static bool goes_on(int32_t c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '^' || c == '%'; }
 
 static bool is_unit(const char *word) {
   for (unsigned k = 0; k < sizeof UNITS / sizeof *UNITS; k++)
@@ -32,8 +32,12 @@ static bool is_unit(const char *word) {
   return false;
 }
 
-// `m`, `s2`, `s^-1`
+// `m`, `s2`, `s^-1`, `%`
 static bool factor(TSLexer *lexer) {
+  if (lexer->lookahead == '%') {
+    lexer->advance(lexer, false);
+    return true;
+  }
   char word[LONGEST + 1] = {0};
   for (unsigned k = 0; is_letter(lexer->lookahead); k++) {
     if (k == LONGEST) return false;

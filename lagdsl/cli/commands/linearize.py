@@ -29,6 +29,7 @@ def command(options: Options) -> None:
 def _parts(found: Linearization, where: str) -> list[str]:
     names = {"x": found.states, "u": found.inputs, "y": found.outputs}
     parts = [f"{found.model}: {len(found.states)} states, linearized at", where, steadiness_text(found.steadiness)]
+    parts += _left_out(found)
     for title, matrix, rows, columns in (
         ("A: rates of x by x", found.A, "x", "x"),
         ("B: rates of x by u", found.B, "x", "u"),
@@ -40,6 +41,11 @@ def _parts(found: Linearization, where: str) -> list[str]:
             body = _matrix(matrix, labels, [_label(n) for n in names[columns]])
             parts.append(f"{title}\n{body}")
     return parts
+
+
+def _left_out(found: Linearization) -> list[str]:
+    names = ", ".join(f"`{each.name}`" for each in found.left_out)
+    return [f"Left out: {names}; no other state and no output depends on these charges."] if names else []
 
 
 def _label(named: Named) -> str:
@@ -58,6 +64,7 @@ def _data(found: Linearization) -> dict[str, Any]:
         "states": [n.name for n in found.states],
         "inputs": [n.name for n in found.inputs],
         "outputs": [n.name for n in found.outputs],
+        "left_out": [n.name for n in found.left_out],
         "state_units": [n.unit for n in found.states],
         "input_units": [n.unit for n in found.inputs],
         "output_units": [n.unit for n in found.outputs],

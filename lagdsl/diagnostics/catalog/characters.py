@@ -19,7 +19,7 @@ _HELP = {
     "≠": "write `<>`",
     "≤": "write `<=`",
     "≥": "write `>=`",
-    "%": "a comment begins with `//`, the remainder is `mod(a, b)`, a percentage is a number: `0.05`",
+    "%": "a comment begins with `//`, the remainder is `mod(a, b)`, a percentage is a number with the unit `%`: `5 %`",
     "‰": "write a number: `0.005`",
     "#": "a comment begins with `//`",
     "?": "write `if condition then a else b`",
@@ -102,14 +102,20 @@ def character_help(text: str, before: str) -> str:
     if match := _BARS.fullmatch(text):
         return f"write `abs({match[1].strip()})` for the amount of a number, `norm(v)` for that of a vector"
     if match := _PERCENT.fullmatch(text):
-        return f"write `{match[1]}`"
+        return _of_percent(match[1], before)
     if text[0] == "°" and text not in ("°C", "°F") and (number := _NUMBER_BEFORE.search(before)):
         return f"write the unit `deg{text[1:]}`: `{number[1]} deg{text[1:]}`"
     if text == "'" and _NUMBER_BEFORE.search(before):
         return "digits are not grouped: write the number without marks"
     if text == "%" and (number := _NUMBER_BEFORE.search(before)):
-        return f"write the percentage as a number: `{float(number[1]) / 100:g}`; the remainder is `mod(a, b)`"
+        return f"the remainder is `mod({number[1]}, b)`; a percentage ends with its unit: `{number[1]} %`"
     return _HELP.get(text) or _HELP.get(text[0]) or _letters(text) or _OTHERWISE
+
+
+def _of_percent(name: str, before: str) -> str:
+    """`a %b`: a remainder behind an operand, else a name with a mark."""
+    number = _NUMBER_BEFORE.search(before)
+    return f"the remainder is `mod({number[1]}, {name})`" if number else f"write `{name}`"
 
 
 def _inside_of_word(text: str, before: str) -> str | None:

@@ -204,8 +204,8 @@ def count_help(name: str, arguments: tuple[str, ...]) -> str | None:
             return f"the rate is `der({q})`"
         case ("der", (q, "2")):
             return f"the second derivative is `der(der({q}))`"
-        case (("max" | "min"), (first, *others)) if len(others) > 1:
-            return f"write `{name}({first}, {name}({', '.join(others[:2])}))`"
+        case (("max" | "min"), (_, _, _, *_)):
+            return f"it takes two numbers or an array: `{name}({{{', '.join(arguments)}}})`"
         case ("log", (x, base)):
             return f"write `log({x})/log({base})`"
         case ("norm", (_, _, *_)):

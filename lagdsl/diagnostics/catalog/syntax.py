@@ -125,29 +125,37 @@ _GROUP = re.compile(r"\d{3}(?:\.\d+)?(?: .*)?")
 _ATTRIBUTES = ("start", "fixed", "min", "max", "nominal")
 _FOREIGN_UNITS = {
     **dict.fromkeys(("kp", "kgf"), (9.80665, "N")),
-    **dict.fromkeys(("lb", "lbs", "lbm", "pound", "pounds"), (0.45359237, "kg")),
-    "lbf": (4.4482216152605, "N"),
-    **dict.fromkeys(("ft", "feet", "feets", "foot"), (0.3048, "m")),
-    **dict.fromkeys(("yd", "yard", "yards"), (0.9144, "m")),
-    **dict.fromkeys(("mi", "mile", "miles"), (1.609344, "km")),
-    "mph": (0.44704, "m/s"),
-    **dict.fromkeys(("kn", "knot", "knots"), (0.5144444444, "m/s")),
-    "psi": (6894.757293, "Pa"),
-    "atm": (101325.0, "Pa"),
+    **dict.fromkeys(("lbs", "lbm", "pound", "pounds"), (1.0, "lb")),
+    **dict.fromkeys(("oz", "ounce", "ounces"), (28.349523125, "g")),
+    **dict.fromkeys(("slug", "slugs"), (14.59390294, "kg")),
+    **dict.fromkeys(("lbsf", "lbfs"), (1.0, "lbf")),
+    **dict.fromkeys(("feet", "feets", "foot"), (1.0, "ft")),
+    **dict.fromkeys(("yard", "yards"), (1.0, "yd")),
+    **dict.fromkeys(("mi", "miles"), (1.0, "mile")),
+    **dict.fromkeys(("nmi", "NM"), (1.852, "km")),
+    **dict.fromkeys(("thou", "mil", "mils"), (0.0254, "mm")),
+    "mph": (1.0, "mile/h"),
+    **dict.fromkeys(("knot", "knots", "kt", "kts"), (1.0, "kn")),
+    "ksi": (1000.0, "psi"),
+    **dict.fromkeys(("Torr", "torr", "mmHg"), (133.3223684, "Pa")),
     "PS": (735.49875, "W"),
-    **dict.fromkeys(("hp", "horsepower"), (745.6998716, "W")),
+    **dict.fromkeys(("HP", "horsepower"), (1.0, "hp")),
     "kWh": (3.6, "MJ"),
     "Wh": (3.6, "kJ"),
-    "cal": (4.184, "J"),
-    "kcal": (4.184, "kJ"),
+    **dict.fromkeys(("BTU", "Btu"), (1055.05585262, "J")),
+    **dict.fromkeys(("calorie", "calories"), (1.0, "cal")),
+    "keV": (1000.0, "eV"),
+    "MeV": (1e6, "eV"),
     "dyn": (1e-5, "N"),
+    **dict.fromkeys(("arcminute", "arcminutes"), (1.0, "arcmin")),
+    **dict.fromkeys(("arcsecond", "arcseconds"), (1.0, "arcsec")),
     "gon": (0.9, "deg"),
     **dict.fromkeys(("U/min", "r/min", "1/min", "rev/min", "RPM", "upm"), (1.0, "rpm")),
     **dict.fromkeys(("gr", "gram", "grams"), (1.0, "g")),
     **dict.fromkeys(("mtr", "meter", "meters", "metre", "metres"), (1.0, "m")),
     **dict.fromkeys(("grad", "Grad", "grd"), (1.0, "deg")),
     **dict.fromkeys(("sec", "secs", "second", "seconds", "Sek", "sek"), (1.0, "s")),
-    **dict.fromkeys(("percent", "pct"), (0.01, "")),
+    **dict.fromkeys(("percent", "pct"), (1.0, "%")),
     **dict.fromkeys(("turn", "turns"), (1.0, "rev")),
 }
 """Units that the language has not, with what they are."""
@@ -245,6 +253,8 @@ def _equals_help(before: str, found: str, after: str, expected: str) -> str | No
 def _missing_mark(before: str, found: str, after: str, expected: str) -> str | None:
     """Help where a mark may be missing between two operands."""
     operand = found[:1].isalnum() or found[:1] == '"'
+    if "operator" in expected and before[-1:] == "%" and operand:
+        return f"`{before}` is a percentage: the remainder is `mod(a, b)`, a comment begins with `//`"
     if "operator" in expected and before[:1].isdigit() and found[:1].isdigit():
         return "a comma or an operator stands between two numbers"
     if "operator" in expected and operand:

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from typing import TypeAlias, assert_never
 
-from lagdsl.fmi.sparsity.accelerations import Accelerations, bits_of
-from lagdsl.fmi.sparsity.dependency_pruning import pruned_dependencies
-from lagdsl.fmi.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
+from lagdsl.analysis.sparsity.accelerations import Accelerations, bits_of
+from lagdsl.analysis.sparsity.dependency_pruning import pruned_dependencies
+from lagdsl.analysis.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
 from lagdsl.fmi.variables.scalar import Role
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Program

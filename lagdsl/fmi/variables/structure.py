@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from lagdsl.fmi.sparsity.influence import Kind
+from lagdsl.analysis.sparsity.influence import Kind
 from lagdsl.fmi.variables.dependencies import Dependencies, Entry, Row
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.record import record

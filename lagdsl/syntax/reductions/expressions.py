@@ -27,6 +27,13 @@ def _power_of_function(function: nodes.Expression, arguments: str) -> str | None
     return None if found is None else f"the power stands behind: `{found[1]}{arguments}^{function.span.text}`"
 
 
+def _remainder(number: nodes.Expression, brackets: str) -> str | None:
+    """Help for `7 % (a)`, of which `7 %` is a percentage."""
+    if not isinstance(number, nodes.Quantity) or number.unit != "%":
+        return None
+    return f"the remainder is `mod({number.number}, {brackets.strip('() ')})`"
+
+
 def expression_actions(sink: Sink) -> dict[str, Action]:
     """Actions of expressions; a call of what cannot be called and a member of a number go to `sink`."""
 
@@ -38,6 +45,7 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             short = len(product) <= _LONGEST and product.isprintable()
             way = (
                 _power_of_function(function, rest)
+                or _remainder(function, rest)
                 or _unit_in_brackets(function, rest)
                 or f"for a product write `{product}`"
             )
@@ -52,9 +60,12 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
             start = target.span.end - len(target.unit)
             report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.value}")
         elif isinstance(target, nodes.Number):
+            from lagdsl.units.vocabulary import UNITS
+
             power = name.value if _POWER.fullmatch(name.value) else ""
+            unit = f" {name.value}" if name.value in UNITS else ""
             short = len(target.text + power) <= _LONGEST
-            way = f"digits must follow the decimal point: `{target.text}.0{power}`" if short else None
+            way = f"digits must follow the decimal point: `{target.text}.0{power}{unit}`" if short else None
             dot = Span(span.file, target.span.end, target.span.end + 1)
             sink.report("E0127", dot, help=way)
         return nodes.Member(span=span, target=target, name=name.value, name_span=token_span(name, span))

@@ -13,6 +13,7 @@ from lagdsl.signals.trajectory import Trajectory
 from lagdsl.verify.certificate import Line
 from lagdsl.verify.conserved.noise import with_size
 from lagdsl.verify.conserved.quantity import ConservedQuantity, Term
+from lagdsl.verify.states import coordinate_sizes
 
 _PERMITTED = 1e3  # times the tolerance of the integration, as for the invariants of a model
 _ROUNDING = 1e-10
@@ -23,8 +24,10 @@ def along(
 ) -> Iterator[Line]:
     """One for each: the largest drift from the value at the start, as a part of the terms that it is the sum of."""
     states = _states(compilation, motion, p)
+    sizes = coordinate_sizes(compilation.flat, compilation.program, p)
+    natural = {Group.Q: sizes, Group.QD: sizes / (np.ptp(motion.time) or 1.0)}
     for quantity in found:
-        values, size = _values(compilation, quantity.terms, states)
+        values, size = _values(compilation, quantity.terms, states, natural)
         drift = np.max(np.abs(values - values[0])) if len(values) else 0.0
         scope = "" if quantity.for_all_parameters else ", with these values of the parameters"
         yield Line(
@@ -36,12 +39,14 @@ def along(
         )
 
 
-def _values(compilation: Compilation, terms: Sequence[Term], states: dict[Group, Floats]) -> tuple[Floats, float]:
+def _values(
+    compilation: Compilation, terms: Sequence[Term], states: dict[Group, Floats], natural: dict[Group, Floats]
+) -> tuple[Floats, float]:
     names = [item.name for item in compilation.flat.parameters if not item.structural]
     nodes = [term.candidate.value for term in terms]
-    values, natural = with_size(compilation.equations.graph, nodes, states)
+    values, sizes = with_size(compilation.equations.graph, nodes, states, natural)
     weights = np.stack([term.coefficient.of(states[Group.P], names) for term in terms], axis=1)
-    size = float(np.max(np.sum(np.abs(weights) * natural, axis=1), initial=0.0))
+    size = float(np.max(np.sum(np.abs(weights) * sizes, axis=1), initial=0.0))
     return np.sum(weights * values, axis=1), size
 
 

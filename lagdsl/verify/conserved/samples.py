@@ -23,6 +23,7 @@ from lagdsl.verify.conserved.noise import with_size
 from lagdsl.verify.states import (
     Arrays,
     drawn_parameters,
+    drawn_sizes,
     drawn_states,
     independent_rows,
     is_regular,
@@ -64,8 +65,9 @@ def samples(
         return None
     solved = states | _solution(program, states)
     graph, nodes = equations.graph, [each.value for each in found]
-    at, natural = with_size(graph, nodes, states)
-    changes, sizes = with_size(graph, [each.rate for each in found], solved)
+    own = _natural(program, states)
+    at, natural = with_size(graph, nodes, states, own)
+    changes, sizes = with_size(graph, [each.rate for each in found], solved, own)
     of = [np.arange(count)]
     for after, which in _after_impacts(equations, program, states):
         now = at[which]
@@ -74,6 +76,12 @@ def samples(
         sizes = np.concatenate([sizes, np.abs(then) + np.abs(now)])
         of.append(which)
     return Samples(states, at, natural, changes, sizes, np.concatenate(of))
+
+
+def _natural(program: Program, states: Arrays) -> dict[Group, Floats]:
+    """Sizes of coordinates and rates, as states are drawn: those of their starts."""
+    q, qd, _, _ = values(program, "start", {group: states[group] for group in (Group.TIME, Group.P)})
+    return {group: drawn_sizes(np.asarray(start[0], dtype=float)) for group, start in ((Group.Q, q), (Group.QD, qd))}
 
 
 def _states(compilation: Compilation, count: int, p: Floats | None) -> Arrays | None:

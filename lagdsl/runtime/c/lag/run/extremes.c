@@ -13,11 +13,21 @@ static const double TURNED = 0.05;
  * so far by less, a step is not worth its dense output. (Of an oscillation, with a step of three radians.)
  */
 static const double DOUBT = 0.7;
+/*
+ * Five values at equal distances show a function if the polynomial through four of them is off at the fifth by this part of their range
+ * at most. Of those that they do not show, as a peak that is narrower than the distances, extremes are searched whatever is expected.
+ */
+static const double SHOWN = 0.25;
+/* Values whose range is this part of them are constant; what is left is round-off. */
+static const double ROUNDING = 1e-12;
+/* A search ends at this part of the bracket, or after so many states; all such searches take as many states as steps do, and a few. */
+static const double CLOSE = 1e-8;
+enum { SCREEN = 4, MOST = 48, SPARE = 256 };
 
 size_t lag_extremes_memory(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
-    return 2 * (size + lag_places_of(model).contact + model->ny) + (3 + LAG_SAMPLES + 1) * size + model->ny;
+    return 2 * (size + lag_places_of(model).contact + model->ny) + (3 + LAG_SAMPLES + 1) * size + (LAG_SAMPLES + 2) * model->ny;
 }
 
 void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *memory)
@@ -35,6 +45,7 @@ void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *
     lag_fill(extremes->count, (double)INFINITY, extremes->low);
     lag_fill(extremes->count, -(double)INFINITY, extremes->high);
     lag_fill(3 * size, 0.0, extremes->turns);
+    extremes->searched = 0;
 }
 
 static void see(lag_extremes *extremes, size_t i, double value)
@@ -51,15 +62,6 @@ void lag_extremes_row(lag_extremes *extremes, const double *values)
 {
     for (size_t i = 0; i < extremes->count; ++i) {
         see(extremes, i, values[i]);
-    }
-}
-
-void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs, const unsigned char *without)
-{
-    for (size_t i = 0; i < ny; ++i) {
-        if (without == NULL || !without[i]) {
-            see(extremes, extremes->count - ny + i, outputs[i]);
-        }
     }
 }
 
@@ -155,13 +157,229 @@ static lag_status look_inside(lag_extremes *extremes, lag_stepper *s, double t)
     return LAG_OK;
 }
 
-lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t)
+/* Outputs of the state x within the last step, no numbers where there are none. */
+static void find_outputs(lag_run *run, double t, const double *x, double *y)
+{
+    const lag_model *model = run->motion.model;
+    if (lag_motion_solve(&run->motion, t, x) != LAG_OK || model->output(&run->motion.at, y) != LAG_OK) {
+        lag_fill(model->ny, (double)NAN, y);
+    }
+}
+
+/* The cubic through both ends of a step and their slopes: it costs no evaluation, and tells where outputs are to be looked at. */
+static void find_cubic_state(const lag_stepper *s, size_t size, double t, double *x)
+{
+    const double h = s->t - s->t_before;
+    const double r = (t - s->t_before) / h;
+    const double late = r * r * (3.0 - 2.0 * r);
+    for (size_t i = 0; i < size; ++i) {
+        x[i] = (1.0 - late) * s->x_before[i] + late * s->x[i] + h * r * (1.0 - r) * ((1.0 - r) * s->f_before[i] - r * s->f[i]);
+    }
+}
+
+/* Among `count` + 1 values at equal distances: the slope over one distance at value k, by the parabola through three of them. */
+static double slope_at(const double *y, size_t count, size_t k)
+{
+    if (k == 0) {
+        return 0.5 * (4.0 * y[1] - 3.0 * y[0] - y[2]);
+    }
+    return k == count ? 0.5 * (3.0 * y[k] - 4.0 * y[k - 1] + y[k - 2]) : 0.5 * (y[k + 1] - y[k - 1]);
+}
+
+/* True if the five values around value k do not show what is between them. */
+static int is_hidden(const double *y, size_t count, size_t k)
+{
+    const size_t first = k < 2 ? 0 : k + 2 > count ? count - 4 : k - 2;
+    const double *v = y + first;
+    double low = v[0];
+    double high = v[0];
+    for (size_t i = 1; i < 5; ++i) {
+        low = fmin(low, v[i]);
+        high = fmax(high, v[i]);
+    }
+    const double off = fabs(v[0] - 4.0 * v[1] + 6.0 * v[2] - 4.0 * v[3] + v[4]) / 6.0;
+    return high - low > ROUNDING * fmax(fabs(low), fabs(high)) && off > SHOWN * (high - low);
+}
+
+/* The value that may be reached beside value k, if none beside it is larger; else minus infinity, as where some are no numbers. */
+static double reach_at(const double *y, size_t count, size_t k)
+{
+    const double before = k > 0 ? y[k - 1] : -(double)INFINITY;
+    const double after = k < count ? y[k + 1] : -(double)INFINITY;
+    double bulge = 0.0;
+    if (!(y[k] >= before && y[k] >= after)) {
+        return -(double)INFINITY;
+    }
+    for (size_t i = k > 0 ? k - 1 : 0; i <= k && i < count; ++i) {
+        double up = 0.0;
+        double down = 0.0;
+        find_bulge(y[i], slope_at(y, count, i), y[i + 1], slope_at(y, count, i + 1), &up, &down);
+        bulge = fmax(bulge, fmax(y[i], y[i + 1]) + (1.0 + DOUBT) * up - y[k]);
+    }
+    return y[k] + bulge;
+}
+
+/* Values of output i at `count` + 1 places, with a sign. */
+static void take_values(const lag_extremes *extremes, size_t ny, size_t i, size_t count, double sign, double *y)
+{
+    for (size_t k = 0; k <= count; ++k) {
+        y[k] = sign * extremes->outputs[k * ny + i];
+    }
+}
+
+static double record_of(const lag_extremes *extremes, size_t ny, size_t i, double sign)
+{
+    const size_t place = extremes->count - ny + i;
+    return sign > 0.0 ? extremes->high[place] : -extremes->low[place];
+}
+
+static void see_outputs(lag_extremes *extremes, size_t ny, const double *y, const unsigned char *without)
+{
+    for (size_t i = 0; i < ny; ++i) {
+        if (without == NULL || !without[i]) {
+            see(extremes, extremes->count - ny + i, y[i]);
+        }
+    }
+}
+
+/* Outputs on the dense output, which are seen; no numbers where the method has none: that does not end the run. */
+static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, double *y, const unsigned char *without)
+{
+    const size_t ny = run->motion.model->ny;
+    if (lag_stepper_dense(&run->stepper, t, extremes->sample) == LAG_OK) {
+        find_outputs(run, t, extremes->sample, y);
+    } else {
+        lag_fill(ny, (double)NAN, y);
+    }
+    see_outputs(extremes, ny, y, without);
+}
+
+/* True if states on the cubics show that some output may exceed its range so far, or hide what is between them. */
+static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+{
+    const lag_stepper *s = &run->stepper;
+    const size_t ny = run->motion.model->ny;
+    double y[SCREEN + 1];
+    for (size_t k = 0; k <= SCREEN; ++k) {
+        const double at = s->t_before + (t - s->t_before) * (double)k / SCREEN;
+        find_cubic_state(s, extremes->size, at, extremes->sample);
+        find_outputs(run, at, extremes->sample, extremes->outputs + k * ny);
+    }
+    if (t == s->t) { /* the end is no approximation */
+        see_outputs(extremes, ny, extremes->outputs + SCREEN * ny, without);
+    }
+    for (size_t i = 0; i < ny; ++i) {
+        for (int side = 0; side < 2 && (without == NULL || !without[i]); ++side) {
+            const double sign = side ? -1.0 : 1.0;
+            take_values(extremes, ny, i, SCREEN, sign, y);
+            for (size_t k = 0; k <= SCREEN; ++k) {
+                if ((isnan(y[k]) && !isnan(y[SCREEN])) || is_hidden(y, SCREEN, k) || reach_at(y, SCREEN, k) > record_of(extremes, ny, i, sign)) {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+/*
+ * The largest value of sign times output i between two times, of which `known` at `at` is the largest so far: by parabolas, else the golden
+ * section (Brent, Algorithms for minimization without derivatives, 1973, chapter 5). Every output is seen on the way.
+ */
+static void search(lag_extremes *extremes, lag_run *run, const unsigned char *without, size_t i, double sign, double a, double b,
+    double at, double known)
+{
+    static const double GOLD = 0.3819660112501051;
+    const size_t ny = run->motion.model->ny;
+    const double close = CLOSE * (b - a);
+    double *y = extremes->outputs + (LAG_SAMPLES + 1) * ny;
+    double x = at, second = at, third = at;
+    double fx = known, f2 = known, f3 = known;
+    double step = 0.0, earlier = 0.0;
+    for (unsigned n = 0; n < MOST && b - a > 4.0 * close; ++n) {
+        const double r = (x - second) * (fx - f3);
+        const double q = (x - third) * (fx - f2);
+        const double below = 2.0 * (q - r);
+        const double try = below != 0.0 ? ((x - second) * r - (x - third) * q) / below : (double)INFINITY;
+        if (fabs(try) < 0.5 * fabs(earlier) && x + try > a + close && x + try < b - close) {
+            earlier = step;
+            step = try;
+        } else {
+            earlier = x < 0.5 * (a + b) ? b - x : a - x;
+            step = GOLD * earlier;
+        }
+        const double u = x + (fabs(step) >= close ? step : step > 0.0 ? close : -close);
+        find_outputs_inside(extremes, run, u, y, without);
+        ++extremes->searched;
+        const double fu = sign * y[i];
+        if (isnan(fu)) {
+            return;
+        }
+        if (fu >= fx) {
+            *(u < x ? &b : &a) = x;
+            third = second, f3 = f2;
+            second = x, f2 = fx;
+            x = u, fx = fu;
+        } else {
+            *(u < x ? &a : &b) = u;
+            if (fu >= f2 || second == x) {
+                third = second, f3 = f2;
+                second = u, f2 = fu;
+            } else {
+                third = u, f3 = fu;
+            }
+        }
+    }
+}
+
+/* Searches where values of outputs at equal distances show that there may be more beside them, or hide what is there. */
+static void search_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+{
+    const lag_stepper *s = &run->stepper;
+    const size_t ny = run->motion.model->ny;
+    const double part = (t - s->t_before) / LAG_SAMPLES;
+    double y[LAG_SAMPLES + 1];
+    for (size_t i = 0; i < ny; ++i) {
+        for (int side = 0; side < 2 && (without == NULL || !without[i]); ++side) {
+            const double sign = side ? -1.0 : 1.0;
+            take_values(extremes, ny, i, LAG_SAMPLES, sign, y);
+            for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
+                const double reach = reach_at(y, LAG_SAMPLES, k);
+                const int worth = extremes->searched < s->evaluations + SPARE && is_hidden(y, LAG_SAMPLES, k);
+                if (reach > record_of(extremes, ny, i, sign) || (reach > -(double)INFINITY && worth)) {
+                    const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
+                    const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;
+                    search(extremes, run, without, i, sign, a, b, s->t_before + part * (double)k, y[k]);
+                }
+            }
+        }
+    }
+}
+
+static void look_at_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+{
+    const lag_stepper *s = &run->stepper;
+    const size_t ny = run->motion.model->ny;
+    if (!outputs_get_beyond(extremes, run, t, without)) {
+        return;
+    }
+    for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
+        const double at = s->t_before + (t - s->t_before) * (double)k / LAG_SAMPLES;
+        find_outputs_inside(extremes, run, at, extremes->outputs + k * ny, without);
+    }
+    search_outputs(extremes, run, t, without);
+}
+
+lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
 {
     lag_stepper *s = &run->stepper;
     const int whole = t == s->t;
     lag_status status = LAG_OK;
     if (t > s->t_before && gets_beyond(extremes, s)) {
         status = look_inside(extremes, s, t);
+    }
+    if (t > s->t_before && run->motion.model->ny > 0 && status == LAG_OK) {
+        look_at_outputs(extremes, run, t, without);
     }
     if (whole && status == LAG_OK) {
         for (size_t i = 0; i < extremes->size; ++i) {

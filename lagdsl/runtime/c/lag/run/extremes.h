@@ -1,6 +1,7 @@
 /*
  * The lowest and the highest value of everything that rows hold, along the motion itself: at steps, at events, at rows, and of the state
- * between steps, on the dense output. And how often numbers of the state turn around, which tells how many rows show that.
+ * and the outputs between steps, on the dense output. And how often numbers of the state turn around, which tells how many rows show
+ * that.
  */
 #ifndef LAG_EXTREMES_H
 #define LAG_EXTREMES_H
@@ -15,7 +16,8 @@ typedef struct lag_extremes {
     double *turns;       /* (size) how often a number turned around by more than a part of its range */
     double *pivot, *way; /* (size) where it turned last, or has got to; 1 up, -1 down, 0 not known */
     double *sample;      /* (LAG_SAMPLES + 1, size) states within a step */
-    double *outputs;     /* (ny) */
+    double *outputs;     /* (LAG_SAMPLES + 2, ny) outputs within a step; those of one more state */
+    size_t searched;     /* states that were looked at for outputs that few of them do not show */
 } lag_extremes;
 
 enum { LAG_SAMPLES = 8 };
@@ -28,10 +30,7 @@ void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *
 /* Values of a row: state, discrete variables, outputs. Values that are not numbers do not count. */
 void lag_extremes_row(lag_extremes *extremes, const double *values);
 
-/* The last step of the run, as far as time t. */
-lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t);
-
-/* Outputs (ny) at the end of a step, but for those that `without` flags (or null). */
-void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs, const unsigned char *without);
+/* The last step of the run, as far as time t; of outputs those that `without` (ny) does not flag (or null). */
+lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t, const unsigned char *without);
 
 #endif

@@ -120,19 +120,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
 
 lag_status lag_results_step(lag_results *results, lag_run *run, double t)
 {
-    lag_motion *motion = &run->motion;
-    const lag_model *model = motion->model;
-    lag_stepper *s = &run->stepper;
-    if (results->extremes == NULL) {
-        return LAG_OK;
-    }
-    const lag_status status = lag_extremes_step(results->extremes, run, t);
-    double *outputs = results->extremes->outputs;
-    if (status == LAG_OK && model->ny > 0 && t == s->t && lag_motion_solve(motion, t, s->x) == LAG_OK &&
-        model->output(&motion->at, outputs) == LAG_OK) {
-        lag_extremes_outputs(results->extremes, model->ny, outputs, results->turning);
-    }
-    return status;
+    return results->extremes == NULL ? LAG_OK : lag_extremes_step(results->extremes, run, t, results->turning);
 }
 
 static int is_there(const lag_results *results, double t)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from lagdsl.fmi.sparsity.coupling import components, matching
-from lagdsl.fmi.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
+from lagdsl.analysis.sparsity.coupling import components, matching
+from lagdsl.analysis.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.numerics.disjoint_sets import DisjointSets
