@@ -13,6 +13,8 @@
 #include <math.h>
 #include <string.h>
 
+/* The margin of a contact is this part of what the tolerance lets its gap, or its force, do: within that an importer's contact hovers. */
+static const double PART = 0.1;
 /* A relation that changes at zero does so early by this part of its round-off. */
 static const double EARLY = 0.5;
 /*
@@ -45,10 +47,27 @@ double lag_instance_crossing_value(const lag_instance *instance, size_t i)
     return lag_zero_crossing_value(&instance->run->crossings, i);
 }
 
+/* The size of the gap of contact i, by the nominal values too, or of its force while it is closed. */
+static double size_of_contact(const lag_instance *instance, size_t i)
+{
+    const lag_zero_crossing *crossings = &instance->run->crossings;
+    const size_t n = instance->fmu->model->nq;
+    if (crossings->motion->w[crossings->places.contact + i] != 0.0) {
+        return crossings->contacts->force[i];
+    }
+    double size = crossings->contacts->scale[i];
+    for (size_t j = 0; j < n; ++j) {
+        size = fmax(size, fabs(crossings->jacobian[i * n + j]) * instance->fmu->nominal[j]);
+    }
+    return size;
+}
+
 /* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
 double lag_instance_round_off(const lag_instance *instance, size_t i)
 {
-    return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
+    const size_t first = instance->fmu->model->nindicator;
+    const double noise = fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
+    return i < first ? noise : fmax(noise, PART * instance->held.tolerance * size_of_contact(instance, i - first));
 }
 
 int lag_instance_changes_at_zero(const lag_instance *instance, size_t i)

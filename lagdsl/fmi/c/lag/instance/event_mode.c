@@ -16,7 +16,7 @@ static const double TOGETHER = 4.0;
  * their own, which has nothing to do with how far behind zero a contact is.
  */
 static const double FARTHER = 4.0;
-/* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
+/* Bounces of less than twice so many times the time in which the approach goes through the margin are none: they are lower than 50 e margins. */
 static const double ROUGH = 100.0;
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
@@ -175,21 +175,23 @@ static lag_status place(lag_instance *instance, double t, int located)
     return status;
 }
 
-/* Bounces that take less than this are none: the importer's errors are larger. */
+/*
+ * Bounces that take less than twice this are none: they would not get clear of the margin. One that begins at a part e of the approach speed u, is
+ * accelerated back by a, and takes T = 2 e u/a is e u T/4 high. If several contacts close, the fastest one decides.
+ */
 static double flight(const lag_instance *instance)
 {
     const lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t first = instance->fmu->model->nindicator;
-    double late = 0.0;
+    double late = (double)INFINITY;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
-        const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * lag_instance_round_off(instance, first + i);
-        const double behind = seen - lag_instance_crossing_value(instance, first + i);
+        const double margin = fmax(instance->errors[first + i], lag_instance_round_off(instance, first + i));
         if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
-            late = fmax(late, -behind / crossings->speed[i]);
+            late = fmin(late, -margin / crossings->speed[i]);
         }
     }
-    return fmin(instance->held.span, ROUGH * late);
+    return late < (double)INFINITY ? ROUGH * late : 0.0;
 }
 
 /*
