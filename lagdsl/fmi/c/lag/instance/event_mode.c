@@ -232,27 +232,32 @@ static int is_idle(const lag_instance *instance)
     return idle;
 }
 
-/* True if `i` is a contact that the last event has turned: 1 if it is closed now, -1 if it is open. */
-static int turned_to(const lag_instance *instance, size_t i)
+/* True if the last event has turned relation or contact `i`. */
+static int has_turned(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
     const size_t first = instance->fmu->model->nindicator;
-    const size_t place = run->crossings.places.contact + i - first;
-    const int is_contact = i >= first && i < first + instance->fmu->model->ncontact;
-    return is_contact && run->motion.w[place] != run->instants.w_before[place] ? (run->motion.w[place] != 0.0 ? 1 : -1) : 0;
+    const size_t place = i < first ? run->crossings.places.relation + i : run->crossings.places.contact + i - first;
+    return run->motion.w[place] != run->instants.w_before[place];
+}
+
+static int is_closed(const lag_instance *instance, size_t i)
+{
+    const size_t first = instance->fmu->model->nindicator;
+    return i >= first && instance->run->motion.w[instance->run->crossings.places.contact + i - first] != 0.0;
 }
 
 /*
  * Behind an event that has changed no number of the state: what still shows a change, and a contact that has closed without a blow, has been moved there
- * by the importer's errors. A contact that has opened, as where its ground stops, has not.
+ * by the importer's errors. A contact that has opened, as where its ground stops, has not, nor has a relation that has turned.
  */
 static lag_status widen(lag_instance *instance, int happened)
 {
     const lag_status status = lag_instance_look_at_crossings(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        const int turned = happened ? turned_to(instance, i) : 0;
-        const int shows = lag_instance_room(instance, i) + instance->latched[i] < lag_instance_margin(instance, i);
-        if (turned > 0 || (turned == 0 && shows)) {
+        const int turned = happened && has_turned(instance, i);
+        const int shows = lag_instance_room(instance, i) + instance->latched[i] < NEARLY * lag_instance_margin(instance, i);
+        if (turned ? is_closed(instance, i) : shows) {
             lag_instance_widen(instance, i);
         }
     }
