@@ -195,7 +195,7 @@ static void intermediate_update(void)
     fmi3FreeInstance(i);
 }
 
-/* Who allows no early return is told of none: not by an end of the simulation, and not by a failure. */
+/* An importer that allows no early return is told of none, neither by an end of the simulation nor by a failure. */
 static void endings(int early_return)
 {
     fmi3Instance i = fmi3InstantiateCoSimulation("one", STAND_IN_TOKEN, NULL, 0, 0, false, early_return, NULL, 0, &host, hear, NULL);

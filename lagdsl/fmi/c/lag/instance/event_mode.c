@@ -171,8 +171,8 @@ static lag_status place(lag_instance *instance, double t, int located)
 
 /*
  * Bounces that take less than twice this are none. One that begins at a part e of the approach speed u, and is accelerated back by a, takes T = 2 e u/a. If it
- * does not get clear of the margin m, the next one begins m deeper: bounces end at u^2 (1 - e^2) = 2 a m, where T = 4 e/(1 - e^2) m/u. Those that lose
- * nothing have no end. If several contacts close, the fastest one decides.
+ * does not get clear of the margin m, or of the depth at which an importer has found it, the next one begins m deeper: bounces end at
+ * u^2 (1 - e^2) = 2 a m, where T = 4 e/(1 - e^2) m/u; with e = 1 there is no end. If several contacts close, the fastest one decides.
  */
 static double flight(const lag_instance *instance)
 {
@@ -182,8 +182,9 @@ static double flight(const lag_instance *instance)
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
         const double e = fmax(crossings->laws[i], LEAST_PART);
+        const double depth = fmax(lag_instance_margin(instance, first + i), -lag_instance_crossing_value(instance, first + i));
         if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0 && e < 1.0) {
-            shortest = fmin(shortest, -4.0 * e / (1.0 - e * e) * lag_instance_margin(instance, first + i) / crossings->speed[i]);
+            shortest = fmin(shortest, -4.0 * e / (1.0 - e * e) * depth / crossings->speed[i]);
         }
     }
     return shortest < (double)INFINITY ? shortest : 0.0;
@@ -248,8 +249,8 @@ static int is_closed(const lag_instance *instance, size_t i)
 }
 
 /*
- * Behind an event that has changed no number of the state: what still shows a change, and a contact that has closed without a blow, has been moved there
- * by the importer's errors. A contact that has opened, as where its ground stops, has not, nor has a relation that has turned.
+ * Behind an event that has changed no number of the state, a value that still shows a change, and a contact that has closed without a blow, have been moved
+ * there by the importer's errors. A contact that has opened, as where its ground stops, has not, nor has a relation that has turned.
  */
 static lag_status widen(lag_instance *instance, int happened)
 {
