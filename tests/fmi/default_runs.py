@@ -52,7 +52,7 @@ def judged(name: str, version: int, kind: str, tolerance: float | None) -> Judge
 
 @cache
 def reference(name: str, kind: str) -> lagdsl.Trajectory:
-    """Where FMPy has rows, and between them, without columns of protected variables."""
+    """A motion with rows at the times of those of FMPy, without columns of protected variables."""
     flat = compiled(name).flat
     length = flat.experiment.stop_time - flat.experiment.start_time
     interval = auto_interval(length) if kind == "ModelExchange" else flat.experiment.interval or length / 500
