@@ -195,21 +195,23 @@ static void intermediate_update(void)
     fmi3FreeInstance(i);
 }
 
-static void endings(void)
+/* An importer that allows no early return is told of none, neither by an end of the simulation nor by a failure. */
+static void endings(int early_return)
 {
-    fmi3Instance i = made(STEPS);
+    fmi3Instance i = fmi3InstantiateCoSimulation("one", STAND_IN_TOKEN, NULL, 0, 0, false, early_return, NULL, 0, &host, hear, NULL);
     set_fault(i, FAULT_STOP);
     initialize(i);
-    CHECK(step(i, 0.0, 0.5) == fmi3OK && told.terminate && told.early && told.t == 0.35);
+    CHECK(step(i, 0.0, 0.5) == fmi3OK && told.terminate && told.early == early_return && told.t == 0.35);
     CHECK_NEAR(float_of(i, V_Q), exact(0.35), 1e-14);
+    CHECK(step(i, 0.35, 0.1) == fmi3OK && told.terminate && told.early == early_return && told.t == 0.35);
     CHECK(fmi3Terminate(i) == fmi3OK && fmi3Reset(i) == fmi3OK);
     set_fault(i, FAULT_STEP);
     initialize(i);
-    CHECK(step(i, 0.0, 0.5) == fmi3Discard && told.t == 0.0 && strstr(host.message, "fault 1"));
+    CHECK(step(i, 0.0, 0.5) == fmi3Discard && !told.early && told.t == 0.0 && strstr(host.message, "fault 1"));
     CHECK(fmi3Reset(i) == fmi3OK);
     set_fault(i, FAULT_FAILURE);
     initialize(i);
-    CHECK(step(i, 0.0, 0.5) == fmi3Error && step(i, 0.0, 0.5) == fmi3Error);
+    CHECK(step(i, 0.0, 0.5) == fmi3Error && !told.early && step(i, 0.0, 0.5) == fmi3Error);
     fmi3FreeInstance(i);
 }
 
@@ -240,7 +242,8 @@ int main(void)
     dependencies();
     event_mode();
     intermediate_update();
-    endings();
+    endings(0);
+    endings(1);
     states();
     return 0;
 }

@@ -27,7 +27,8 @@ static double round_off(const lag_instance *instance, size_t corner)
     return instance->run->instants.noise.sigma[instance->fmu->model->nindicator + corner];
 }
 
-double lag_instance_corner_margin(const lag_instance *instance, size_t corner)
+/* The room of a corner that has just come to it. */
+static double margin_of(const lag_instance *instance, size_t corner)
 {
     return fmax(instance->latched[lag_instance_first_corner(instance) + corner], ROUNDINGS * round_off(instance, corner));
 }
@@ -57,7 +58,7 @@ lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const 
     const size_t count = instance->fmu->model->ncorner;
     const lag_status status = count > 0 ? look(instance, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[lag_instance_first_corner(instance) + i] = (instance->side[i] < 0.0 ? -1.0 : 1.0) * instance->far[i] + lag_instance_corner_margin(instance, i);
+        room[lag_instance_first_corner(instance) + i] = (instance->side[i] < 0.0 ? -1.0 : 1.0) * instance->far[i] + margin_of(instance, i);
     }
     return status;
 }
@@ -70,7 +71,7 @@ lag_status lag_instance_face_corners(lag_instance *instance, double t, const dou
     double *latched = instance->latched + lag_instance_first_corner(instance);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const double behind = -instance->side[i] * instance->far[i];
-        const double margin = lag_instance_corner_margin(instance, i);
+        const double margin = margin_of(instance, i);
         largest[i] = fmax(largest[i], fabs(instance->far[i]));
         if (instance->side[i] == 0.0) {
             instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;

@@ -210,7 +210,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     }
     const double far = farthest(instance, end, held->jumped);
     if (status == LAG_OK && held->jumped && !held->stopped) {
-        status = lag_instance_follow_inputs(instance, 0.0);
+        status = lag_instance_follow_inputs(instance);
         if (status != LAG_OK) {
             return status;
         }

@@ -1,8 +1,10 @@
 /*
  * Event indicators. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
- * margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
- * has located it. A relation that changes at zero itself, as `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a
- * little early.
+ * dead band, the margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
+ * has located it. The margin is round-off, until events without effect tell that the importer is less exact. A value that an event leaves behind zero
+ * is latched there: it is no event until it goes further by the margin, or comes back. A relation that changes at zero itself, as
+ * `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a little early. An importer compares signs at its steps: what changes and
+ * changes back between them is not seen.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -13,6 +15,8 @@
 #include <math.h>
 #include <string.h>
 
+/* A margin becomes so many times larger after an event without effect: a factor, not an error, holds for a gap and for a force. */
+static const double WIDER = 4.0;
 /* A relation that changes at zero does so early by this part of its round-off. */
 static const double EARLY = 0.5;
 /*
@@ -51,6 +55,16 @@ double lag_instance_round_off(const lag_instance *instance, size_t i)
     return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
 }
 
+double lag_instance_margin(const lag_instance *instance, size_t i)
+{
+    return fmax(1.0, instance->widened[i]) * lag_instance_round_off(instance, i);
+}
+
+void lag_instance_widen(lag_instance *instance, size_t i)
+{
+    instance->widened[i] = WIDER * fmax(1.0, instance->widened[i]);
+}
+
 int lag_instance_changes_at_zero(const lag_instance *instance, size_t i)
 {
     const lag_model *model = instance->fmu->model;
@@ -60,8 +74,8 @@ int lag_instance_changes_at_zero(const lag_instance *instance, size_t i)
 
 double lag_instance_room(const lag_instance *instance, size_t i)
 {
-    const double noise = lag_instance_round_off(instance, i);
-    return lag_instance_crossing_value(instance, i) + (lag_instance_changes_at_zero(instance, i) ? -EARLY * noise : noise);
+    const double margin = lag_instance_margin(instance, i);
+    return lag_instance_crossing_value(instance, i) + (lag_instance_changes_at_zero(instance, i) ? -EARLY * margin : margin);
 }
 
 double lag_instance_side(const lag_instance *instance, size_t i)
@@ -79,14 +93,32 @@ lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, cons
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room)
+/* Room of everything at the present state, as far as it is not latched. */
+static lag_status look(lag_instance *instance, double *room)
 {
+    const double t = instance->held.t;
+    const double *x = instance->x;
     const size_t count = lag_instance_crossing_count(instance);
     const lag_status status = lag_instance_look_at_crossings(instance, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         room[i] = lag_instance_is_held(instance, i) ? 1.0 : lag_instance_room(instance, i) + instance->latched[i];
     }
     return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
+}
+
+lag_status lag_instance_find_indicators(lag_instance *instance)
+{
+    double *g = instance->g;
+    const lag_status status = look(instance, instance->room);
+    for (size_t i = 0; i < lag_instance_watched(instance->fmu) && status == LAG_OK; ++i) {
+        if (!lag_instance_is_held(instance, i)) {
+            *g++ = lag_instance_side(instance, i) * instance->room[i];
+        }
+    }
+    if (status == LAG_OK) {
+        lag_instance_pass_corners(instance);
+    }
+    return status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -158,11 +190,10 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
     lag_status status = find_resting(instance, t, x);
     status = status == LAG_OK ? lag_instance_look_at_crossings(instance, t, x) : status;
     instance->known = 0;
-    lag_instance_forget_path(instance);
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = fmax(0.0, lag_instance_round_off(instance, i) - lag_instance_room(instance, i));
-        instance->latched[i] = behind + instance->errors[i] + resting(instance, i);
+        const double behind = fmax(0.0, lag_instance_margin(instance, i) - lag_instance_room(instance, i));
+        instance->latched[i] = behind + resting(instance, i);
     }
     return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
 }
@@ -172,8 +203,8 @@ lag_status lag_instance_release(lag_instance *instance)
     const size_t count = lag_instance_watched(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        if (lag_instance_room(instance, i) > 2.0 * lag_instance_round_off(instance, i) + instance->errors[i] + resting(instance, i)) {
-            instance->latched[i] = instance->errors[i] = 0.0;
+        if (lag_instance_room(instance, i) > 2.0 * lag_instance_margin(instance, i) + resting(instance, i)) {
+            instance->latched[i] = 0.0;
         }
     }
     if (status == LAG_OK && instance->fmu->model->ncorner > 0) {

@@ -11,13 +11,8 @@
 static const double NEARLY = 0.4;
 /* Values that are so many round-offs from zero pass it together. */
 static const double TOGETHER = 4.0;
-/*
- * An event without effect is one of the importer's errors: they grow by this factor before they cause the next. They have a size of
- * their own, which has nothing to do with how far behind zero a contact is.
- */
-static const double FARTHER = 4.0;
-/* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
-static const double ROUGH = 100.0;
+/* Bounces keep at least this part of the approach speed, whatever their restitution: a box that rocks does. */
+static const double LEAST_PART = 0.9;
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
 /* Length of the last step, where nobody tells. */
@@ -62,7 +57,7 @@ static void find_zeros(lag_instance *instance, double t)
         wait_for_zeros(instance, t, coming);
     }
     for (size_t i = 0; i < count; ++i) {
-        const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
+        const double nearly = NEARLY * lag_instance_margin(instance, i) - instance->latched[i];
         const int is_zero = lag_instance_changes_at_zero(instance, i) && lag_instance_room(instance, i) < nearly;
         changed[i] = changed[i] != 0.0 || coming[i] != 0.0 || is_zero;
     }
@@ -80,7 +75,7 @@ static void join(lag_instance *instance, double t)
     double *changed = run->crossings.changed;
     double *joining = instance->room;
     for (size_t i = 0; i < count; ++i) {
-        const int is_near = fabs(lag_instance_crossing_value(instance, i)) <= TOGETHER * lag_instance_round_off(instance, i);
+        const int is_near = fabs(lag_instance_crossing_value(instance, i)) <= TOGETHER * lag_instance_margin(instance, i);
         joining[i] = changed[i] == 0.0 && is_near && !lag_instance_is_held(instance, i) && instance->resting[i] == 0.0;
     }
     if (!lag_any(lag_instance_crossing_count(instance), changed) || !lag_any(count, joining) ||
@@ -100,9 +95,8 @@ static void hold(lag_instance *instance)
     for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
         const int changes = instance->run->crossings.changed[i] != 0.0 || lag_instance_changes_at_zero(instance, i);
         const double behind = fmax(0.0, -lag_instance_crossing_value(instance, i));
-        const double rest = instance->resting[i] - fmin(instance->resting[i], behind);
         instance->run->crossings.hovers[i] = instance->resting[i] > 0.0;
-        instance->run->crossings.band[i] = changes ? 0.0 : instance->latched[i] - rest;
+        instance->run->crossings.band[i] = changes ? 0.0 : fmin(behind, instance->latched[i]);
     }
 }
 
@@ -116,7 +110,7 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
     const lag_status status = lag_instance_look_at_crossings(instance, t, instance->x);
     double *changed = instance->run->crossings.changed;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double nearly = NEARLY * lag_instance_round_off(instance, i) - instance->latched[i];
+        const double nearly = NEARLY * lag_instance_margin(instance, i) - instance->latched[i];
         changed[i] = lag_instance_room(instance, i) < nearly || (located != NULL && located[i] != 0.0);
     }
     if (status == LAG_OK && instance->fmu->model->nindicator > 0) {
@@ -175,21 +169,25 @@ static lag_status place(lag_instance *instance, double t, int located)
     return status;
 }
 
-/* Bounces that take less than this are none: the importer's errors are larger. */
+/*
+ * Bounces that take less than twice this are none. One that begins at a part e of the approach speed u, and is accelerated back by a, takes T = 2 e u/a. If it
+ * does not get clear of the margin m, or of the depth at which an importer has found it, the next one begins m deeper: bounces end at
+ * u^2 (1 - e^2) = 2 a m, where T = 4 e/(1 - e^2) m/u; with e = 1 there is no end. If several contacts close, the fastest one decides.
+ */
 static double flight(const lag_instance *instance)
 {
     const lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t first = instance->fmu->model->nindicator;
-    double late = 0.0;
+    double shortest = (double)INFINITY;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
-        const double seen = instance->errors[first + i] - instance->latched[first + i] - 2.0 * lag_instance_round_off(instance, first + i);
-        const double behind = seen - lag_instance_crossing_value(instance, first + i);
-        if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
-            late = fmax(late, -behind / crossings->speed[i]);
+        const double e = fmax(crossings->laws[i], LEAST_PART);
+        const double depth = fmax(lag_instance_margin(instance, first + i), -lag_instance_crossing_value(instance, first + i));
+        if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0 && e < 1.0) {
+            shortest = fmin(shortest, -4.0 * e / (1.0 - e * e) * depth / crossings->speed[i]);
         }
     }
-    return fmin(instance->held.span, ROUGH * late);
+    return shortest < (double)INFINITY ? shortest : 0.0;
 }
 
 /*
@@ -235,37 +233,33 @@ static int is_idle(const lag_instance *instance)
     return idle;
 }
 
-/* An importer that has brought this to zero is wrong by its round-off, or by the way that an open contact which separates should have gone. */
-static double least_error(const lag_instance *instance, size_t i)
-{
-    const lag_run *run = instance->run;
-    const size_t first = instance->fmu->model->nindicator;
-    const int open = i >= first && run->motion.w[run->crossings.places.contact + i - first] == 0.0;
-    const double way = open ? run->crossings.speed[i - first] * instance->held.span : 0.0;
-    return fmax(way, lag_instance_round_off(instance, i));
-}
-
-/* True if `i` is a contact that the last event has closed or opened. */
+/* True if the last event has turned relation or contact `i`. */
 static int has_turned(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
     const size_t first = instance->fmu->model->nindicator;
-    const size_t place = run->crossings.places.contact + i - first;
-    return i >= first && i < first + instance->fmu->model->ncontact && run->motion.w[place] != run->instants.w_before[place];
+    const size_t place = i < first ? run->crossings.places.relation + i : run->crossings.places.contact + i - first;
+    return run->motion.w[place] != run->instants.w_before[place];
+}
+
+static int is_closed(const lag_instance *instance, size_t i)
+{
+    const size_t first = instance->fmu->model->nindicator;
+    return i >= first && instance->run->motion.w[instance->run->crossings.places.contact + i - first] != 0.0;
 }
 
 /*
- * Errors of the importer have moved whatever seemed to change in an event without effect: what lies behind zero farther than before, and what
- * did so along a path that the importer's error has bent. A contact that has turned, as where its ground stops, is no error.
+ * Behind an event that has changed no number of the state, a value that still shows a change, and a contact that has closed without a blow, have been moved
+ * there by the importer's errors. A contact that has opened, as where its ground stops, has not, nor has a relation that has turned.
  */
-static lag_status step_back(lag_instance *instance, int happened)
+static lag_status widen(lag_instance *instance, int happened)
 {
     const lag_status status = lag_instance_look_at_crossings(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        const int bent = lag_instance_crossing_value(instance, i) < 0.0 && instance->shown[i] >= instance->held.t;
         const int turned = happened && has_turned(instance, i);
-        if (!turned && (bent || lag_instance_room(instance, i) + instance->latched[i] < lag_instance_round_off(instance, i))) {
-            instance->errors[i] = FARTHER * fmax(instance->errors[i], least_error(instance, i));
+        const int shows = lag_instance_room(instance, i) + instance->latched[i] < NEARLY * lag_instance_margin(instance, i);
+        if (turned ? is_closed(instance, i) : shows) {
+            lag_instance_widen(instance, i);
         }
     }
     return status;
@@ -301,8 +295,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
-        status = is_idle(instance) ? step_back(instance, run->events > events) : LAG_OK;
-        lag_instance_end_path(instance, any);
+        status = is_idle(instance) ? widen(instance, run->events > events) : LAG_OK;
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;
     }
     if (status == LAG_OK) {
@@ -325,8 +318,8 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
     }
-    if (status == LAG_OK && held->t == held->followed) {
-        status = lag_instance_follow_inputs(instance, 0.0);
+    if (status == LAG_OK && (held->exchanged || held->t == held->followed)) {
+        status = lag_instance_follow_inputs(instance);
     }
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
@@ -344,7 +337,6 @@ lag_status lag_instance_enter_continuous(lag_instance *instance)
     const lag_status status = lag_instance_begin(instance);
     instance->held.last = instance->held.t;
     instance->held.span = 0.0;
-    lag_instance_forget_path(instance);
     return status;
 }
 

@@ -7,8 +7,6 @@
 static const double SELDOM = 50.0;
 static const double RELAXED = 4.0;
 static const double MOST_LIMIT = 1e-4;
-/* An importer that interpolates values and derivatives each for itself is off for a while: so long, as a part of the experiment. */
-static const double PATIENCE = 0.01;
 
 lag_status lag_instance_set_time(lag_instance *instance, double t)
 {
@@ -74,9 +72,6 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
     lag_held *held = &instance->held;
     *events = *terminate = 0;
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
-    if (status == LAG_OK) {
-        status = lag_instance_follow_inputs(instance, PATIENCE * instance->run->options.length);
-    }
     if (status == LAG_OK) {
         *events = is_off(instance);
         status = lag_instance_release(instance);

@@ -1,12 +1,13 @@
 /*
- * Inputs whose derivatives are inputs, too, and whose values may not jump: a position has no blow. From one point of the path to the next,
+ * Inputs whose derivatives are inputs, too, and whose values may not jump: a position has no blow. From one communication point to the next,
  * the value has to move as its derivatives say, up to what they may do in between: for a value u with rates u', accelerations u''
  * over H,
  *
- *     |u(H) - u(0) - integral of u'| <= 2 H (largest u' - least u') + 4 H^2 max |u''| + what counts as nothing,
+ *     |u(H) - u(0) - integral of u'| <= 2 H |u'(H) - u'(0)| + 4 H^2 max |u''| + what counts as nothing,
  *
  * the integral by Hermite's formula of fifth order (E. Hairer, G. Wanner, S. P. Norsett, Solving Ordinary Differential Equations I, II.13:
- * two points with two derivatives). The bound admits corners of u', and values on straight lines between rows some steps apart.
+ * two points with two derivatives). The bound admits corners of u'. Importers that integrate may interpolate values and derivatives each for itself:
+ * of theirs only jumps in event mode are judged.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -27,42 +28,22 @@ static lag_path present(const lag_instance *instance, size_t i)
     const size_t second = first < nu ? instance->fmu->input_rates[first] : nu;
     const double rate = first < nu ? u[first] : 0.0;
     const double acceleration = second < nu ? u[second] : 0.0;
-    return (lag_path){.value = u[i], .rate = rate, .acceleration = acceleration, .since = instance->held.t, .low = rate, .high = rate,
-        .most = fabs(acceleration)};
+    return (lag_path){u[i], rate, acceleration};
 }
 
-static double small(const lag_instance *instance, const lag_path *path, double value)
+/* A change of a value that counts as nothing. */
+static double small(const lag_instance *instance, double before, double after)
 {
-    return fmax(instance->held.tolerance, NOTHING) * fmax(fabs(path->value), fabs(value));
+    return fmax(instance->held.tolerance, NOTHING) * fmax(fabs(before), fabs(after));
 }
 
-/* By how much more than they may the value and its derivatives differ; the path goes on to the point `now`. */
-static double excess(const lag_instance *instance, lag_path *path, const lag_path *now)
+/* True if the value and its derivatives differ by more than they may, a time h behind the point before. */
+static int is_off(const lag_instance *instance, const lag_path *path, const lag_path *now, double h)
 {
-    const double h = now->since - instance->held.followed;
-    const double span = now->since - path->since;
-    const double moved = now->value - path->value;
-    const double least = small(instance, path, now->value);
-    if (h == 0.0) { /* a jump at an instant */
-        path->value = now->value;
-        return fabs(moved) - least;
-    }
-    path->debt += moved - 0.5 * h * (path->rate + now->rate) + h * h * (now->acceleration - path->acceleration) / 12.0;
-    path->value = now->value;
-    path->rate = now->rate;
-    path->acceleration = now->acceleration;
-    path->low = fmin(path->low, now->rate);
-    path->high = fmax(path->high, now->rate);
-    path->most = fmax(path->most, now->most);
-    return fabs(path->debt) - least - OF_RATES * span * (path->high - path->low) - OF_ACCELERATIONS * span * span * path->most;
-}
-
-/* The value and its derivatives agree: what follows is judged from here on. */
-static void agree(lag_path *path, const lag_path *now, int patient)
-{
-    const double most = path->most;
-    *path = *now;
-    path->most = patient ? most : now->most;
+    const double most = fmax(fabs(path->acceleration), fabs(now->acceleration));
+    const double integral = 0.5 * h * (path->rate + now->rate) - h * h * (now->acceleration - path->acceleration) / 12.0;
+    const double may = OF_RATES * h * fabs(now->rate - path->rate) + OF_ACCELERATIONS * h * h * most;
+    return fabs(now->value - path->value - integral) > small(instance, path->value, now->value) + may;
 }
 
 static lag_status refuse(lag_instance *instance, size_t i)
@@ -95,8 +76,7 @@ static int is_blow(const lag_instance *instance)
         const size_t rate = instance->fmu->input_rates[i];
         if (rate < nu) {
             const double most = fmax(fabs(u[rate]), fabs(left[rate]));
-            const double least = fmax(instance->held.tolerance, NOTHING) * fmax(fabs(u[i]), fabs(left[i]));
-            blow = blow || fabs(u[i] - left[i]) > least + OF_ACCELERATIONS * instance->held.left_for * most;
+            blow = blow || fabs(u[i] - left[i]) > small(instance, u[i], left[i]) + OF_ACCELERATIONS * instance->held.left_for * most;
         }
     }
     return blow;
@@ -119,32 +99,32 @@ lag_status lag_instance_balance_inputs(lag_instance *instance)
     return status;
 }
 
-lag_status lag_instance_follow_inputs(lag_instance *instance, double patience)
+/* True if input number i jumps at an instant of an importer, from its value at the end of the step before. */
+static int jumps(const lag_instance *instance, size_t i)
+{
+    const double value = instance->run->motion.u[i];
+    const int known = instance->held.t > instance->run->begun && instance->held.left_at == instance->held.t;
+    return known && fabs(value - instance->left[i]) > small(instance, instance->left[i], value);
+}
+
+lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     const unsigned char *follows = instance->fmu->continuous_inputs;
-    const size_t nu = instance->fmu->model->nu;
-    const int fresh = !held->following || held->t <= instance->run->begun || held->t < held->followed;
-    lag_status status = LAG_OK;
+    const int known = held->following && held->t > instance->run->begun && held->t >= held->followed;
     if (follows == NULL) {
         return LAG_OK;
     }
     lag_instance_inputs_at(instance, held->t, instance->run->motion.u);
-    for (size_t i = 0; i < nu && status == LAG_OK; ++i) {
-        if (follows[i] == 0) {
-            continue;
-        }
-        lag_path *path = &instance->paths[i];
+    for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
         const lag_path now = present(instance, i);
-        if (fresh) {
-            *path = now;
-        } else if (excess(instance, path, &now) <= 0.0) {
-            agree(path, &now, patience > 0.0);
-        } else if (held->t == held->followed || held->t - path->since > patience) {
-            status = refuse(instance, i);
+        const int off = held->exchanged ? jumps(instance, i) : known && is_off(instance, &instance->paths[i], &now, held->t - held->followed);
+        if (follows[i] != 0 && off) {
+            return refuse(instance, i);
         }
+        instance->paths[i] = now;
     }
-    held->following = 1;
+    held->following = !held->exchanged;
     held->followed = held->t;
-    return status;
+    return LAG_OK;
 }

@@ -38,14 +38,14 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 3 * lag_instance_watched(fmu) +
-           model->nindicator + 2 * model->ncorner + 2 * lag_instance_node(fmu) + fmu->ndependent + model->ny;
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_watched(fmu) +
+           model->nindicator + model->ncorner + fmu->ndependent + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 4 * size + lag_instance_path_looks(fmu) + longest(fmu) + lag_instance_indicator_count(fmu) +
+    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) +
            lag_instance_watched(fmu) + fmu->model->ncorner + fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni +
            lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
@@ -107,18 +107,14 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->paths = (lag_path *)(void *)lag_take(&memory, PATH * model->nu);
     instance->largest = lag_take(&memory, model->ncorner);
     instance->latched = lag_take(&memory, watched);
-    instance->errors = lag_take(&memory, watched);
+    instance->widened = lag_take(&memory, watched - model->ncorner);
     instance->resting = lag_take(&memory, model->nindicator);
-    instance->shown = lag_take(&memory, watched);
     instance->side = lag_take(&memory, model->ncorner);
-    instance->base = lag_take(&memory, lag_instance_node(fmu));
-    instance->tip = lag_take(&memory, lag_instance_node(fmu));
     instance->offsets = lag_take(&memory, fmu->ndependent);
     instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
     instance->room = lag_take(&memory, watched);
-    instance->looks = lag_take(&memory, lag_instance_path_looks(fmu));
     instance->far = lag_take(&memory, model->ncorner);
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);

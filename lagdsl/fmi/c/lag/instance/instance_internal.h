@@ -39,7 +39,7 @@ typedef struct lag_held {
     double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
     double followed;        /* time of the last point of `paths`, */
-    int following;          /* if there is one */
+    int following;          /* if there is one; importers that set the time have none */
     double left_at;         /* time of `left`, */
     double left_for;        /* and since inputs were set before that */
     int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
@@ -53,20 +53,14 @@ typedef struct lag_held {
     int jumped;             /* something was set since the motion went on: rates are others */
     int polynomial;         /* inputs have derivatives */
     int entered;            /* event mode: nothing has been looked at yet */
-    double reach;           /* the last piece of this path that was looked at was so long [s]; 0: none yet */
-    double blind;           /* behind the last event the path is not looked along for so long [s] */
-    int nodes;              /* so many of `base` and `tip` are known */
     int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
 } lag_held;
 
-/* An input on its path, and what has been seen since its value and its derivatives agreed. */
+/* An input on its path at a communication point. */
 typedef struct lag_path {
-    double value, rate, acceleration; /* at the last point */
-    double debt;            /* value less integral of the rate */
-    double since;           /* [s] */
-    double low, high, most; /* of rates; of magnitudes of accelerations */
+    double value, rate, acceleration;
 } lag_path;
 
 struct lag_instance {
@@ -85,18 +79,15 @@ struct lag_instance {
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
     double *largest;        /* (ncorner) magnitudes of distances of corners seen since they stand as they do */
     double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
-    double *errors;         /* (relations, contacts, corners) errors of the importer that have been seen since this value was above zero */
+    double *widened;        /* (relations, contacts) factors of margins, beyond one: errors of the importer, as events without effect tell */
     double *resting;        /* (relations) those that rest at zero at the last event are known to this only; zero: it moves */
-    double *shown;          /* (relations, contacts, corners) a change was shown at this time, and nowhere behind it, since the path began */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
-    double *base, *tip;     /* (lag_instance_node()) the two last nodes of the importer's path */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
     double *room;           /* (relations, contacts, corners) what is left until each changes; negative: it has changed */
-    double *looks;          /* lag_instance_path_looks() */
     double *far;            /* (ncorner) distances of corners, as looked at last */
     double *unasked;        /* (nc) multipliers of accelerations that are pulled */
     double *point, *tangent; /* (2 nq + nz) */
@@ -184,27 +175,10 @@ static inline size_t lag_instance_first_corner(const lag_instance *instance)
 
 /* Room of corners at x at time t. */
 lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const double *x, double *room);
-/* The room of a corner that has just come to it. */
-double lag_instance_corner_margin(const lag_instance *instance, size_t corner);
 /* An event at x at time t: corners that have been passed are on the other side from now on. */
 lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x);
-/* The state looked at last is on the path of the importer: magnitudes follow. */
+/* The importer is at the state looked at last: magnitudes follow. */
 void lag_instance_pass_corners(lag_instance *instance);
-
-/* ---- indicator_paths.c ---- */
-
-/*
- * Indicators at the present state, into g. In model exchange an indicator that changes and changes back between the last states at which the
- * importer asked has the sign behind the change, so that the importer locates the first one.
- */
-lag_status lag_instance_follow_path(lag_instance *instance);
-/* A path ends with an event; any: something has changed there. */
-void lag_instance_end_path(lag_instance *instance, int any);
-/* A path begins here. */
-void lag_instance_forget_path(lag_instance *instance);
-/* Doubles of a node, and of `looks`. */
-size_t lag_instance_node(const lag_fmu *fmu);
-size_t lag_instance_path_looks(const lag_fmu *fmu);
 
 /* ---- variables.c ---- */
 
@@ -248,10 +222,10 @@ void lag_instance_tell_inputs(lag_instance *instance);
 /* ---- input_paths.c ---- */
 
 /*
- * The present is accepted: LAG_POSITION_JUMP if an input that may not jump has been off its derivatives for longer than
- * `patience`, or jumps at an instant.
+ * The inputs of a communication point are set: LAG_POSITION_JUMP if one that may not jump is off its derivatives since the last point, or jumps at an
+ * instant. Where an importer sets the time, only the latter is judged.
  */
-lag_status lag_instance_follow_inputs(lag_instance *instance, double patience);
+lag_status lag_instance_follow_inputs(lag_instance *instance);
 
 /* The inputs are those on the left of the present. */
 void lag_instance_leave_inputs(lag_instance *instance);
@@ -268,14 +242,18 @@ size_t lag_instance_crossing_count(const lag_instance *instance);
 /* Their values at x at time t; then value number `which`, which passes zero downward when the relation or contact changes. */
 lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, const double *x);
 double lag_instance_crossing_value(const lag_instance *instance, size_t which);
-/* Round-off of that, as far as it is known: the margin, more than zero. */
+/* Round-off of that, as far as it is known: more than zero. */
 double lag_instance_round_off(const lag_instance *instance, size_t which);
+/* The dead band around zero: round-off, or more for an importer whose errors have shown. */
+double lag_instance_margin(const lag_instance *instance, size_t which);
+/* An event at this value had no effect: the importer is less exact than it has told. */
+void lag_instance_widen(lag_instance *instance, size_t which);
 /* 1: a relation that changes where its value is zero: `>=` or `<=` that does not hold, `>` or `<` that does. */
 int lag_instance_changes_at_zero(const lag_instance *instance, size_t which);
 /* The value with its margin, which passes zero where an importer is to have the event. */
 double lag_instance_room(const lag_instance *instance, size_t which);
-/* Room of everything at x at time t, as far as it is not latched. */
-lag_status lag_instance_look(lag_instance *instance, double t, const double *x, double *room);
+/* Indicators at the present state, into g. */
+lag_status lag_instance_find_indicators(lag_instance *instance);
 /* 1: a relation that the motion does not change. */
 int lag_instance_is_held(const lag_instance *instance, size_t which);
 /* Sign of an indicator while nothing changes: 1, or -1 for relations that do not hold and corners that are below zero. */

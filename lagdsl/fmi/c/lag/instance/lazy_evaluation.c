@@ -112,7 +112,7 @@ static lag_status find(lag_instance *instance, unsigned what)
     case LAG_KNOWN_RESIDUALS:
         return residuals(instance);
     case LAG_KNOWN_INDICATORS:
-        return lag_instance_follow_path(instance);
+        return lag_instance_find_indicators(instance);
     case LAG_KNOWN_DERIVATIVES:
         return lag_derivatives_look(&instance->derivatives, &motion->at, 0.0, &motion->coordinate);
     case LAG_KNOWN_PULLED:
@@ -122,11 +122,10 @@ static lag_status find(lag_instance *instance, unsigned what)
     }
 }
 
-/* Values to compute for `what`: stabilized accelerations do not need the plain ones. Indicators follow the path of the importer by its rates. */
+/* Values to compute for `what`: stabilized accelerations do not need the plain ones. */
 static unsigned with_accelerations(const lag_instance *instance, unsigned what)
 {
     const lag_model *model = instance->fmu->model;
-    what |= (what & LAG_KNOWN_INDICATORS) != 0 ? LAG_KNOWN_RATES : 0;
     return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
 }
 

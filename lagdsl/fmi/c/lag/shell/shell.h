@@ -191,8 +191,9 @@ size_t lag_shell_order(const lag_shell *shell);
 typedef int lag_between(lag_shell *shell, double t, int may_return, double *until);
 
 typedef struct lag_outcome {
-    double t; /* reached */
-    int event, terminate, early;
+    double t;  /* reached */
+    int event, terminate;
+    int early; /* t is before the end of the step, and the importer allows that: one that does not sees it in t alone */
 } lag_outcome;
 
 lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome);

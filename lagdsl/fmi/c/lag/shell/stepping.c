@@ -35,12 +35,12 @@ static int acceptable(lag_shell *shell, double t, double h)
     return 0;
 }
 
-/* True if the importer lets the step continue from here. */
+/* True if the importer lets the step continue from here; `early`: the step may end here. */
 static int goes_on(lag_shell *shell, lag_between *between, int early, double *until)
 {
     const char *call = shell->call;
     shell->now.mode = LAG_MODE_INTERMEDIATE;
-    const int on = between(shell, shell->now.time, early && shell->now.early_return, until);
+    const int on = between(shell, shell->now.time, early, until);
     if (shell->now.mode == LAG_MODE_INTERMEDIATE) {
         shell->now.mode = LAG_MODE_STEP;
     }
@@ -59,7 +59,7 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
         const int there = !told.early && !told.event && !told.terminate;
         shell->now.time = status == LAG_OK && there ? until : told.t;
         *outcome = (lag_outcome){.t = shell->now.time, .event = told.event, .terminate = told.terminate};
-        outcome->early = shell->now.time < end;
+        outcome->early = status == LAG_OK && shell->now.early_return && shell->now.time < end;
         if (status != LAG_OK || told.event || told.terminate || between == NULL) {
             return status;
         }
@@ -78,7 +78,8 @@ lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *bet
         return LAG_ANSWER_ERROR;
     }
     if (shell->now.ended) {
-        outcome->terminate = outcome->early = 1;
+        outcome->terminate = 1;
+        outcome->early = shell->now.early_return != 0;
         return LAG_ANSWER_OK;
     }
     const lag_status status = proceed(shell, t + h, between, outcome);

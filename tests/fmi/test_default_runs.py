@@ -1,0 +1,52 @@
+"""Models through FMPy with its defaults: no error, and the motion of `lag run` as far as two tolerances agree."""
+
+from __future__ import annotations
+
+from itertools import product
+from pathlib import Path
+
+import pytest
+from choice import chosen
+from fmpy import simulate_fmu
+from models.corpus import MODELS
+
+from fmi.default_runs import KINDS, SAME, TOLERANCES, judged
+from fmi.exported import VERSIONS
+from fmi.texts import export_text
+
+CASES = list(product(MODELS, VERSIONS, KINDS, TOLERANCES))
+# A contact that hovers, and blows in a row.
+SOME = [
+    ("ball_on_moving_table", 3, "ModelExchange", None),
+    ("ball_on_moving_table", 3, "ModelExchange", 1e-4),
+    ("newtons_cradle", 2, "ModelExchange", None),
+]
+
+
+@pytest.mark.parametrize(("name", "version", "kind", "tolerance"), chosen(CASES, SOME))
+def test_fmpy_with_nothing_given(name: str, version: int, kind: str, tolerance: float | None) -> None:
+    of = judged(name, version, kind, tolerance)
+    assert of.error <= SAME, of
+    assert tolerance is not None or kind == "ModelExchange" or of.until == 1.0, of
+
+
+BALL = """model Ball
+  coordinate Real h(start = 1);
+  kinetic 1/2*der(h)^2;
+  force -10 on h;
+  contact floor: h >= 0 with restitution = 0;
+  annotation(units = "none", experiment(StopTime = 1, Tolerance = 1e-6));
+equation
+  when closed(floor) then terminate("it lies"); end when;
+end Ball;
+"""
+
+
+@pytest.mark.parametrize("version", chosen(VERSIONS, [3]))
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_model_that_ends_within_a_step(kind: str, version: int, tmp_path: Path) -> None:
+    """FMPy allows no early return unless it is asked to: the time of the last row tells where the model has ended."""
+    path = tmp_path / "ball.fmu"
+    export_text(BALL, path, version)
+    rows = simulate_fmu(str(path), validate=False, fmi_type=kind)
+    assert rows["time"][-1] == pytest.approx(0.2**0.5, abs=2e-3)
