@@ -14,8 +14,8 @@ _LARGEST = 1.7976931348623157e308
 @record()
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q; `free` and what begins with `parameter`: of p), as lag/model.h tells it;
-    `turning` flags outputs that are angles known up to whole turns. None: unknown."""
+    entries (`minimum` and `maximum`: of q; `free` and what begins with `parameter`: of p), as lag/model.h tells it.
+    None: unknown."""
 
     t: float
     x: tuple[float, ...]
@@ -28,7 +28,6 @@ class Start:
     parameter_nominal: tuple[float, ...] = ()
     parameter_minimum: tuple[float, ...] = ()
     parameter_maximum: tuple[float, ...] = ()
-    turning: tuple[bool, ...] = ()
 
 
 def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
@@ -56,5 +55,4 @@ def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[
         parameter_nominal=tuple(abs(p.nominal or 0.0) for p in independent),
         parameter_minimum=tuple(-_LARGEST if p.minimum is None else p.minimum for p in independent),
         parameter_maximum=tuple(_LARGEST if p.maximum is None else p.maximum for p in independent),
-        turning=tuple(output.turning for output in flat.outputs),
     )

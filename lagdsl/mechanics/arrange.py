@@ -11,6 +11,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
+from lagdsl.mechanics.turns import turn_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations, refuse_accelerations
@@ -69,7 +70,12 @@ def with_events(equations: Equations, program: Program) -> Program:
     """`program`, which is on the graph of `equations`, with the functions of events and corners, which are no part of a
     derivation."""
     flat, lowering = equations.flat, equations.lowering
-    added = event_functions(lowering, flat) + corner_functions(lowering, flat) + way_functions(lowering, flat)
+    added = (
+        *event_functions(lowering, flat),
+        *corner_functions(lowering, flat),
+        *way_functions(lowering, flat),
+        *turn_functions(lowering, flat),
+    )
     return with_speeds(flat, with_components(replace(program, functions=(*program.functions, *added))))
 
 

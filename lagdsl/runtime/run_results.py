@@ -44,9 +44,6 @@ class RunResults:
             full=self._full,
             extremes=addressof(self._extremes),
         )
-        if settings.turning is not None:
-            self.structure.turning = address(settings.turning, kept, np.uint8)
-            self.structure.angle = address(np.full(len(settings.turning), np.nan), kept)
 
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""

@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 5u
+#define LAG_MODEL_VERSION 6u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -206,6 +206,12 @@ typedef struct lag_model {
      * in which ways of masses depend on discretes
      */
     lag_status (*way)(const lag_arguments *at, double *way);
+    /*
+     * t q qd z u w p -> value (nturn), rate (nturn), turn (nturn), entry (nturn): outputs that are known up to multiples of `turn`,
+     * or, four in a row with zero there, as a quaternion up to its sign: their values near the start, their rates, and which of the
+     * outputs they are. Only in models with outputs that are known up to whole turns
+     */
+    lag_status (*turn)(const lag_arguments *at, double *value, double *rate, double *turn, double *entry);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -273,6 +279,7 @@ typedef struct lag_model {
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
     size_t ncorner; /* of models with corners along the motion */
     size_t nway;    /* of models in which ways of masses depend on discretes */
+    size_t nturn;   /* of models with outputs that are known up to whole turns */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const unsigned char *whole_inputs; /* (nu) 1: Integer, Boolean or enumerated, without round-off; null: none is */

@@ -54,12 +54,10 @@ void lag_extremes_row(lag_extremes *extremes, const double *values)
     }
 }
 
-void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs, const unsigned char *without)
+void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs)
 {
     for (size_t i = 0; i < ny; ++i) {
-        if (without == NULL || !without[i]) {
-            see(extremes, extremes->count - ny + i, outputs[i]);
-        }
+        see(extremes, extremes->count - ny + i, outputs[i]);
     }
 }
 

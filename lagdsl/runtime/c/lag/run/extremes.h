@@ -31,7 +31,7 @@ void lag_extremes_row(lag_extremes *extremes, const double *values);
 /* The last step of the run, as far as time t. */
 lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t);
 
-/* Outputs (ny) at the end of a step, but for those that `without` flags (or null). */
-void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs, const unsigned char *without);
+/* Outputs (ny) at the end of a step. */
+void lag_extremes_outputs(lag_extremes *extremes, size_t ny, const double *outputs);
 
 #endif

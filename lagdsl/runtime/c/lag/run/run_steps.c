@@ -276,6 +276,21 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
+/* Up to what happens first in the last step. */
+static lag_status count_turns(lag_run *run)
+{
+    const double t = run->half.t;
+    lag_status status = LAG_OK;
+    if (run->motion.model->nturn == 0) {
+        return LAG_OK;
+    }
+    if (t == run->stepper.t) {
+        return lag_run_count_turns(run, t, run->stepper.x);
+    }
+    status = lag_stepper_dense(&run->stepper, t, run->point);
+    return status == LAG_OK ? lag_run_count_turns(run, t, run->point) : status;
+}
+
 lag_status lag_run_step(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
@@ -289,6 +304,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
+    }
+    if (status == LAG_OK && run->options.results != NULL) {
+        status = count_turns(run);
     }
     if (status == LAG_OK && run->options.results != NULL) {
         status = lag_results_step(run->options.results, run, half->t);
@@ -315,7 +333,10 @@ lag_status lag_run_finish(lag_run *run, double stop)
         return LAG_OK;
     }
     half->open = 0;
-    lag_status status = half->own || half->other ? lag_run_back(run, half->t) : LAG_OK;
+    lag_status status = count_turns(run);
+    if (status == LAG_OK && (half->own || half->other)) {
+        status = lag_run_back(run, half->t);
+    }
     if (status != LAG_OK) {
         return give_back(run, s->t_before, status);
     }
