@@ -116,17 +116,8 @@ class Closures:
             del ctx.product.named[mark:]
             cut.outputs.clear()
             cut.computed = False
-        else:
-            self._tell_starts(known)
         order = {name: k for k, name in enumerate(starts)}
         cut.outputs.sort(key=lambda output: order[output.name])
-
-    def _tell_starts(self, known: list[flat_model.Coordinate]) -> None:
-        """N0718 for starts that are no longer needed."""
-        spans = {item.start_span or item.rate_start_span: item for item in reversed(known)}
-        for span, item in spans.items():
-            if span is not None:
-                self._ctx.sink.report("N0718", span, name=item.name)
 
     def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
         """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""

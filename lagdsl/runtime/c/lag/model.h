@@ -22,6 +22,9 @@ typedef struct lag_slot {
     const char *place;  /* file:line of its declaration, or null */
 } lag_slot;
 
+/* A start value was written: it is held as long as one that was not can move. A rate is the first of the four of a unit quaternion. */
+enum { LAG_WRITTEN = 1, LAG_QUATERNION = 2 };
+
 /*
  * A state to start from, which satisfies everything that the model says of the start, for the default parameters; and what else it says,
  * so that other parameters and start values lead to such a state, too (lag/initial.h). Entries are those of (q, qd, z).
@@ -30,7 +33,7 @@ typedef struct lag_start {
     double t;                        /* [s] */
     const double *x;                 /* null: not known */
     const unsigned char *fixed;      /* 1: the start value holds exactly; null: none does */
-    const unsigned char *written;    /* 1: it was written, and weighs 100 times one that was not; null: none was */
+    const unsigned char *written;    /* LAG_WRITTEN, LAG_QUATERNION, or both; null: none was */
     const double *nominal;           /* what counts as a change of order one; zero, or null: not said */
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
     const unsigned char *free;       /* (np) 1: the parameter is found with the start, from its value as a guess; null: none is */

@@ -10,6 +10,8 @@
 
 /* Up to this residual, as a part of the rows' sizes, the start values are not moved. */
 static const double THERE = 1e-15;
+/* Up to this one, rows count as met while written start values are held: what is only nearly met there is met exactly elsewhere. */
+static const double MET = 1e-11;
 
 enum { SAMPLES = 3 };
 
@@ -20,13 +22,14 @@ typedef struct positions {
     size_t count;  /* coordinates that are free */
     double *free;  /* (count) which they are */
     double *base;  /* (nq) where they begin */
+    double *met;   /* (rows) 1: met while written start values were held */
 } positions;
 
 size_t lag_initialization_q_memory(const lag_model *model)
 {
     const size_t m = lag_initialization_rows(model);
     const size_t n = model->nq;
-    return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
+    return 2 * n + m + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
 /* True if initial equations determine coordinates of a row. */
@@ -58,7 +61,7 @@ static void at_positions(void *context, const double *y, double *residual, doubl
     lag_initialization_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
         const size_t row = (size_t)b->row[i];
-        residual[i] = is_joined(b, row) ? 0.0 : b->phi[row] / b->row_sizes[row];
+        residual[i] = is_joined(b, row) || p->met[i] != 0.0 ? 0.0 : b->phi[row] / b->row_sizes[row];
         for (size_t k = 0; k < p->count; ++k) {
             const size_t j = (size_t)p->free[k];
             jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->widths[j] / b->row_sizes[row];
@@ -137,45 +140,126 @@ static void tell(const positions *p, double *point, double *memory)
     count_excess(p, point, memory);
 }
 
-void lag_initialization_find_q(lag_initialization *b, double *x)
+/* True if initial equations decide this coordinate, or it is fixed. */
+static int is_given(const lag_initialization *b, size_t j)
 {
-    const lag_model *model = b->motion->model;
-    const size_t n = model->nq;
-    double *memory = b->memory;
-    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n)};
-    lag_nearest_configuration search;
-    for (size_t j = 0; j < n; ++j) {
-        p.base[j] = b->joined != NULL && b->joined[j] ? x[j] : b->x[j];
-    }
-    if (b->rows == 0 || already_there(&p)) {
-        return;
-    }
-    for (size_t j = 0; j < n; ++j) {
-        if (b->fixed[j] == 0.0 && !(b->joined != NULL && b->joined[j])) {
-            p.free[p.count++] = (double)j;
+    return b->fixed[j] != 0.0 || (b->joined != NULL && b->joined[j]);
+}
+
+/* Coordinates that may move; written ones only if they need not be held. */
+static void choose(positions *p, int hold)
+{
+    const lag_initialization *b = p->b;
+    p->count = 0;
+    for (size_t j = 0; j < b->motion->model->nq; ++j) {
+        if (!is_given(b, j) && !(hold && b->written[j] != 0.0)) {
+            p->free[p->count++] = (double)j;
         }
     }
-    double *pattern = lag_take(&memory, b->rows * p.count);
-    double *point = lag_take(&memory, n);
-    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p.count);
+}
+
+/* Independent parts of the rows, by the coordinates that may move. */
+static lag_parts find_parts(const positions *p, double *pattern, double *memory)
+{
+    const lag_initialization *b = p->b;
     for (size_t i = 0; i < b->rows; ++i) {
-        for (size_t k = 0; k < p.count; ++k) {
-            pattern[i * p.count + k] = b->pattern[(size_t)b->row[i] * n + (size_t)p.free[k]];
+        for (size_t k = 0; k < p->count; ++k) {
+            pattern[i * p->count + k] = b->pattern[(size_t)b->row[i] * b->motion->model->nq + (size_t)p->free[k]];
         }
     }
+    return lag_parts_of(b->rows, p->count, pattern, memory);
+}
+
+/* The nearest point on the chosen coordinates into b->q. Returns what is left of the rows. */
+static double search(positions *p, double *point, double *memory)
+{
+    lag_initialization *b = p->b;
+    lag_nearest_configuration nearest;
+    double *pattern = lag_take(&memory, b->rows * p->count);
+    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p->count);
     unsigned long long seed = 20011;
     for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
         lag_initialization_point(b, &seed, k, b->x, point);
-        for (size_t i = 0; i < p.count; ++i) {
-            const size_t j = (size_t)p.free[i];
-            others[k * p.count + i] = (point[j] - b->x[j]) / b->widths[j];
+        for (size_t i = 0; i < p->count; ++i) {
+            const size_t j = (size_t)p->free[i];
+            others[k * p->count + i] = (point[j] - b->x[j]) / b->widths[j];
         }
     }
-    const lag_parts parts = lag_parts_of(b->rows, p.count, pattern, lag_take(&memory, lag_parts_memory(b->rows, p.count)));
-    const lag_equations equations = {b->rows, p.count, at_positions, &p};
-    lag_nearest_configuration_place(&search, b->rows, p.count, memory);
-    const double worst = lag_nearest_configuration_search(&search, &equations, &parts, others, LAG_HOLDS);
-    put(&p, search.best.point);
+    const lag_parts parts = find_parts(p, pattern, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
+    const lag_equations equations = {b->rows, p->count, at_positions, p};
+    lag_nearest_configuration_place(&nearest, b->rows, p->count, memory);
+    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, others, LAG_HOLDS);
+    put(p, nearest.best.point);
+    return worst;
+}
+
+/*
+ * Written start values are held where the others can meet the rows: these parts begin, and end, at the point that was found, in b->q. In all other
+ * parts written ones may move, too. Returns whether there are any.
+ */
+static int open_parts(positions *p, double *memory)
+{
+    lag_initialization *b = p->b;
+    double *open = lag_take(&memory, b->rows + b->motion->model->nq);
+    int any = 0;
+    choose(p, 0);
+    double *pattern = lag_take(&memory, b->rows * p->count);
+    const lag_parts parts = find_parts(p, pattern, memory);
+    lag_fill(parts.count, 0.0, open);
+    lag_initialization_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        const int met = is_joined(b, row) || fabs(b->phi[row]) <= MET * b->row_sizes[row];
+        open[(size_t)parts.row_part[i]] += met ? 0.0 : 1.0;
+    }
+    for (size_t i = 0; i < b->rows; ++i) {
+        p->met[i] = open[(size_t)parts.row_part[i]] == 0.0;
+        any = any || p->met[i] == 0.0;
+    }
+    size_t count = 0;
+    for (size_t k = 0; k < p->count; ++k) {
+        const size_t j = (size_t)p->free[k];
+        if (open[(size_t)parts.column_part[k]] != 0.0) {
+            p->free[count++] = (double)j;
+        } else {
+            p->base[j] = b->q[j];
+        }
+    }
+    p->count = count;
+    return any;
+}
+
+static int any_written(const lag_initialization *b)
+{
+    size_t j = 0;
+    while (j < b->motion->model->nq && (is_given(b, j) || b->written[j] == 0.0)) {
+        ++j;
+    }
+    return j < b->motion->model->nq;
+}
+
+void lag_initialization_find_q(lag_initialization *b, double *x)
+{
+    const size_t n = b->motion->model->nq;
+    double *memory = b->memory;
+    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, b->rows)};
+    double *point = lag_take(&memory, n);
+    double worst = 0.0;
+    for (size_t j = 0; j < n; ++j) {
+        p.base[j] = b->joined != NULL && b->joined[j] ? x[j] : b->x[j];
+    }
+    lag_fill(b->rows, 0.0, p.met);
+    if (b->rows == 0 || already_there(&p)) {
+        return;
+    }
+    const int hold = any_written(b);
+    choose(&p, hold);
+    if (!hold || p.count > 0) {
+        worst = search(&p, point, memory);
+    }
+    if (hold && open_parts(&p, memory)) {
+        worst = search(&p, point, memory);
+    }
     memcpy(x, b->q, n * sizeof(double));
     if (!(worst <= LAG_HOLDS)) {
         tell(&p, point, memory);
