@@ -266,14 +266,14 @@ ROWS: dict[str, Row] = {
         "declared here",
         "correct the value; a table changes it at the time of its row",
     ),
-    "E0887": error(
-        "the start rates of `{name}` and `{other}` contradict each other: the constraints do not allow both",
-        "explicit start rate",
-        "leave one of them out, or write `fixed = true` at the one that holds",
-    ),
     "W0886": warning(
         "`{name}` turns at t = {time} s by less than the error of the motion",
         "since it turned before, its value has been zero within the tolerance",
         "use a smaller tolerance, or a condition with a margin",
+    ),
+    "E0887": error(
+        "the start rates of `{name}` and `{other}` contradict each other: the constraints do not allow both",
+        "explicit start rate",
+        "leave one of them out, or write `fixed = true` at the one that holds",
     ),
 }

@@ -276,21 +276,6 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
-/* Up to what happens first in the last step. */
-static lag_status count_turns(lag_run *run)
-{
-    const double t = run->half.t;
-    lag_status status = LAG_OK;
-    if (run->motion.model->nturn == 0) {
-        return LAG_OK;
-    }
-    if (t == run->stepper.t) {
-        return lag_run_count_turns(run, t, run->stepper.x);
-    }
-    status = lag_stepper_dense(&run->stepper, t, run->point);
-    return status == LAG_OK ? lag_run_count_turns(run, t, run->point) : status;
-}
-
 lag_status lag_run_step(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
@@ -306,7 +291,7 @@ lag_status lag_run_step(lag_run *run, double stop)
         status = lag_run_rows(run, half->t, 0);
     }
     if (status == LAG_OK && run->options.results != NULL) {
-        status = count_turns(run);
+        status = lag_run_count_step(run);
     }
     if (status == LAG_OK && run->options.results != NULL) {
         status = lag_results_step(run->options.results, run, half->t);
@@ -333,7 +318,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         return LAG_OK;
     }
     half->open = 0;
-    lag_status status = count_turns(run);
+    lag_status status = lag_run_count_step(run);
     if (status == LAG_OK && (half->own || half->other)) {
         status = lag_run_back(run, half->t);
     }

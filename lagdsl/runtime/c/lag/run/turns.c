@@ -160,6 +160,16 @@ lag_status lag_run_count_turns(lag_run *run, double t, const double *x)
     return LAG_OK;
 }
 
+lag_status lag_run_count_step(lag_run *run)
+{
+    const double t = run->half.t;
+    if (run->motion.model->nturn == 0 || t == run->stepper.t) {
+        return lag_run_count_turns(run, t, run->stepper.x);
+    }
+    const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
+    return status == LAG_OK ? lag_run_count_turns(run, t, run->point) : status;
+}
+
 void lag_run_unwind(const lag_run *run, double *outputs)
 {
     const lag_turns *turns = &run->turns;

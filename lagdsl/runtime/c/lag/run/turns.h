@@ -26,6 +26,9 @@ void lag_turns_clear(lag_turns *turns);
 /* Counts from where they are counted up to the state x at time t, which is a later one or the present one after an event. */
 lag_status lag_run_count_turns(struct lag_run *run, double t, const double *x);
 
+/* The same up to what happens first in the last step. */
+lag_status lag_run_count_step(struct lag_run *run);
+
 /* Of all values that outputs (ny) may have, those nearest to what was counted last; what is no number stays so. */
 void lag_run_unwind(const struct lag_run *run, double *outputs);
 
