@@ -39,11 +39,8 @@ static void rows_are_those_of_the_motion(void)
     double times[ROWS];
     double room[ROOM][WIDTH];
     lag_note notes[1];
-    double angle[2] = {(double)NAN, (double)NAN};
-    const unsigned char turning[2] = {0, 1};
     lag_results results = {
-        .most_rows = ROOM, .most_notes = 1, .rows = room[0], .notes = notes, .full = put_away, .context = &own,
-        .turning = turning, .angle = angle};
+        .most_rows = ROOM, .most_notes = 1, .rows = room[0], .notes = notes, .full = put_away, .context = &own};
     for (int i = 0; i < ROWS; ++i) {
         times[i] = 0.25 * i;
     }
