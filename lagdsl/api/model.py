@@ -110,6 +110,13 @@ class Model(SmallMotions):
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 
+    def _of_starts(self, start: Mapping[str, object] | None) -> Model:
+        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
+        from lagdsl.api.unknowns import with_unknowns
+
+        found = with_unknowns(self._compilation, self._source, start or {})
+        return self if found is None else Model(found, self._engine_of(found.program), self._source)
+
     def initial_state(
         self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
@@ -119,8 +126,9 @@ class Model(SmallMotions):
         """
         from lagdsl.simulate.initialize import initial_state
 
-        p = self._parameter_vector(parameters)
-        return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
+        model = self._of_starts(start)
+        p = model._parameter_vector(parameters)
+        return initial_state(model._compilation.flat, model._engine, p, start=model._start_values(start))
 
     def simulate(
         self,
@@ -148,17 +156,18 @@ class Model(SmallMotions):
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
-        page = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        model = self._of_starts(start)
+        page = partial(model._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         try:
             motion = simulate(
-                self._engine,
-                self._compilation.flat,
+                model._engine,
+                model._compilation.flat,
                 stop=stop,
                 interval=interval,
                 tolerance=tolerance,
-                p=self._parameter_vector(parameters),
-                inputs=signals_of(self._compilation.flat, inputs),
-                start=self._start_values(start),
+                p=model._parameter_vector(parameters),
+                inputs=signals_of(model._compilation.flat, inputs),
+                start=model._start_values(start),
                 solver=solver,
                 step=step,
                 progress=watched(progress, "simulation"),
@@ -194,15 +203,16 @@ class Model(SmallMotions):
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
+        model = self._of_starts(start)
         return simulate_many(
-            self._compilation,
-            values_of_runs("parameter", parameters, self._named("parameter")),
-            values_of_runs("start value", start, self._named("start")),
-            engine=self._engine.name,
+            model._compilation,
+            values_of_runs("parameter", parameters, model._named("parameter")),
+            values_of_runs("start value", start, model._named("start")),
+            engine=model._engine.name,
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(self._compilation.flat, inputs),
+            inputs=signals_of(model._compilation.flat, inputs),
             solver=solver,
             columns=columns,
             threads=threads,

@@ -41,7 +41,9 @@ def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
 
 def _quaternions(flat: FlatModel) -> list[str]:
     """The first of the four coordinates of each unit quaternion."""
-    rows = [residual for constraint in flat.constraints if constraint.normalisation for residual in constraint.residuals]
+    rows = [
+        residual for constraint in flat.constraints if constraint.normalisation for residual in constraint.residuals
+    ]
     parts = [{node.name for node in postorder(row) if isinstance(node, Variable)} for row in rows]
     names = [c.name for c in flat.coordinates]
     return [next(name for name in names if name in own) for own in parts]

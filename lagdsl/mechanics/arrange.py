@@ -11,13 +11,13 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
-from lagdsl.mechanics.turns import turn_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations, refuse_accelerations
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.solve import solve
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
+from lagdsl.mechanics.turns import turn_functions
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components

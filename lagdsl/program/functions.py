@@ -202,8 +202,8 @@ FUNCTIONS: tuple[Signature, ...] = (
         "turn",
         STATE,
         "value[nturn] rate[nturn] turn[nturn] entry[nturn]",
-        "outputs that are known up to multiples of `turn`, or, four in a row with zero there, as a quaternion up to its "
-        "sign: their values near the start, their rates, and which of the outputs they are",
+        "outputs that are known up to multiples of `turn`, or, four in a row with zero there, as a quaternion up to "
+        "its sign: their values near the start, their rates, and which of the outputs they are",
         Presence.TURNS,
     ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),

@@ -11,7 +11,7 @@ from lagdsl.program.program import Layout
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.library import Runtime
-from lagdsl.runtime.run_options import RunSettings, address
+from lagdsl.runtime.run_options import RunSettings
 from lagdsl.runtime.structures import WHAT, Extremes, Note, Results, Status
 
 _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]

@@ -60,7 +60,10 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     computed = [
         able
         and wish != Preference.ALWAYS
-        and not any(is_fixed(ctx, symbol) or is_started(ctx, symbol) for symbol in link.own)
+        and not any(
+            is_fixed(ctx, symbol) or is_started(ctx, symbol) or symbol.name in ctx.conventions.unknowns
+            for symbol in link.own
+        )
         for able, wish, link in zip(solvable, wanted, net.links, strict=True)
     ]
     closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), uses.values)
