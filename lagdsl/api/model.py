@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property, partial, wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,6 +30,19 @@ if TYPE_CHECKING:
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def _with_starts(method: Callable[Concatenate[Model, P], T]) -> Callable[Concatenate[Model, P], T]:
+    """`method`, called of a model that has the starts that are given among its own."""
+
+    @wraps(method)
+    def called(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        start = kwargs.get("start")
+        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
+
+    return called
 
 
 class Model(SmallMotions):
@@ -117,6 +130,7 @@ class Model(SmallMotions):
         found = with_unknowns(self._compilation, self._source, start or {})
         return self if found is None else Model(found, self._engine_of(found.program), self._source)
 
+    @_with_starts
     def initial_state(
         self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
@@ -126,10 +140,10 @@ class Model(SmallMotions):
         """
         from lagdsl.simulate.initialize import initial_state
 
-        model = self._of_starts(start)
-        p = model._parameter_vector(parameters)
-        return initial_state(model._compilation.flat, model._engine, p, start=model._start_values(start))
+        p = self._parameter_vector(parameters)
+        return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
 
+    @_with_starts
     def simulate(
         self,
         *,
@@ -156,18 +170,17 @@ class Model(SmallMotions):
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
-        model = self._of_starts(start)
-        page = partial(model._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        page = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         try:
             motion = simulate(
-                model._engine,
-                model._compilation.flat,
+                self._engine,
+                self._compilation.flat,
                 stop=stop,
                 interval=interval,
                 tolerance=tolerance,
-                p=model._parameter_vector(parameters),
-                inputs=signals_of(model._compilation.flat, inputs),
-                start=model._start_values(start),
+                p=self._parameter_vector(parameters),
+                inputs=signals_of(self._compilation.flat, inputs),
+                start=self._start_values(start),
                 solver=solver,
                 step=step,
                 progress=watched(progress, "simulation"),
@@ -178,6 +191,7 @@ class Model(SmallMotions):
             raise
         return Trajectory.of(motion, page)
 
+    @_with_starts
     def simulate_many(
         self,
         *,
@@ -203,16 +217,15 @@ class Model(SmallMotions):
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
-        model = self._of_starts(start)
         return simulate_many(
-            model._compilation,
-            values_of_runs("parameter", parameters, model._named("parameter")),
-            values_of_runs("start value", start, model._named("start")),
-            engine=model._engine.name,
+            self._compilation,
+            values_of_runs("parameter", parameters, self._named("parameter")),
+            values_of_runs("start value", start, self._named("start")),
+            engine=self._engine.name,
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(model._compilation.flat, inputs),
+            inputs=signals_of(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
             threads=threads,

@@ -11,7 +11,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
-/* Where a written start value cannot be held, it weighs 100 times another: the square of this. */
+/* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
 static const double RANK = 1e-9;
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */

@@ -102,7 +102,7 @@ static int is_continued(lag_turns *turns, size_t n, double h, double whole)
     return certain;
 }
 
-/* What is no number now is left as it was. */
+/* Values that are no numbers now stay as they were. */
 static void take(lag_turns *turns, size_t n, double t)
 {
     for (size_t i = 0; i < n; ++i) {
