@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -74,14 +74,20 @@ def parse_file(file: SourceFile, sink: Sink) -> nodes.Unit | None:
 
 
 def flatten_unit(
-    unit: nodes.Unit, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
+    unit: nodes.Unit,
+    sink: Sink,
+    *,
+    model: str | None = None,
+    structural: Mapping[str, float] | None = None,
+    unknowns: Collection[str] = (),
 ) -> FlatModel | None:
     """The flat model of one class, which passed every check made before deriving; None after errors.
 
     `model` names one of several classes; `structural` gives structural parameters other values, in SI units.
+    `unknowns` are coordinates that stay unknowns where their joint is cut.
     """
     with deep_recursion():
-        flat = flatten(unit, sink, model=model, structural=structural or {})
+        flat = flatten(unit, sink, model=model, structural=structural or {}, unknowns=unknowns)
         if flat is None or sink.has_errors:
             return None
         check_physics(flat, sink)
@@ -117,22 +123,26 @@ def _structured(
     pairs: Mapping[str, str],
     structure: StructureOf | None = None,
 ) -> FlatModel | None:
-    """The flat model with the structural parameters of `pairs`, before physics is checked.
+    """The flat model with the structural parameters of `pairs`, before physics is checked; coordinates of cut joints
+    whose starts are set are unknowns of it.
 
     The model says which names are structural, and other values of these may bring others: it is flattened anew until
     nothing is left to set. Only the diagnostics of the last one count.
     """
     from lagdsl.settings.settings import structure_of
+    from lagdsl.settings.unknowns import unknowns_of
 
     read = structure_of if structure is None else structure
     chosen: dict[str, float] = {}
+    unknowns: frozenset[str] = frozenset()
     for left in range(len(pairs), -1, -1):
         found = Sink()
-        flat = flatten(unit, found, model=model, structural=chosen)
+        flat = flatten(unit, found, model=model, structural=chosen, unknowns=unknowns)
         wanted = read(flat, pairs) if flat is not None else chosen
-        if wanted == chosen or left == 0:
+        kept = unknowns | unknowns_of(flat, pairs) if flat is not None else unknowns
+        if (wanted, kept) == (chosen, unknowns) or left == 0:
             break
-        chosen = wanted
+        chosen, unknowns = wanted, kept
     for diagnostic in found.diagnostics:
         sink.add(diagnostic)
     return flat

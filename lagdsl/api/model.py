@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property, partial, wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,6 +31,19 @@ if TYPE_CHECKING:
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def _with_starts(method: Callable[Concatenate[Model, P], T]) -> Callable[Concatenate[Model, P], T]:
+    """`method`, called of a model that has the starts that are given among its own."""
+
+    @wraps(method)
+    def called(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        start = kwargs.get("start")
+        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
+
+    return called
 
 
 class Model(SmallMotions):
@@ -111,6 +124,14 @@ class Model(SmallMotions):
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 
+    def _of_starts(self, start: Mapping[str, object] | None) -> Model:
+        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
+        from lagdsl.api.unknowns import with_unknowns
+
+        found = with_unknowns(self._compilation, self._source, start or {})
+        return self if found is None else Model(found, self._engine_of(found.program), self._source)
+
+    @_with_starts
     def initial_state(
         self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
@@ -123,6 +144,7 @@ class Model(SmallMotions):
         p = self._parameter_vector(parameters)
         return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
 
+    @_with_starts
     def simulate(
         self,
         *,
@@ -170,6 +192,7 @@ class Model(SmallMotions):
             raise
         return Trajectory.of(motion, page)
 
+    @_with_starts
     def simulate_many(
         self,
         *,

@@ -96,12 +96,13 @@ class Output(Quantity):
     """A result column; `value` may use what the mechanics provides.
 
     `joint` names the cut joint whose coordinate this is: computed from the motion of its frames, listed after the
-    outputs of the user. `turning`: it is an angle known up to whole turns, which recording makes continuous.
+    outputs of the user. `turn`: such an angle is known up to multiples of this, which a run counts; zero for the
+    parts of a unit quaternion, four in a row, which is known up to its sign. None: all others.
     """
 
     value: FlatExpression
     joint: str | None = None
-    turning: bool = False
+    turn: FlatExpression | None = None
     nominal: float | None = None
     minimum: float | None = None
     maximum: float | None = None

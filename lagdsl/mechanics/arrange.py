@@ -17,6 +17,7 @@ from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelera
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.solve import solve
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
+from lagdsl.mechanics.turns import turn_functions
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
@@ -69,7 +70,12 @@ def with_events(equations: Equations, program: Program) -> Program:
     """`program`, which is on the graph of `equations`, with the functions of events and corners, which are no part of a
     derivation."""
     flat, lowering = equations.flat, equations.lowering
-    added = event_functions(lowering, flat) + corner_functions(lowering, flat) + way_functions(lowering, flat)
+    added = (
+        *event_functions(lowering, flat),
+        *corner_functions(lowering, flat),
+        *way_functions(lowering, flat),
+        *turn_functions(lowering, flat),
+    )
     return with_speeds(flat, with_components(replace(program, functions=(*program.functions, *added))))
 
 

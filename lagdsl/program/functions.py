@@ -55,6 +55,7 @@ class Presence(Enum):
     ELIMINATED = "Only where the equations are solved while they are expressions"
     DISCRETES = "Only in models with discretes"
     CORNERS = "Only in models with corners"
+    TURNS = "Only in models with outputs that are known up to whole turns"
     WAYS = "Only in models in which ways of masses depend on discretes"
     NAMED = "Only in programs that tell every named value"
     TERMS = "Only in programs that tell the terms of their equations"
@@ -197,6 +198,14 @@ FUNCTIONS: tuple[Signature, ...] = (
         "energy differentiates, as far as they depend on discretes: all of that is continuous in a motion",
         Presence.WAYS,
     ),
+    _function(
+        "turn",
+        STATE,
+        "value[nturn] rate[nturn] turn[nturn] entry[nturn]",
+        "outputs that are known up to multiples of `turn`, or, four in a row with zero there, as a quaternion up to "
+        "its sign: their values near the start, their rates, and which of the outputs they are",
+        Presence.TURNS,
+    ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
     _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
     _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
@@ -271,7 +280,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 # Lengths that a program tells by its results only.
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
-    *("ntimed", "ndistance", "ncorner", "nway"),
+    *("ntimed", "ndistance", "ncorner", "nway", "nturn"),
     *("ninertial", "nplace", "naxes", "ntwist"),
 )
 

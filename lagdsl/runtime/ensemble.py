@@ -116,8 +116,6 @@ class Bench:
         )
         if told.given.any():
             ensemble.set = address(told.given, kept, np.uint8)
-        if told.settings.turning is not None:
-            ensemble.turning = address(told.settings.turning, kept, np.uint8)
         own, inputs = told.settings, told.settings.inputs
         if isinstance(inputs, TabledInputs):
             inputs.tell(options, library, kept)

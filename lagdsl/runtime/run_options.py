@@ -24,8 +24,7 @@ class RunSettings:
     whether the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic
     choice; `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,),
     see lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
-    wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched;
-    `turning` (ny,) flags outputs that are angles known up to whole turns."""
+    wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
 
     p: Floats
     inputs: Floats | TabledInputs | Callable[[float, bool], Floats]
@@ -42,7 +41,6 @@ class RunSettings:
     step: float = 0.0
     length: float = 0.0
     invariant_tolerance: Floats | None = None
-    turning: Flags | None = None
 
 
 def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) -> RunOptions:

@@ -11,7 +11,7 @@ from lagdsl.program.program import Layout
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.library import Runtime
-from lagdsl.runtime.run_options import RunSettings, address
+from lagdsl.runtime.run_options import RunSettings
 from lagdsl.runtime.structures import WHAT, Extremes, Note, Results, Status
 
 _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
@@ -44,9 +44,6 @@ class RunResults:
             full=self._full,
             extremes=addressof(self._extremes),
         )
-        if settings.turning is not None:
-            self.structure.turning = address(settings.turning, kept, np.uint8)
-            self.structure.angle = address(np.full(len(settings.turning), np.nan), kept)
 
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""

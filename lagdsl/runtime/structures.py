@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 5
+VERSION = 6
 
 # lag_event_kind.
 WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
@@ -119,7 +119,9 @@ class Model(Structure):
         *_all(_evaluated(2), "clock"),
         *_all(_evaluated(7), "event time_event"),
         *_all(_evaluated(2), "corner"),
-        *_all(_evaluated(1), "way momentum_tangent definition definition_tangent"),
+        *_all(_evaluated(1), "way"),
+        *_all(_evaluated(4), "turn"),
+        *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),
         *_all(_evaluated(11), "time_tangent"),
@@ -130,7 +132,7 @@ class Model(Structure):
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
-        *_all(c_size_t, "ncorner nway"),
+        *_all(c_size_t, "ncorner nway nturn"),
         *_all(c_void_p, "kinds strict whole_inputs contact_rows"),
         *_all(c_size_t, "nswitched"),
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),
@@ -202,7 +204,7 @@ class Results(Structure):
         *_all(c_size_t, "row note"),
         *_all(c_int, "any"),
         *_all(c_double, "last after"),
-        *_all(c_void_p, "turning extremes angle"),
+        *_all(c_void_p, "extremes"),
     ]
 
 
@@ -292,7 +294,7 @@ class Ensemble(Structure):
         *_all(c_void_p, "at"),
         *_all(c_size_t, "first_piece piece most_steps"),
         *_all(c_int, "equations"),
-        *_all(c_void_p, "set turning stopped p u natural x rows kept ended status found"),
+        *_all(c_void_p, "set stopped p u natural x rows kept ended status found"),
         *_all(CFUNCTYPE(None, c_void_p, c_size_t, c_void_p, c_int, _Numbers, _Numbers, c_void_p), "failed"),
         *_all(c_void_p, "context"),
     ]

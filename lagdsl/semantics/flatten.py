@@ -59,20 +59,20 @@ def flatten(
     structural: Mapping[str, float] | None = None,
     *,
     plain: Iterable[str] = (),
+    unknowns: Iterable[str] = (),
     incomplete: bool = False,
 ) -> FlatModel | None:
     """The flat model of the class `model` (default: the last complete one that nothing else in the file uses).
 
-    `structural` gives structural parameters other values, in SI units; `plain` ones are elaborated as parameters. None
-    after errors, which are in `sink`.
+    `structural` gives structural parameters other values, in SI units; `plain` ones are elaborated as parameters.
+    `unknowns` are coordinates that stay unknowns where their joint is cut. None after errors, which are in `sink`.
     `incomplete`: `unit` lacks statements of the text, so that nothing is said of names that nothing declares.
     """
-    chosen, names = structural or {}, frozenset(plain)
-    conventions = Conventions(unit.span.file, chosen, plain=names)
+    conventions = Conventions(unit.span.file, structural or {}, plain=frozenset(plain), unknowns=frozenset(unknowns))
     flat, found, branches = _attempt(unit, model, conventions, incomplete)
     while not branches <= conventions.branches:
         # a corner in the way of a mass or in a constraint is an event, which is known only once these are
-        conventions = Conventions(unit.span.file, chosen, branches=branches | conventions.branches, plain=names)
+        conventions = replace(conventions, branches=branches | conventions.branches)
         flat, found, branches = _attempt(unit, model, conventions, incomplete)
     for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
         sink.add(diagnostic)

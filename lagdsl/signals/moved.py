@@ -20,7 +20,7 @@ Kind: TypeAlias = Literal["fixed", "explicit", "default", "derived", "found"]
 
 # Parts of the natural size: what counts as moved at all, and as more than the digits of a typed number.
 _MOVED = 1e-9
-_NOTICED = 1e-3
+NOTICED = 1e-3
 _MOST_LOOPS = 4
 
 
@@ -106,7 +106,7 @@ def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None
         if row.kind != "explicit":
             continue
         coordinate, size = coordinates[row.name[4:-1] if rate else row.name]
-        if abs(row.value - row.start) <= _NOTICED * max(abs(row.start), size):
+        if abs(row.value - row.start) <= NOTICED * max(abs(row.start), size):
             continue
         written = coordinate.rate_start_span if rate else coordinate.start_span
         span = written or (coordinate.spans[0] if coordinate.spans else None)

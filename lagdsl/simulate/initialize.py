@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from lagdsl.backends.start import QUATERNION, WRITTEN
 from lagdsl.diagnostics import Severity, Sink
 from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.model import FlatModel
@@ -16,6 +17,7 @@ from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_view import Found
 from lagdsl.runtime.structures import InitialFault
 from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.simulate.explicit_rates import report_contradictions, turned_rates
 from lagdsl.simulate.initial_words import report_endless, report_found, report_no_start, report_numbers
 from lagdsl.simulate.placed import placed
 
@@ -94,7 +96,10 @@ def find_start(
         rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
-        report_moved(starts, rows, sink)
+        if not _wrong(sink, before) and flat.constraints:
+            report_contradictions(starts, run, t, found, sink)
+        if not _wrong(sink, before):
+            report_moved(starts, rows, sink)
     return InitialState(
         model=flat.name,
         t=t,
@@ -141,11 +146,12 @@ def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float],
 def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
     n = len(flat.coordinates)
     told = run.settings.start
-    written = np.array(told.written, dtype=np.bool_)
+    flags = np.array(told.written, dtype=np.uint8)
+    written = (flags & WRITTEN) != 0
     written[list(given)] = True
     return Starts(
         flat=flat,
-        x=found.starts,
+        x=turned_rates(found.starts, found.x, np.flatnonzero(flags & QUATERNION) - n, n),
         sizes=run.settings.natural,
         fixed=np.array(told.fixed, dtype=np.bool_),
         written=written,

@@ -82,5 +82,4 @@ def settings_of(
         step=step or 0.0,
         length=length,
         invariant_tolerance=np.array(invariants),
-        turning=np.array([output.turning for output in flat.outputs], dtype=np.bool_),
     )

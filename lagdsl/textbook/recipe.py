@@ -230,7 +230,7 @@ def _written(reading: Reading, output: Output) -> Expr:
     if value == Symbol(output.name):
         value = dict(_definitions(reading, {output.name: value})).get(value, value)
     value = reading.tidy(value)
-    if output.turning and isinstance(value, functions.ArcTangent2):
+    if output.turn is not None and isinstance(value, functions.ArcTangent2):
         (y, sine), (x, cosine) = (each.as_coeff_Mul() for each in value.args)
         if isinstance(sine, sin) and isinstance(cosine, cos) and sine.args == cosine.args and abs(y) == x:
             return y / x * sine.args[0]

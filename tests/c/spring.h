@@ -67,6 +67,15 @@ static inline lag_status spring_output(const lag_arguments *at, double *y)
     return LAG_OK;
 }
 
+static inline lag_status spring_turn(const lag_arguments *at, double *value, double *rate, double *turn, double *entry)
+{
+    value[0] = atan2(sin(at->z[0]), cos(at->z[0]));
+    rate[0] = 3.0;
+    turn[0] = 6.283185307179586;
+    entry[0] = 1.0;
+    return LAG_OK;
+}
+
 static inline lag_status spring_energies(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi)
 {
     kinetic[0] = 0.5 * at->qd[0] * at->qd[0];
@@ -86,6 +95,7 @@ static const lag_model SPRING = {
     .nq = 1,
     .nz = 1,
     .ny = 2,
+    .nturn = 1,
     .coordinates = SPRING_Q,
     .states = SPRING_Z,
     .outputs = SPRING_Y,
@@ -97,6 +107,7 @@ static const lag_model SPRING = {
     .state_derivative = spring_rates,
     .state_derivative_tangent = spring_rates_tangent,
     .output = spring_output,
+    .turn = spring_turn,
     .energies = spring_energies,
 };
 

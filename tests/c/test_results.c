@@ -4,6 +4,7 @@
 #include "check.h"
 #include "lag/run/extremes.h"
 #include "lag/run.h"
+#include "lag/serialization.h"
 #include "spring.h"
 
 enum { ROWS = 41, ROOM = 7, WIDTH = 9, COUNT = 5, SIZE = 3 };
@@ -39,11 +40,8 @@ static void rows_are_those_of_the_motion(void)
     double times[ROWS];
     double room[ROOM][WIDTH];
     lag_note notes[1];
-    double angle[2] = {(double)NAN, (double)NAN};
-    const unsigned char turning[2] = {0, 1};
     lag_results results = {
-        .most_rows = ROOM, .most_notes = 1, .rows = room[0], .notes = notes, .full = put_away, .context = &own,
-        .turning = turning, .angle = angle};
+        .most_rows = ROOM, .most_notes = 1, .rows = room[0], .notes = notes, .full = put_away, .context = &own};
     for (int i = 0; i < ROWS; ++i) {
         times[i] = 0.25 * i;
     }
@@ -143,8 +141,33 @@ static void extremes_take_values_that_are_numbers(void)
     free(memory);
 }
 
+/* Turns are counted without rows, and by a run that goes on from saved bytes. */
+static void turns_are_counted_and_saved(void)
+{
+    const lag_run_options options = {.tolerance = 1e-10};
+    double outputs[2];
+    lag_run *run = place(&options);
+    lag_run *other = place(&options);
+    unsigned char *bytes = malloc(lag_run_saved_size(&SPRING, &options));
+    CHECK(bytes != NULL);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 5.0, 0) == LAG_OK);
+    lag_run_save(run, bytes);
+    CHECK(lag_run_begin(other, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_load(other, bytes) == LAG_OK);
+    CHECK(lag_run_to(other, 10.0, 0) == LAG_OK);
+    lag_motion_look(&other->motion, 10.0, other->stepper.x);
+    CHECK(SPRING.output(&other->motion.at, outputs) == LAG_OK);
+    lag_run_unwind(other, outputs);
+    CHECK_NEAR(outputs[1], 30.0, 1e-7);
+    free(bytes);
+    free(other);
+    free(run);
+}
+
 int main(void)
 {
+    turns_are_counted_and_saved();
     rows_are_those_of_the_motion();
     full_buffers_end_the_run();
     extremes_are_those_of_the_motion(&lag_dop853);

@@ -46,7 +46,6 @@ int main(void)
     doubles("cap", fmu->cap, sizes[0]);
     doubles("row_sizes", fmu->row_sizes, sizes[1]);
     doubles("lasting", fmu->lasting, sizes[1]);
-    bytes("turning", fmu->turning, sizes[3]);
     doubles("invariant_limits", fmu->invariant_limits, sizes[4]);
     for (size_t i = 0; i < sizes[5] && fmu->parameter_range != NULL; i++) {
         printf("range %a %a\n", fmu->parameter_range[i].least, fmu->parameter_range[i].most);

@@ -155,12 +155,6 @@ def test_texts_and_limits_reach_c(tmp_path: Path) -> None:
     assert found["kinds"] == [["2"]]
 
 
-def test_cut_joints_have_angles_that_turn(tmp_path: Path) -> None:
-    given = table_of_model("andrews_squeezer", 2)
-    found = printed(given, tmp_path)["turning"][0]
-    assert found == [str(int(output.turning)) for output in given.flat.outputs] and "1" in found
-
-
 def test_accuracy_is_measured_as_in_simulations() -> None:
     """Rows that come and go do not count as lasting; angles have size one at most."""
     given = table_of_model("newtons_cradle", 2)

@@ -64,7 +64,7 @@ class _Starts:
         """Constraints of both levels hold, and what is fixed is as it was; or it is said that this cannot be."""
         found, codes = self.find(p, start)
         if codes:
-            assert set(codes) <= {"E0801", "E0802", "E0803", "E0815", "E0831", "E0839"}
+            assert set(codes) <= {"E0801", "E0802", "E0803", "E0815", "E0831", "E0839", "E0887"}
             return
         space = geometry(self.flat, self.engine, p)
         declared = self.declared(p)

@@ -36,7 +36,7 @@ class CBackend:
 
     def emit(self, program: Program) -> Artifact:
         stem = stem_of(program)
-        constants = {"MODEL": symbol(stem), "START": f"{stem}_start", "TURNING": _turning(program, self._start)}
+        constants = {"MODEL": symbol(stem), "START": f"{stem}_start"}
         defined = "".join(f"#define {name} {value}\n" for name, value in constants.items())
         head = f'#include "{stem}.h"\n{defined}\n'
         return Artifact(
@@ -127,12 +127,6 @@ def _start(stem: str, start: Start | None) -> str:
         f'/* Where the motion starts. */\n#include "{stem}.h"\n\n{"".join(arrays)}\n'
         f"const lag_start {stem}_start = {{\n    .t = {number(told.t)},\n{members}}};\n"
     )
-
-
-def _turning(program: Program, start: Start | None) -> str:
-    """An initializer with a flag for each output, one at least: it is an angle known up to whole turns."""
-    flags = start.turning if start is not None and start.turning else (False,) * max(1, len(program.layout.outputs))
-    return f"{{{', '.join(str(int(flag)) for flag in flags)}}}"
 
 
 def _example(name: str) -> str:

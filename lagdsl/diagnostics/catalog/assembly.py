@@ -93,11 +93,6 @@ ROWS: dict[str, Row] = {
         "no component here gives its flow",
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
-    "N0718": note(
-        "`{name}` follows from the other joints of its loop; {use}",
-        "no initial value",
-        "write `prefer = always` to keep the coordinate and its start",
-    ),
     "E0719": error(
         "{what} cannot be connected here",
         "{why}",

@@ -271,4 +271,9 @@ ROWS: dict[str, Row] = {
         "since it turned before, its value has been zero within the tolerance",
         "use a smaller tolerance, or a condition with a margin",
     ),
+    "E0887": error(
+        "the start rates of `{name}` and `{other}` contradict each other: the constraints do not allow both",
+        "explicit start rate",
+        "leave one of them out, or write `fixed = true` at the one that holds",
+    ),
 }

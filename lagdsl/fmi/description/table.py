@@ -33,7 +33,6 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "row_sizes": ("double", _numbers(settings.row_sizes)),
         "row_factors": ("double", _numbers(factors if any(by != 1.0 for by in factors) else ())),
         "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
-        "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
         "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
         "input_range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
         "held_relations": ("unsigned char", _held_relations(table)),

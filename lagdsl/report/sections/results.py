@@ -174,7 +174,7 @@ def outputs(page: Page) -> list[Block]:
         Equation(name_box(name), _output(page, value, items[name]), unit=page.unit(Units.quantity, name))
         for name, value in page.derivation.outputs
     ]
-    turning = any(item.turning for item in page.flat.outputs)
+    turning = any(item.turn is not None for item in page.flat.outputs)
     words: list[Block] = [Paragraph(text(_TURNING))] if turning else []
     return [Heading("Outputs"), Equations(tuple(from_names)), *words]
 

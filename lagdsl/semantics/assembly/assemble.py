@@ -7,7 +7,7 @@ from lagdsl.semantics.assembly.assembly import Assembly, Parts
 from lagdsl.semantics.assembly.chains import Chains
 from lagdsl.semantics.assembly.closures import Closures
 from lagdsl.semantics.assembly.connections import Connections
-from lagdsl.semantics.assembly.costs import Preference, is_fixed, preferences
+from lagdsl.semantics.assembly.costs import Preference, is_fixed, is_started, preferences
 from lagdsl.semantics.assembly.dependencies import Dependencies
 from lagdsl.semantics.assembly.islands import report_islands
 from lagdsl.semantics.assembly.loops import Loops
@@ -58,7 +58,12 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     routes = Routes(ctx, net, tree)
     loops = Loops(net, tree)
     computed = [
-        able and wish != Preference.ALWAYS and not any(is_fixed(ctx, symbol) for symbol in link.own)
+        able
+        and wish != Preference.ALWAYS
+        and not any(
+            is_fixed(ctx, symbol) or is_started(ctx, symbol) or symbol.name in ctx.conventions.unknowns
+            for symbol in link.own
+        )
         for able, wish, link in zip(solvable, wanted, net.links, strict=True)
     ]
     closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), uses.values)

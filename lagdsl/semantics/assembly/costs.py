@@ -15,7 +15,7 @@ from lagdsl.syntax import nodes
 
 class Preference(IntEnum):
     """RIGID links carry no coordinate. KEPT are joints that can only be cut with their coordinates kept, STARTED those
-    whose start the user wrote: it would be lost."""
+    whose start the user wrote: an unknown more."""
 
     RIGID = 0
     ALWAYS = 1
@@ -43,7 +43,7 @@ def preference(ctx: Context, link: Link, *, solvable: bool) -> Preference:
         return Preference.FIXED
     if not solvable:
         return Preference.KEPT
-    if any(name in attributes(ctx, symbol) for symbol in link.own for name in _STARTS):
+    if any(is_started(ctx, symbol) for symbol in link.own):
         return Preference.STARTED
     return Preference.PLAIN
 
@@ -52,6 +52,12 @@ def is_fixed(ctx: Context, symbol: Symbol) -> bool:
     found = attributes(ctx, symbol)
     shape = ctx.resolver.shape(ctx, symbol) or ()
     return any(any(flags(ctx, found.get(name), "`fixed`", shape)) for name in _FIXED)
+
+
+def is_started(ctx: Context, symbol: Symbol) -> bool:
+    """True if a start of the coordinate or of its rate is written: the search for a start has to know it."""
+    found = attributes(ctx, symbol)
+    return any(name in found for name in _STARTS)
 
 
 def wish_of(ctx: Context, symbol: Symbol) -> Literal["always", "never"] | None:

@@ -36,6 +36,8 @@ class Uses:
                 self._walk(binding.scope, binding.node)
             for binding in symbol.given.bindings.values():
                 self._momenta(binding.scope, binding.node)
+                if symbol.kind == "output":
+                    self._walk(binding.scope, binding.node)
 
     def _momenta(self, scope: Scope, node: nodes.Node) -> None:
         """`momentum(q)` belongs to an unknown of the equations of motion."""

@@ -57,7 +57,8 @@ class Conventions:
     `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
     `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units. `branches` are places of
     functions of the motion whose branches change at events. `plain` are structural parameters that are elaborated as
-    parameters.
+    parameters. `unknowns` are coordinates whose starts are set from outside: they stay unknowns where their joint is
+    cut.
     """
 
     home: SourceFile
@@ -65,6 +66,7 @@ class Conventions:
     units: bool = True
     branches: frozenset[Spans] = frozenset()
     plain: frozenset[str] = frozenset()
+    unknowns: frozenset[str] = frozenset()
 
     def dimension(self, dimension: Dimension) -> Dimension:
         """The dimension as the class counts: 1 for all without units."""

@@ -99,7 +99,6 @@ typedef struct lag_fmu {
     const double *row_factors;           /* (nc) multipliers of the variables are those of the model times these; null: one */
     size_t general;
     const char *const *texts;       /* constants of type String */
-    const unsigned char *turning;   /* (ny) 1: an angle known up to whole turns, made continuous from step to step */
     const double *invariant_limits; /* (ni) allowed departures, as parts of the scales; 0: a thousand tolerances */
     unsigned char kinds;            /* a sum of lag_kinds: what it can be instantiated for */
     /* Variable i depends as dependencies [dependency_first[i], dependency_first[i + 1]) tell; null: not told. */

@@ -3,7 +3,6 @@
  * CSV, with two rows at each event, before and after. Events go to the error output as CSV, or to the file that a fourth
  * argument names. The third is the tolerance.
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,14 +10,10 @@
 #include "lag/event_notice.h"
 #include "lag/run.h"
 
-static const double TURN = 6.283185307179586;
-/* Outputs that are angles known up to whole turns. */
-static const unsigned char turning[] = TURNING;
-
-/* Files of the rows and events, memory for the outputs, the angles of the last row, and the time of the last event. */
+/* Files of the rows and events, memory for the outputs, and the time of the last event. */
 typedef struct tables {
     FILE *rows, *events;
-    double *y, *angle;
+    double *y;
     double event_time;
 } tables;
 
@@ -71,17 +66,6 @@ static void print_header(FILE *file, const lag_model *model)
     (void)fputc('\n', file);
 }
 
-/* Of all angles that differ by whole turns the nearest to the one in the row before; what is no number is left out. */
-static void unwind(const tables *to, size_t count)
-{
-    for (size_t i = 0; i < count; ++i) {
-        if (turning[i] != 0 && isfinite(to->y[i])) {
-            to->y[i] += isfinite(to->angle[i]) ? TURN * nearbyint((to->angle[i] - to->y[i]) / TURN) : 0.0;
-            to->angle[i] = to->y[i];
-        }
-    }
-}
-
 static lag_status print_row(const tables *to, lag_run *run, double t, const double *x)
 {
     lag_motion *motion = &run->motion;
@@ -97,13 +81,16 @@ static lag_status print_row(const tables *to, lag_run *run, double t, const doub
         }
     }
     if (model->ny > 0) {
+        status = lag_run_count_turns(run, t, x);
+    }
+    if (model->ny > 0 && status == LAG_OK) {
         status = lag_motion_solve(motion, t, x);
     }
     if (model->ny > 0 && status == LAG_OK) {
         status = model->output(&motion->at, to->y);
     }
     if (status == LAG_OK) {
-        unwind(to, model->ny);
+        lag_run_unwind(run, to->y);
     }
     for (size_t i = 0; i < model->ny; ++i) {
         (void)fprintf(to->rows, ",%.17g", to->y[i]);
@@ -220,11 +207,7 @@ int main(int argc, char **argv)
     const size_t count = length >= 0.0 && interval > 0.0 ? (size_t)(length / interval * (1.0 + 1e-12)) + 1 : 1;
     double *times = malloc(count * sizeof(double));
     tables to = {.rows = stdout, .events = argc > 4 ? fopen(argv[4], "w") : stderr, .event_time = START.t - 1.0};
-    to.y = malloc((2 * model->ny + 1) * sizeof(double));
-    to.angle = to.y != NULL ? to.y + model->ny : NULL;
-    for (size_t i = 0; to.y != NULL && i < model->ny; ++i) {
-        to.angle[i] = (double)NAN;
-    }
+    to.y = malloc((model->ny + 1) * sizeof(double));
     lag_run_options options = {.output = row, .tell = tell, .context = &to, .times = times, .start = &START};
     options.count = argc > 2 ? count : 0;
     options.tolerance = argc > 3 ? strtod(argv[3], NULL) : 1e-10;

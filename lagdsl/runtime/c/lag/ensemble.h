@@ -23,7 +23,6 @@ typedef struct lag_ensemble {
     size_t first_piece, piece, most_steps;
     int equations;               /* 0: initial equations are left out */
     const unsigned char *set;    /* (2 nq + nz) 1: start values that are given, and count as written; null: none is */
-    const unsigned char *turning; /* (ny) see lag/run/results.h */
     const atomic_int *stopped;   /* becomes 1 where no more runs are wanted; null: they are */
 
     /* Of every run, one after the other. */

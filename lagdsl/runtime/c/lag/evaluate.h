@@ -35,6 +35,7 @@ typedef enum lag_function {
     LAG_TIME_EVENT,
     LAG_CORNER,
     LAG_WAY,
+    LAG_TURN,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

@@ -1,7 +1,8 @@
 /*
  * A state to start from: as near as possible to the start values, with constraints, fixed values and initial equations satisfied.
  *
- * Positions are the nearest in natural sizes, a written start value weighing 100 times another; rates satisfy J v + b = 0 and the fixed
+ * Positions are the nearest in natural sizes at which written start values hold, or, where the others cannot meet the constraints, a written one
+ * weighing 100 times another; rates of quaternions turn with what has moved; rates satisfy J v + b = 0 and the fixed
  * ones exactly, then written ones in turn as far as they are independent, the rest by least kinetic energy of the change. With
  * initial equations all are unknowns at once. The search is as thorough as that of `lag run`; it takes far longer than a step.
  *

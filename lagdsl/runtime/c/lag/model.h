@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 5u
+#define LAG_MODEL_VERSION 6u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -21,6 +21,9 @@ typedef struct lag_slot {
     const char *unit;   /* coherent SI unit */
     const char *place;  /* file:line of its declaration, or null */
 } lag_slot;
+
+/* A start value was written: it is held as long as one that was not can move. A rate is the first of the four of a unit quaternion. */
+enum { LAG_WRITTEN = 1, LAG_QUATERNION = 2 };
 
 /*
  * A state to start from, which satisfies everything that the model says of the start, for the default parameters; and what else it says,
@@ -30,7 +33,7 @@ typedef struct lag_start {
     double t;                        /* [s] */
     const double *x;                 /* null: not known */
     const unsigned char *fixed;      /* 1: the start value holds exactly; null: none does */
-    const unsigned char *written;    /* 1: it was written, and weighs 100 times one that was not; null: none was */
+    const unsigned char *written;    /* LAG_WRITTEN, LAG_QUATERNION, or both; null: none was */
     const double *nominal;           /* what counts as a change of order one; zero, or null: not said */
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
     const unsigned char *free;       /* (np) 1: the parameter is found with the start, from its value as a guess; null: none is */
@@ -206,6 +209,12 @@ typedef struct lag_model {
      * in which ways of masses depend on discretes
      */
     lag_status (*way)(const lag_arguments *at, double *way);
+    /*
+     * t q qd z u w p -> value (nturn), rate (nturn), turn (nturn), entry (nturn): outputs that are known up to multiples of `turn`,
+     * or, four in a row with zero there, as a quaternion up to its sign: their values near the start, their rates, and which of the
+     * outputs they are. Only in models with outputs that are known up to whole turns
+     */
+    lag_status (*turn)(const lag_arguments *at, double *value, double *rate, double *turn, double *entry);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -273,6 +282,7 @@ typedef struct lag_model {
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
     size_t ncorner; /* of models with corners along the motion */
     size_t nway;    /* of models in which ways of masses depend on discretes */
+    size_t nturn;   /* of models with outputs that are known up to whole turns */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const unsigned char *whole_inputs; /* (nu) 1: Integer, Boolean or enumerated, without round-off; null: none is */

@@ -23,6 +23,7 @@
 #include "lag/equations/rank.h"
 #include "lag/run/results.h"
 #include "lag/run/singular_crossing.h"
+#include "lag/run/turns.h"
 #include "lag/stepper.h"
 #include "lag/methods/stiffness.h"
 #include "lag/equations/watch.h"
@@ -120,6 +121,7 @@ struct lag_run {
     double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
     double *waiting;          /* (nindicator + ncontact) what waits for the ticks there */
     double *u_before;         /* (nu) the inputs before a jump */
+    lag_turns turns;
     lag_half half;
     lag_clock *clock;         /* (nclock) */
     size_t row;               /* the next one */

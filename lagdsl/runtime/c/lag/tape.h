@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 7u
+#define LAG_TAPE_VERSION 8u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -81,6 +81,7 @@ typedef enum lag_tape_size {
     LAG_TAPE_NDISTANCE,
     LAG_TAPE_NCORNER,
     LAG_TAPE_NWAY,
+    LAG_TAPE_NTURN,
     LAG_TAPE_NSWITCHED,
     LAG_TAPE_NINERTIAL,
     LAG_TAPE_NPLACE,

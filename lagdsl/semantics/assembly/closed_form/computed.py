@@ -8,6 +8,7 @@ terms of the matrix).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import assert_never
@@ -28,12 +29,11 @@ class NoFormulaError(Exception):
 
 @record()
 class Formula:
-    """One coordinate. `wound`: right up to half a turn from the start only; `turning`: an angle of that kind."""
+    """One coordinate. `turn`: it is known up to multiples of this; zero: up to the sign of a quaternion."""
 
     name: str
     value: FlatExpression
-    wound: bool
-    turning: bool
+    turn: FlatExpression | None
 
 
 class Solver:
@@ -68,11 +68,11 @@ class Solver:
         """The coordinates in expressions."""
         return [name for name in variables(parts) if name in self._starts]
 
-    def _give(self, name: str, value: FlatExpression, *, wound: bool = False, turning: bool = False) -> None:
+    def _give(self, name: str, value: FlatExpression, turn: FlatExpression | None = None) -> None:
         if name in self._solved:
             raise NoFormulaError
         self._solved.add(name)
-        self._found(Formula(name, value, wound, turning))
+        self._found(Formula(name, value, turn))
 
     # ---- turning -----------------------------------------------------------------------------------------------------
 
@@ -118,8 +118,8 @@ class Solver:
         factor, rest = found
         at = plus(times(factor, self._starts[name]), rest)
         turned = turn_near(at, cosine, sine)
-        whole = factor in (flat.ONE, flat.Number(-1.0))
-        self._give(name, over(minus(turned, rest), factor), wound=True, turning=whole)
+        turn = flat.Function("abs", (over(flat.Number(2.0 * math.pi), factor),))
+        self._give(name, over(minus(turned, rest), factor), turn)
 
     def _one(self, base: str, end: str, step: Rotate) -> None:
         i, j = (step.axis + 1) % 3, (step.axis + 2) % 3
@@ -164,25 +164,16 @@ class Solver:
         return plus(times(found[0], self._starts[name]), found[1])
 
     def _quaternion(self, base: str, end: str, e: tuple[FlatExpression, ...]) -> None:
-        """The unit quaternion on the side of the start e0: 4 e e' e0, normalized; not defined at right angles to it."""
+        """The unit quaternion on the side of the start: the longest column of 4 e e', normalized."""
         names = [part.name if isinstance(part, flat.Variable) else "" for part in e]
         if any(name not in self._starts for name in names) or len(set(names)) != 4:
             raise NoFormulaError
-        r = [[_dot(base, i, end, j) for j in range(3)] for i in range(3)]
-        d = [r[k][k] for k in range(3)]
-        x, y, z = minus(r[2][1], r[1][2]), minus(r[0][2], r[2][0]), minus(r[1][0], r[0][1])
-        xy, xz, yz = plus(r[0][1], r[1][0]), plus(r[0][2], r[2][0]), plus(r[1][2], r[2][1])
-        one = flat.ONE
-        square = [
-            [total([one, d[0], d[1], d[2]]), x, y, z],
-            [x, minus(minus(plus(one, d[0]), d[1]), d[2]), xy, xz],
-            [y, xy, minus(minus(plus(one, d[1]), d[0]), d[2]), yz],
-            [z, xz, yz, minus(minus(plus(one, d[2]), d[0]), d[1])],
-        ]
-        near = [total([times(square[i][j], self._starts[names[j]]) for j in range(4)]) for i in range(4)]
-        length = flat.Function("sqrt", (total([times(part, part) for part in near]),))
-        for name, part in zip(names, near, strict=True):
-            self._give(name, over(part, length), wound=True)
+        square = four_squares(base, end)
+        longest = [_longest(square, i) for i in range(4)]
+        side = _sign(total([times(part, self._starts[name]) for name, part in zip(names, longest, strict=True)]))
+        length = flat.Function("sqrt", (total([times(part, part) for part in longest]),))
+        for name, part in zip(names, longest, strict=True):
+            self._give(name, over(times(side, part), length), flat.ZERO)
 
     # ---- moving ------------------------------------------------------------------------------------------------------
 
@@ -240,6 +231,21 @@ def _solved(square: list[list[FlatExpression]], along: list[FlatExpression]) -> 
     return [over(one, size), over(two, size)]
 
 
+def four_squares(base: str, end: str) -> list[list[FlatExpression]]:
+    """4 e e' of the unit quaternion e that turns `base` to `end`: both signs have the same."""
+    r = [[_dot(base, i, end, j) for j in range(3)] for i in range(3)]
+    d = [r[k][k] for k in range(3)]
+    x, y, z = minus(r[2][1], r[1][2]), minus(r[0][2], r[2][0]), minus(r[1][0], r[0][1])
+    xy, xz, yz = plus(r[0][1], r[1][0]), plus(r[0][2], r[2][0]), plus(r[1][2], r[2][1])
+    one = flat.ONE
+    return [
+        [total([one, d[0], d[1], d[2]]), x, y, z],
+        [x, minus(minus(plus(one, d[0]), d[1]), d[2]), xy, xz],
+        [y, xy, minus(minus(plus(one, d[1]), d[0]), d[2]), yz],
+        [z, xz, yz, minus(minus(plus(one, d[2]), d[0]), d[1])],
+    ]
+
+
 def turn_near(at: FlatExpression, cosine: FlatExpression, sine: FlatExpression) -> FlatExpression:
     """The angle of a direction that is less than half a turn from `at`."""
     if at == flat.ZERO:
@@ -288,6 +294,17 @@ def _turned(
     if start == i:
         return component(i), component(j)
     return component(j), negative(component(i))
+
+
+def _longest(square: list[list[FlatExpression]], row: int) -> FlatExpression:
+    """Element `row` of the column of 4 e e' that is the longest: that with the largest e."""
+    found = square[row][0]
+    most = square[0][0]
+    for k in range(1, 4):
+        longer = flat.Binary("<", most, square[k][k])
+        found = flat.Conditional(longer, square[row][k], found)
+        most = flat.Function("max", (most, square[k][k]))
+    return found
 
 
 def _sign(value: FlatExpression) -> FlatExpression:

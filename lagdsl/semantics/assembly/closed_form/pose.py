@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.semantics.assembly.closed_form.algebra import minus, over, times, total
+from lagdsl.semantics.assembly.closed_form.computed import four_squares
 from lagdsl.semantics.operators.axes import axis_of, origin_of
 
 
@@ -26,3 +28,11 @@ def misalignment(base: str, end: str) -> tuple[FlatExpression, ...]:
     cosine = flat.Binary("+", flat.Binary("+", aligned[0], aligned[1]), aligned[2])
     vector = flat.Binary("/", sine, flat.Binary("+", flat.ONE, cosine))
     return tuple(flat.Component(vector, k) for k in range(3))
+
+
+def quaternion_residual(base: str, end: str, e: tuple[FlatExpression, ...]) -> tuple[FlatExpression, ...]:
+    """(E E' - 1) e with the unit quaternion E of the turn from `base` to `end`: four rows, of which three are
+    independent. They vanish at multiples of E only and are smooth everywhere, half a turn away as well."""
+    square = four_squares(base, end)
+    four = flat.Number(4.0)
+    return tuple(minus(over(total([times(square[i][j], e[j]) for j in range(4)]), four), e[i]) for i in range(4))

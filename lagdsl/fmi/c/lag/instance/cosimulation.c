@@ -39,7 +39,7 @@ static lag_status deliver(lag_instance *instance, double t)
     if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
         status = LAG_NOT_FINITE;
     }
-    return status == LAG_OK ? lag_instance_turn(instance, t, instance->x) : status;
+    return status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
 }
 
 /* Latest time at which a step may end on the way to `end`. */
@@ -104,7 +104,7 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
             status = step(instance, end, &far);
         }
         *event = status == LAG_OK && stops_here(instance, end, stops);
-        if (status == LAG_OK && instance->turning && reached(run) < end) {
+        if (status == LAG_OK && instance->fmu->model->nturn > 0 && reached(run) < end) {
             status = deliver(instance, reached(run));
         }
         if (status != LAG_OK) {

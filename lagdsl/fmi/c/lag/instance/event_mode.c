@@ -299,7 +299,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
         status = status == LAG_OK ? lag_instance_latch(instance, held->t, instance->x) : status;
     }
     if (status == LAG_OK) {
-        status = lag_instance_turn(instance, held->t, instance->x);
+        status = lag_run_count_turns(instance->run, held->t, instance->x);
     }
     return lag_instance_judge(instance, status);
 }

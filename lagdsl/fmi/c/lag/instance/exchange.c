@@ -80,7 +80,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
         status = lag_instance_judge(instance, lag_instance_assert(instance, held->t, instance->x));
     }
     if (status == LAG_OK) {
-        status = lag_instance_judge(instance, lag_instance_turn(instance, held->t, instance->x));
+        status = lag_instance_judge(instance, lag_run_count_turns(instance->run, held->t, instance->x));
     }
     lag_instance_leave_inputs(instance);
     if (held->t != held->last) {

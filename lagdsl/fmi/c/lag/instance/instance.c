@@ -39,7 +39,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_watched(fmu) +
-           model->nindicator + model->ncorner + fmu->ndependent + model->ny;
+           model->nindicator + model->ncorner + fmu->ndependent;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -111,7 +111,6 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->resting = lag_take(&memory, model->nindicator);
     instance->side = lag_take(&memory, model->ncorner);
     instance->offsets = lag_take(&memory, fmu->ndependent);
-    instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
     instance->room = lag_take(&memory, watched);
@@ -143,9 +142,6 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     instance->held.start = instance->held.t = fmu->start_time;
     instance->held.stop = (double)INFINITY;
     instance->held.tolerance = fmu->tolerance;
-    for (size_t i = 0; i < model->ny && fmu->turning != NULL; ++i) {
-        instance->turning = instance->turning || fmu->turning[i] != 0;
-    }
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
         memcpy(instance->guess, model->defaults, model->np * sizeof(double));

@@ -67,7 +67,7 @@ struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
     lag_held held;
-    double *kept;           /* (kept_count) the arrays that follow up to `turned` */
+    double *kept;           /* (kept_count) the arrays that follow up to `offsets` */
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
     double *p;              /* (np) those of the motion, found ones among them */
@@ -83,7 +83,6 @@ struct lag_instance {
     double *resting;        /* (relations) those that rest at zero at the last event are known to this only; zero: it moves */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
-    double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
@@ -97,7 +96,6 @@ struct lag_instance {
     double *invariant_limits;   /* (ni) */
     unsigned char *written;     /* (2 nq + nz) 1: this start was set */
     double *initial_memory;     /* lag_initial_memory() */
-    int turning;                /* any output is such an angle */
     double *fixed_memory;   /* lag_fixed_memory() */
     lag_derivatives derivatives;
     double *slopes;         /* lag_instance_slopes() */
@@ -184,13 +182,6 @@ void lag_instance_pass_corners(lag_instance *instance);
 
 /* By this the value of a variable is that of the model. */
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
-
-/* ---- turning.c ---- */
-
-/* The whole turns in y that bring angles nearest to those before. */
-void lag_instance_unwind(const lag_instance *instance, double *y);
-/* The state at t is accepted: angles go on from there. */
-lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
 
 /* ---- directional.c ---- */
 

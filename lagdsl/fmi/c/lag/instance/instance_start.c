@@ -133,7 +133,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_run *run = instance->run;
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
-    lag_fill(instance->fmu->model->ny, (double)NAN, instance->turned); /* angles begin as they are */
+    lag_turns_clear(&run->turns);
     held->stopped = held->following = held->tied = 0;
     held->left_at = held->t;
     held->left_for = 0.0;
@@ -150,7 +150,7 @@ lag_status lag_instance_settle(lag_instance *instance)
         status = lag_instance_latch(instance, held->t, instance->x);
     }
     if (status == LAG_OK) {
-        status = lag_instance_turn(instance, held->t, instance->x);
+        status = lag_run_count_turns(instance->run, held->t, instance->x);
     }
     if (status == LAG_OK) {
         status = lag_instance_assert(instance, held->t, instance->x);

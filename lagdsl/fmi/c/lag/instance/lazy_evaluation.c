@@ -86,8 +86,8 @@ static lag_status outputs(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->y) : LAG_OK;
-    if (status == LAG_OK && instance->turning) {
-        lag_instance_unwind(instance, instance->y);
+    if (status == LAG_OK) {
+        lag_run_unwind(instance->run, instance->y);
     }
     return status;
 }

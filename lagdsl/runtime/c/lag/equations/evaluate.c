@@ -204,6 +204,15 @@ static lag_status evaluate_way(const lag_model *model, const lag_arguments *at, 
     return model->way == NULL ? LAG_MISSING : model->way(at, results);
 }
 
+static lag_status evaluate_turn(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const rate = value + model->nturn;
+    double *const turn = rate + model->nturn;
+    double *const entry = turn + model->nturn;
+    return model->turn == NULL ? LAG_MISSING : model->turn(at, value, rate, turn, entry);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -350,6 +359,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_corner(model, at, results);
     case LAG_WAY:
         return evaluate_way(model, at, results);
+    case LAG_TURN:
+        return evaluate_turn(model, at, results);
     case LAG_MOMENTUM_TANGENT:
         return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:

@@ -72,7 +72,7 @@ void lag_joint_choose(const lag_joint_parts *t, lag_joint *joint)
     for (size_t k = 0; k < joint->all; ++k) {
         const size_t part = (size_t)t->whole.column_part[k];
         const int rate = k >= model->nq && k < 2 * model->nq;
-        const int held = k < size && (b->fixed[k] != 0.0 || (b->written[k] != 0.0 && t->parametric[part] && !t->open[part]));
+        const int held = k < size && (b->fixed[k] != 0.0 || (b->written[k] != 0.0 && !t->open[part]));
         if ((rate ? t->rated : t->equation)[part] && !held) {
             joint->free[joint->count++] = (double)k;
         }
@@ -89,7 +89,7 @@ lag_parts lag_joint_parts_of(const lag_joint *joint, double *pattern, double *me
     return lag_parts_of(joint->rows, joint->count, pattern, memory);
 }
 
-/* Parts with free parameters in which rows are off: there written start values give way, too. Returns whether there are any. */
+/* Parts in which rows are off while written start values are held: there these give way, too. Returns whether there are any. */
 static int open_parts(const lag_joint_parts *t, lag_joint *joint)
 {
     int any = 0;
@@ -97,7 +97,7 @@ static int open_parts(const lag_joint_parts *t, lag_joint *joint)
     for (size_t i = 0; i < joint->rows; ++i) {
         const size_t row = (size_t)joint->row[i];
         const size_t part = (size_t)t->whole.row_part[row];
-        if (t->parametric[part] && !t->open[part] && !(fabs(joint->here[row]) <= LAG_HOLDS)) {
+        if (!t->open[part] && !(fabs(joint->here[row]) <= LAG_HOLDS)) {
             t->open[part] = 1;
             any = 1;
         }

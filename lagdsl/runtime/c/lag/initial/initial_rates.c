@@ -309,6 +309,36 @@ static int settle(lag_rates *r, size_t which)
     return 1;
 }
 
+/* a b of quaternions, or a' b. Hamilton's product, scalar first. */
+static void multiply(const double *a, int conjugate, const double *b, double *product)
+{
+    const double s = conjugate ? -1.0 : 1.0;
+    product[0] = a[0] * b[0] - s * (a[1] * b[1] + a[2] * b[2] + a[3] * b[3]);
+    product[1] = a[0] * b[1] + s * (a[1] * b[0] + a[2] * b[3] - a[3] * b[2]);
+    product[2] = a[0] * b[2] + s * (a[2] * b[0] + a[3] * b[1] - a[1] * b[3]);
+    product[3] = a[0] * b[3] + s * (a[3] * b[0] + a[1] * b[2] - a[2] * b[1]);
+}
+
+/* The rates of quaternions belong to angular velocities in own axes: they turn with positions that have moved to x. */
+static void turn_rates(lag_initialization *b, const double *x)
+{
+    const size_t n = b->motion->model->nq;
+    const unsigned char *told = b->start != NULL ? b->start->written : NULL;
+    for (size_t j = 0; told != NULL && j + 4 <= n; ++j) {
+        double turned[4];
+        const double *e = b->x + j;
+        if ((told[n + j] & LAG_QUATERNION) == 0 || memcmp(e, x + j, sizeof turned) == 0) {
+            continue;
+        }
+        const double square = lag_dot(4, e, e);
+        multiply(e, 1, b->x + n + j, turned);
+        multiply(x + j, 0, turned, b->x + n + j);
+        for (size_t k = 0; k < 4; ++k) {
+            b->x[n + j + k] /= square;
+        }
+    }
+}
+
 void lag_initialization_find_qd(lag_initialization *b, double *x)
 {
     const size_t n = b->motion->model->nq;
@@ -317,6 +347,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
         return;
     }
     place(&r, b);
+    turn_rates(b, x);
     memcpy(b->q, x, n * sizeof(double));
     lag_fill(n, 0.0, b->qd);
     lag_initialization_velocities(b);

@@ -11,7 +11,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
-/* A written start value weighs 100 times another: the square of this. */
+/* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
 static const double RANK = 1e-9;
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
@@ -197,7 +197,7 @@ static void find_widths(lag_initialization *b, const unsigned char *set)
 {
     const lag_start *start = b->start;
     for (size_t i = 0; i < lag_motion_size(b->motion->model); ++i) {
-        const int written = (start != NULL && start->written != NULL && start->written[i]) || (set != NULL && set[i]);
+        const int written = (start != NULL && start->written != NULL && (start->written[i] & LAG_WRITTEN) != 0) || (set != NULL && set[i]);
         b->written[i] = written;
         b->fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
         b->widths[i] = written ? b->sizes[i] / SHARP : b->sizes[i];

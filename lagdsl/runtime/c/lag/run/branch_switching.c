@@ -5,7 +5,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
-#include "lag/run/fit_polynomial.h"
+#include "lag/linalg/fit_polynomial.h"
 
 enum { NODES = LAG_FIT_NODES, HALVINGS = 4, ITERATIONS = 30, BETWEEN = 5 };
 

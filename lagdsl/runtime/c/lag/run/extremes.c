@@ -233,17 +233,25 @@ static double record_of(const lag_extremes *extremes, size_t ny, size_t i, doubl
     return sign > 0.0 ? extremes->high[place] : -extremes->low[place];
 }
 
-static void see_outputs(lag_extremes *extremes, size_t ny, const double *y, const unsigned char *without)
+/* True if output i is known up to whole turns. */
+static int is_counted(const lag_run *run, size_t i)
 {
+    return run->turns.counted != NULL && run->turns.counted[i] != 0.0;
+}
+
+/* Outputs within the last step, or at its end, up to which turns are counted. */
+static void see_outputs(lag_extremes *extremes, const lag_run *run, const double *y, int at_end)
+{
+    const size_t ny = run->motion.model->ny;
     for (size_t i = 0; i < ny; ++i) {
-        if (without == NULL || !without[i]) {
+        if (at_end || !is_counted(run, i)) {
             see(extremes, extremes->count - ny + i, y[i]);
         }
     }
 }
 
 /* Outputs on the dense output, which are seen; no numbers where the method has none: that does not end the run. */
-static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, double *y, const unsigned char *without)
+static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, double *y)
 {
     const size_t ny = run->motion.model->ny;
     if (lag_stepper_dense(&run->stepper, t, extremes->sample) == LAG_OK) {
@@ -251,11 +259,11 @@ static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, 
     } else {
         lag_fill(ny, (double)NAN, y);
     }
-    see_outputs(extremes, ny, y, without);
+    see_outputs(extremes, run, y, 0);
 }
 
 /* True if states on the cubics show that some output may exceed its range so far, or hide what is between them. */
-static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t)
 {
     const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
@@ -266,10 +274,11 @@ static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, co
         find_outputs(run, at, extremes->sample, extremes->outputs + k * ny);
     }
     if (t == s->t) { /* the end is no approximation */
-        see_outputs(extremes, ny, extremes->outputs + SCREEN * ny, without);
+        lag_run_unwind(run, extremes->outputs + SCREEN * ny);
+        see_outputs(extremes, run, extremes->outputs + SCREEN * ny, 1);
     }
     for (size_t i = 0; i < ny; ++i) {
-        for (int side = 0; side < 2 && (without == NULL || !without[i]); ++side) {
+        for (int side = 0; side < 2 && !is_counted(run, i); ++side) {
             const double sign = side ? -1.0 : 1.0;
             take_values(extremes, ny, i, SCREEN, sign, y);
             for (size_t k = 0; k <= SCREEN; ++k) {
@@ -286,7 +295,7 @@ static int outputs_get_beyond(lag_extremes *extremes, lag_run *run, double t, co
  * The largest value of sign times output i between two times, of which `known` at `at` is the largest so far: by parabolas, else the golden
  * section (Brent, Algorithms for minimization without derivatives, 1973, chapter 5). Every output is seen on the way.
  */
-static void search(lag_extremes *extremes, lag_run *run, const unsigned char *without, size_t i, double sign, double a, double b,
+static void search(lag_extremes *extremes, lag_run *run, size_t i, double sign, double a, double b,
     double at, double known)
 {
     static const double GOLD = 0.3819660112501051;
@@ -309,7 +318,7 @@ static void search(lag_extremes *extremes, lag_run *run, const unsigned char *wi
             step = GOLD * earlier;
         }
         const double u = x + (fabs(step) >= close ? step : step > 0.0 ? close : -close);
-        find_outputs_inside(extremes, run, u, y, without);
+        find_outputs_inside(extremes, run, u, y);
         ++extremes->searched;
         const double fu = sign * y[i];
         if (isnan(fu)) {
@@ -333,14 +342,14 @@ static void search(lag_extremes *extremes, lag_run *run, const unsigned char *wi
 }
 
 /* Searches where values of outputs at equal distances show that there may be more beside them, or hide what is there. */
-static void search_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+static void search_outputs(lag_extremes *extremes, lag_run *run, double t)
 {
     const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
     const double part = (t - s->t_before) / LAG_SAMPLES;
     double y[LAG_SAMPLES + 1];
     for (size_t i = 0; i < ny; ++i) {
-        for (int side = 0; side < 2 && (without == NULL || !without[i]); ++side) {
+        for (int side = 0; side < 2 && !is_counted(run, i); ++side) {
             const double sign = side ? -1.0 : 1.0;
             take_values(extremes, ny, i, LAG_SAMPLES, sign, y);
             for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
@@ -349,28 +358,28 @@ static void search_outputs(lag_extremes *extremes, lag_run *run, double t, const
                 if (reach > record_of(extremes, ny, i, sign) || (reach > -(double)INFINITY && worth)) {
                     const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
                     const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;
-                    search(extremes, run, without, i, sign, a, b, s->t_before + part * (double)k, y[k]);
+                    search(extremes, run, i, sign, a, b, s->t_before + part * (double)k, y[k]);
                 }
             }
         }
     }
 }
 
-static void look_at_outputs(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+static void look_at_outputs(lag_extremes *extremes, lag_run *run, double t)
 {
     const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
-    if (!outputs_get_beyond(extremes, run, t, without)) {
+    if (!outputs_get_beyond(extremes, run, t)) {
         return;
     }
     for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
         const double at = s->t_before + (t - s->t_before) * (double)k / LAG_SAMPLES;
-        find_outputs_inside(extremes, run, at, extremes->outputs + k * ny, without);
+        find_outputs_inside(extremes, run, at, extremes->outputs + k * ny);
     }
-    search_outputs(extremes, run, t, without);
+    search_outputs(extremes, run, t);
 }
 
-lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t, const unsigned char *without)
+lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t)
 {
     lag_stepper *s = &run->stepper;
     const int whole = t == s->t;
@@ -379,7 +388,7 @@ lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t, con
         status = look_inside(extremes, s, t);
     }
     if (t > s->t_before && run->motion.model->ny > 0 && status == LAG_OK) {
-        look_at_outputs(extremes, run, t, without);
+        look_at_outputs(extremes, run, t);
     }
     if (whole && status == LAG_OK) {
         for (size_t i = 0; i < extremes->size; ++i) {

@@ -30,7 +30,7 @@ void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *
 /* Values of a row: state, discrete variables, outputs. Values that are not numbers do not count. */
 void lag_extremes_row(lag_extremes *extremes, const double *values);
 
-/* The last step of the run, as far as time t; of outputs those that `without` (ny) does not flag (or null). */
-lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t, const unsigned char *without);
+/* The last step of the run, as far as time t, up to which turns are counted. Outputs that are counted are seen at its end only. */
+lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t);
 
 #endif

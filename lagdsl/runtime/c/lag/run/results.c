@@ -8,8 +8,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
 
-static const double TURN = 6.283185307179586;
-
 size_t lag_results_width(const lag_model *model)
 {
     return 1 + lag_motion_size(model) + lag_places_of(model).contact + model->ny + 3;
@@ -69,19 +67,6 @@ static void observe(lag_run *run, double t, const double *x, int after_event, do
     find_residuals(run, energy + 1);
 }
 
-/* Of all angles that differ by whole turns the nearest to the one before; what is no number is left out. */
-static void unwind(lag_results *results, size_t count, double *outputs)
-{
-    for (size_t i = 0; i < count; ++i) {
-        if (results->turning[i] && isfinite(outputs[i])) {
-            if (isfinite(results->angle[i])) {
-                outputs[i] += TURN * nearbyint((results->angle[i] - outputs[i]) / TURN);
-            }
-            results->angle[i] = outputs[i];
-        }
-    }
-}
-
 static lag_status make_room(lag_results *results)
 {
     if (results->row < results->most_rows && results->note < results->most_notes) {
@@ -105,10 +90,9 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     row[0] = t;
     memcpy(row + 1, x, size * sizeof(double));
     memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
+    (void)lag_run_count_turns(run, t, x); /* where it cannot, outputs are as the model has them */
     observe(run, t, x, results->any && results->after == t, row + 1 + size + variables);
-    if (results->turning != NULL) {
-        unwind(results, model->ny, row + 1 + size + variables);
-    }
+    lag_run_unwind(run, row + 1 + size + variables);
     if (results->extremes != NULL) {
         lag_extremes_row(results->extremes, row + 1);
     }
@@ -120,7 +104,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
 
 lag_status lag_results_step(lag_results *results, lag_run *run, double t)
 {
-    return results->extremes == NULL ? LAG_OK : lag_extremes_step(results->extremes, run, t, results->turning);
+    return results->extremes == NULL ? LAG_OK : lag_extremes_step(results->extremes, run, t);
 }
 
 static int is_there(const lag_results *results, double t)

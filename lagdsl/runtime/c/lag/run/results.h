@@ -3,7 +3,7 @@
  * them alone where the other one is there already), and a note of everything that happens.
  *
  * A row is t, x (2 nq + nz), the discrete variables, the outputs (ny), energy() [J], and the largest residuals of the constraints of
- * position level and of velocity level, in the units of their rows. Angles that are known up to whole turns go on from row to row.
+ * position level and of velocity level, in the units of their rows. Outputs that are known up to whole turns are as the run counts them (lag/run/turns.h).
  */
 #ifndef LAG_RESULTS_H
 #define LAG_RESULTS_H
@@ -28,9 +28,7 @@ typedef struct lag_results {
     size_t row, note;             /* how many of them are filled */
     int any;                      /* 1: there was a row, */
     double last, after;           /* the times of the last row and of the last one after an event */
-    const unsigned char *turning; /* (ny) 1: an angle that the model knows up to whole turns, continuous in rows; null: none is */
     struct lag_extremes *extremes; /* lowest and highest values of everything, of the motion itself; null: not wanted */
-    double *angle;                /* (ny) with `turning`: such angles in the last row that had them; not numbers before the first one */
 } lag_results;
 
 /* Numbers of a row. */

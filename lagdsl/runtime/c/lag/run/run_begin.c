@@ -98,6 +98,7 @@ static lag_status find_start(lag_run *run, double t)
 lag_status lag_run_begin(lag_run *run, double t, const double *x)
 {
     lag_stepper *s = &run->stepper;
+    lag_turns_clear(&run->turns);
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
         status = find_start(run, t);

@@ -295,6 +295,9 @@ lag_status lag_run_step(lag_run *run, double stop)
         status = lag_run_rows(run, half->t, 0);
     }
     if (status == LAG_OK && run->options.results != NULL) {
+        status = lag_run_count_step(run);
+    }
+    if (status == LAG_OK && run->options.results != NULL) {
         status = lag_results_step(run->options.results, run, half->t);
     }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
@@ -317,7 +320,10 @@ lag_status lag_run_finish(lag_run *run, double stop)
         return LAG_OK;
     }
     half->open = 0;
-    lag_status status = half->own ? lag_run_back(run, half->t) : LAG_OK;
+    lag_status status = lag_run_count_step(run);
+    if (status == LAG_OK && half->own) {
+        status = lag_run_back(run, half->t);
+    }
     if (status != LAG_OK) {
         return give_back(run, s->t_before, status);
     }

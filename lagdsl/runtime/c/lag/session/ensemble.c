@@ -30,10 +30,10 @@ static size_t padded(size_t bytes)
     return (bytes + 15) / 16 * 16;
 }
 
-/* Doubles beside those of the run: rows, angles, sizes of constraints, start values and the start, flags of constraints. */
+/* Doubles beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
 static size_t own_memory(const lag_model *model)
 {
-    return ROWS * lag_results_width(model) + model->ny + 2 * model->nc + 2 * lag_motion_size(model);
+    return ROWS * lag_results_width(model) + 2 * model->nc + 2 * lag_motion_size(model);
 }
 
 size_t lag_ensemble_width(const lag_model *model)
@@ -138,21 +138,18 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     const lag_model *model = ensemble->model;
     const size_t size = lag_motion_size(model);
     double *rows = lag_take(&memory, ROWS * lag_results_width(model));
-    double *angle = lag_take(&memory, model->ny);
     double *row_sizes = lag_take(&memory, model->nc);
     unsigned char *dependent = lag_take_flags(&memory, model->nc);
     double *starts = lag_take(&memory, size);
     double *x = lag_take(&memory, size);
     lag_initial told = {.given = !ensemble->equations, .dependent = dependent, .row_sizes = row_sizes};
-    lag_fill(model->ny, (double)NAN, angle);
     lag_fill(model->nc, 1.0, row_sizes);
     own->kept = (keeper){
         .ensemble = ensemble, .width = lag_results_width(model),
         .rows = ensemble->rows + i * ensemble->options->count * lag_ensemble_width(model)
     };
     own->results = (lag_results){
-        .most_rows = ROWS, .most_notes = NOTES, .rows = rows, .notes = own->notes, .full = keep, .context = &own->kept,
-        .turning = ensemble->turning, .angle = angle
+        .most_rows = ROWS, .most_notes = NOTES, .rows = rows, .notes = own->notes, .full = keep, .context = &own->kept
     };
     own->options = *ensemble->options;
     own->options.p = ensemble->p + i * model->np;

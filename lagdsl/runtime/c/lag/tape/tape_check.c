@@ -42,6 +42,7 @@ static const lag_tape_signature SIGNATURES[LAG_TAPE_ALONG] = {
         VECTOR(NDISTANCE), VECTOR(NDISTANCE)}},
     [1 + LAG_CORNER] = {0x01ff, 2, {VECTOR(NCORNER), NUMBER}},
     [1 + LAG_WAY] = {0x007f, 1, {VECTOR(NWAY)}},
+    [1 + LAG_TURN] = {0x007f, 4, {VECTOR(NTURN), VECTOR(NTURN), VECTOR(NTURN), VECTOR(NTURN)}},
     [1 + LAG_MOMENTUM_TANGENT] = {0x047f, 1, {VECTOR(NQ)}},
     [1 + LAG_DEFINITION] = {0x01ff, 1, {VECTOR(ND)}},
     [1 + LAG_DEFINITION_TANGENT] = {0xffff, 1, {VECTOR(ND)}},

@@ -193,6 +193,12 @@ static lag_status way(const lag_arguments *at, double *way)
     return run(at, 1 + LAG_WAY, results);
 }
 
+static lag_status turn(const lag_arguments *at, double *value, double *rate, double *turn, double *entry)
+{
+    double *const results[] = {value, rate, turn, entry};
+    return run(at, 1 + LAG_TURN, results);
+}
+
 static lag_status momentum_tangent(const lag_arguments *at, double *momentum)
 {
     double *const results[] = {momentum};
@@ -292,6 +298,7 @@ static void give(lag_tape *tape)
     tape->model.time_event = lag_tape_has(tape, LAG_TIME_EVENT) ? time_event : NULL;
     tape->model.corner = lag_tape_has(tape, LAG_CORNER) ? corner : NULL;
     tape->model.way = lag_tape_has(tape, LAG_WAY) ? way : NULL;
+    tape->model.turn = lag_tape_has(tape, LAG_TURN) ? turn : NULL;
     tape->model.momentum_tangent = lag_tape_has(tape, LAG_MOMENTUM_TANGENT) ? momentum_tangent : NULL;
     tape->model.definition = lag_tape_has(tape, LAG_DEFINITION) ? definition : NULL;
     tape->model.definition_tangent = lag_tape_has(tape, LAG_DEFINITION_TANGENT) ? definition_tangent : NULL;

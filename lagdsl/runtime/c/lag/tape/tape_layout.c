@@ -76,6 +76,7 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ndistance = size[LAG_TAPE_NDISTANCE];
     model->ncorner = size[LAG_TAPE_NCORNER];
     model->nway = size[LAG_TAPE_NWAY];
+    model->nturn = size[LAG_TAPE_NTURN];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
     model->ninertial = size[LAG_TAPE_NINERTIAL];
     model->nplace = size[LAG_TAPE_NPLACE];

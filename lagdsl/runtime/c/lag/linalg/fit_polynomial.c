@@ -1,4 +1,4 @@
-#include "lag/run/fit_polynomial.h"
+#include "lag/linalg/fit_polynomial.h"
 
 #include <math.h>
 
