@@ -24,7 +24,7 @@ def turned_rates(starts: Floats, x: Floats, first: NDArray[np.intp], count: int)
         before, now = starts[place : place + 4], x[place : place + 4]
         rates = slice(count + place, count + place + 4)
         if not np.array_equal(before, now):
-            inverse = before * [1.0, -1.0, -1.0, -1.0] / (before @ before)
+            inverse = before * [1.0, -1.0, -1.0, -1.0] / np.sqrt(before @ before)  # rates are written for the unit one
             found[rates] = _product(now, _product(inverse, starts[rates]))
     return found
 
@@ -36,7 +36,8 @@ def _product(a: Floats, b: Floats) -> Floats:
 
 
 def report_contradictions(starts: Starts, run: Run, t: float, found: Found, sink: Sink) -> None:
-    """E0887 for written rates that are not held because others that were written are."""
+    """E0887 for written rates that are not held because another one that was written determines them. Of more than two
+    that the constraints do not allow together the nearest ones are taken, and told as moved."""
     n, rows = starts.count, len(found.row_sizes)
     rates = slice(n, 2 * n)
     wanted, x, sizes = starts.x[rates], found.x[rates], starts.sizes[rates]
@@ -53,15 +54,22 @@ def report_contradictions(starts: Starts, run: Run, t: float, found: Found, sink
     for j in np.flatnonzero(moved).tolist():
         shares = np.linalg.lstsq(basis.T, unit[j], rcond=None)[0]
         part = np.abs(shares[len(basis) - len(held) :])
-        others = held[part > _SHARE]
-        if not len(others) or np.abs(basis.T @ shares - unit[j]).max() > _SHARE:
+        second = starts.flat.coordinates[j]
+        others = [starts.flat.coordinates[i] for i in held[part > _SHARE]]
+        others = [each for each in others if not _is_one_statement(each, second)]
+        if np.abs(basis.T @ shares - unit[j]).max() > _SHARE or not others:
             continue
-        other = int(held[int(np.argmax(part))])
-        first, second = (starts.flat.coordinates[place] for place in (other, j))
+        if not all(_is_one_statement(others[0], each) for each in others):
+            continue
+        first = others[0]
         pair = (id(first.rate_start_span), id(second.rate_start_span))
         if pair not in told:
             told.add(pair)
             _report(first, second, sink)
+
+
+def _is_one_statement(first: Coordinate, second: Coordinate) -> bool:
+    return first is second or (first.rate_start_span is not None and first.rate_start_span == second.rate_start_span)
 
 
 def _report(first: Coordinate, second: Coordinate, sink: Sink) -> None:

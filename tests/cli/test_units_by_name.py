@@ -63,7 +63,7 @@ def test_the_help_of_a_bare_number_can_be_followed(invoke: Callable[..., Result]
     """N0871 names the unit of the declaration, which is taken as it stands."""
     path = tmp_path / "loop.lag"
     path.write_text(TEXT, encoding="utf-8")
-    for bare, whole in (("K=3", "3 V/(rad.s)"), ("c=5", "5 1/s")):
+    for bare, whole in (("K=3", "3 V/rad.s"), ("c=5", "5 /s")):
         assert f"write `{whole}`" in invoke("run", path, "--set", bare, "--stop", "1").stderr
         followed = invoke("run", path, "--set", f"{bare[:2]}{whole}", "--stop", "1")
         assert followed.exit_code == 0

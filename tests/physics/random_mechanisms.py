@@ -149,9 +149,10 @@ def text(found, seed, planar=False):
         elements = (I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[0, 2], I[1, 2])
         inertia = f"Izz = {float(I[2, 2])!r}" if planar else f"I = {vector(elements)}"
         parts.append(f"Body B{k + 1}(m = {float(m)!r}, com = {vector(com[:n])}, {inertia});")
+    closed = len(found.joints) > len(found.bodies)  # then rates of several joints would contradict each other
     for joint in found.joints:
         name = joint.name
-        modifiers = ", ".join(_modifiers(joint, rng, planar))
+        modifiers = ", ".join(_modifiers(joint, rng, planar, 9 if not closed else joint is found.joints[0]))
         parts.append(f"{joint.kind} {name}({modifiers});" if modifiers else f"{joint.kind} {name};")
         parts += [_weld(f"{name}a", joint.at_a, planar), _weld(f"{name}b", joint.at_b, planar)]
         pairs += [(hub(joint.a), f"{name}a.frame_a"), (f"{name}a.frame_b", f"{name}.frame_a")]
@@ -189,7 +190,8 @@ def _weld(name, at, planar):
     return f"Weld {name}(r = {vector(r)}, angles = {vector(angles)});"
 
 
-def _modifiers(joint, rng, planar):
+def _modifiers(joint, rng, planar, rates):
+    """With start rates of so many coordinates at most."""
     found = []
     if joint.axis is not None and not (planar and joint.kind == "Revolute"):
         found.append(f"axis = {vector(joint.axis[: 2 if planar else 3])}")
@@ -200,12 +202,13 @@ def _modifiers(joint, rng, planar):
         name, unit = ("angle", "1") if joint.kind == "RevoluteDrive" else ("way", "(1 m)")
         found.append(f"{name} = {unit}*{size!r}*sin({pace!r}*time/(1 s) + {phase!r})")
     wish = rng.choice(["", "", ", prefer = always", ", prefer = never"])
-    for c, value in joint.start.items():
+    for k, (c, value) in enumerate(joint.start.items()):
         rate = rng.normal(size=np.shape(value))
         if c == "e":
             rate = rate - value * (value @ rate)
         write = vector if np.shape(value) else (lambda x: repr(float(x)))
-        found.append(f"{c}(start = {write(value)}, der(start = {write(rate)}){wish})")
+        of_rate = f", der(start = {write(rate)})" if k < rates else ""
+        found.append(f"{c}(start = {write(value)}{of_rate}{wish})")
         wish = ""
     return found
 

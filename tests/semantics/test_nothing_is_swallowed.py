@@ -48,7 +48,7 @@ def test_an_index_of_a_sum_hides_a_name_of_the_class() -> None:
 model M
   import Lag.Planar.*;
   structural parameter Integer i = 1;
-  Revolute p[4](q(start = {1, -0.5, -1, 1}));
+  Revolute p[4];
   Link a(l = 0.4 m, m = 1 kg), b(l = 1 m, m = 1 kg), c(l = 0.8 m, m = 1 kg);
   Fixed pin(r = {1 m, 0});
   gravity = 0;

@@ -70,7 +70,6 @@ CASES = [
     ("E0105", model("  Real x = 5 ⟦l⟧;"), None),
     # comments, characters, strings
     ("E0107", "model M\nend M;\n⟦/*⟧ no end\n", "*/"),
-    ("E0108", model("  Real x = 3 ⟦%⟧;"), "0.03"),
     ("E0108", model("  Real ⟦θ⟧ = 3;"), "theta"),
     ("E0108", model("  Real x = a ⟦&&⟧ b;"), "`and`"),
     ("E0108", model("  Real x = a ⟦!=⟧ b;"), "`<>`"),

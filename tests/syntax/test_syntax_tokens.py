@@ -32,9 +32,16 @@ def test_number_before_a_keyword_has_no_unit(word):
     assert [t.value for t in tokens(f"2 /{word}")] == ["2", "/", word]
 
 
-@pytest.mark.parametrize("unit", UNITS)
+@pytest.mark.parametrize("unit", [unit for unit in UNITS if unit != "%"])
 def test_every_unit_makes_a_quantity(unit):
     for text in (f"2 {unit}", f"2{unit}", f"2 /{unit}", f"2 m.{unit}2/{unit}^-3", f"2.5e-3 \t{unit}"):
+        (quantity,) = tokens(text)
+        assert quantity.type == "QUANTITY" and quantity.value == text
+
+
+def test_percent_is_a_unit_without_exponent():
+    """Behind it may stand a number that is divided by, in other languages."""
+    for text in ("2 %", "2%", "2.5e-3 \t%"):
         (quantity,) = tokens(text)
         assert quantity.type == "QUANTITY" and quantity.value == text
 

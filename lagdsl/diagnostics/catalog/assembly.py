@@ -93,6 +93,11 @@ ROWS: dict[str, Row] = {
         "no component here gives its flow",
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
+    "N0718": note(
+        "`{name}` follows from the other joints of its loop, as `prefer = never` says; {use}",
+        "no initial value",
+        "leave out `prefer`, and the start chooses how the loop is assembled",
+    ),
     "E0719": error(
         "{what} cannot be connected here",
         "{why}",

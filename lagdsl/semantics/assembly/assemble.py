@@ -61,7 +61,9 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
         able
         and wish != Preference.ALWAYS
         and not any(
-            is_fixed(ctx, symbol) or is_started(ctx, symbol) or symbol.name in ctx.conventions.unknowns
+            is_fixed(ctx, symbol)
+            or (wish != Preference.NEVER and is_started(ctx, symbol))
+            or symbol.name in ctx.conventions.unknowns
             for symbol in link.own
         )
         for able, wish, link in zip(solvable, wanted, net.links, strict=True)

@@ -8,11 +8,11 @@ from dataclasses import replace
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Move, Output, RotateQuaternion
-from lagdsl.flat.quantity import Variability, fields_of
+from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output, RotateQuaternion
+from lagdsl.flat.quantity import Variability, fields_of, is_angle
 from lagdsl.semantics.assembly.closed_form.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.closed_form.linear import variables
-from lagdsl.semantics.assembly.closed_form.pose import displacement, misalignment, quaternion_residual
+from lagdsl.semantics.assembly.closed_form.pose import displacement, misalignment, misalignment_anywhere
 from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.relative import Ancestry, is_relative, speaks_of_its_frames
@@ -116,8 +116,19 @@ class Closures:
             del ctx.product.named[mark:]
             cut.outputs.clear()
             cut.computed = False
+        else:
+            self._tell_starts(known)
         order = {name: k for k, name in enumerate(starts)}
         cut.outputs.sort(key=lambda output: order[output.name])
+
+    def _tell_starts(self, known: list[flat_model.Coordinate]) -> None:
+        """N0718 for starts that are not needed; that of an angle tells in which revolution it begins."""
+        spans = {item.start_span or item.rate_start_span: item for item in reversed(known)}
+        for span, item in spans.items():
+            if span is not None:
+                turns = is_angle(item) and span is item.start_span
+                use = "its start value only selects the revolution of the angle" if turns else "its start has no use"
+                self._ctx.sink.report("N0718", span, name=item.name, use=use)
 
     def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
         """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""
@@ -156,17 +167,12 @@ class Closures:
             self._own(cut)
             return
         start = self._frame(cut.place, cut.start, cut.steps, "start")
-        turned = [k for k, step in enumerate(cut.steps) if not isinstance(step, Move)]
-        step = cut.steps[turned[0]] if len(turned) == 1 else None
-        if not isinstance(step, RotateQuaternion):
-            self._pose(cut.place, start, cut.hidden)
-            return
-        self._rows(cut.place, displacement(start, cut.hidden), self._ctx.conventions.dimension(LENGTH), 0)
-        self._rows(cut.place, quaternion_residual(cut.start, cut.hidden, step.e), DIMENSIONLESS, 3)
+        self._pose(cut.place, start, cut.hidden, anywhere=any(isinstance(step, RotateQuaternion) for step in cut.steps))
 
-    def _pose(self, place: Place, start: str, end: str) -> None:
+    def _pose(self, place: Place, start: str, end: str, *, anywhere: bool = False) -> None:
         self._rows(place, displacement(start, end), self._ctx.conventions.dimension(LENGTH), 0)
-        self._rows(place, misalignment(start, end), DIMENSIONLESS, 3)
+        turned = misalignment_anywhere if anywhere else misalignment
+        self._rows(place, turned(start, end), DIMENSIONLESS, 3)
 
     def _own(self, cut: Cut) -> None:
         """The equations of the closure section, the end of the link read as the hidden frame."""

@@ -92,7 +92,7 @@ def _turned(product: Expr, sums: frozenset[Expr]) -> Expr:
 
 
 def known_sums(expression: Expr, sums: frozenset[Expr]) -> int:
-    """How often one of them stands in it as a factor."""
+    """Number of places in it at which one of them is a factor."""
     if not sums or expression.is_Atom:
         return 0
     own = sum(factor.as_base_exp()[0] in sums for factor in expression.args) if expression.is_Mul else 0

@@ -39,7 +39,7 @@ def revealed(expression: Expr, hidden: dict[Expr, Expr]) -> Expr:
 
 
 def squares(expression: Expr) -> int:
-    """How many squares of sums are factors in it."""
+    """Number of squares of sums that are factors in it."""
     return sum(power.base.is_Add and power.exp == 2 for power in expression.atoms(Pow))
 
 

@@ -17,7 +17,7 @@ LONGEST_LIKELY = 3000
 
 
 def likely(balance: Balance, statics: Sequence[Expr]) -> list[Place]:
-    """Those of them at which the equations hold identically; none under constraints."""
+    """The ones at which the equations hold identically; none under constraints."""
     if balance.rows:
         return []
     coordinates = balance.flat.coordinates

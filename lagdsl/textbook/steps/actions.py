@@ -54,7 +54,7 @@ class ActionStep:
 
 
 def action_steps(reading: Reading) -> tuple[ActionStep, ...]:
-    """What acts, in the order of the loads."""
+    """Actions in the order of the loads."""
     return tuple(_action(reading, *each) for each in _numbered(reading))
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.semantics.assembly.closed_form.algebra import minus, over, times, total
-from lagdsl.semantics.assembly.closed_form.computed import four_squares
+from lagdsl.semantics.assembly.closed_form.algebra import minus, over, plus, times, total
 from lagdsl.semantics.operators.axes import axis_of, origin_of
+
+# Half a turn away rows are as large as the ratio of these; another zero lies so near to half a turn as the first is large.
+_ASIDE = (1e-6, 1.3e-6, 1.7e-6)
+_LEAST = 1e-12
 
 
 def displacement(base: str, end: str) -> tuple[FlatExpression, ...]:
@@ -30,9 +33,15 @@ def misalignment(base: str, end: str) -> tuple[FlatExpression, ...]:
     return tuple(flat.Component(vector, k) for k in range(3))
 
 
-def quaternion_residual(base: str, end: str, e: tuple[FlatExpression, ...]) -> tuple[FlatExpression, ...]:
-    """(E E' - 1) e with the unit quaternion E of the turn from `base` to `end`: four rows, of which three are
-    independent. They vanish at multiples of E only and are smooth everywhere, half a turn away as well."""
-    square = four_squares(base, end)
-    four = flat.Number(4.0)
-    return tuple(minus(over(total([times(square[i][j], e[j]) for j in range(4)]), four), e[i]) for i in range(4))
+def misalignment_anywhere(base: str, end: str) -> tuple[FlatExpression, ...]:
+    """The same where the search for a start may begin half a turn away, as from the quaternion {1, 0, 0, 0}.
+
+    There sin(a) n and 1 + cos(a) are both round-off, and so is their quotient. A term of the second order in a that
+    the solution does not notice, and a denominator that is not zero, make it large: the search begins elsewhere.
+    """
+    crossed = [flat.Cross(axis_of(base, k), axis_of(end, k)) for k in range(3)]
+    sine = flat.Binary("+", flat.Binary("+", crossed[0], crossed[1]), crossed[2])
+    cosine = total([flat.Dot(axis_of(base, k), axis_of(end, k)) for k in range(3)])
+    turned = minus(flat.Number(3.0), cosine)
+    below = plus(cosine, flat.Number(1.0 + _LEAST))
+    return tuple(over(plus(flat.Component(sine, k), times(flat.Number(_ASIDE[k]), turned)), below) for k in range(3))

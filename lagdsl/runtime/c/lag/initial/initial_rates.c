@@ -319,7 +319,7 @@ static void multiply(const double *a, int conjugate, const double *b, double *pr
     product[3] = a[0] * b[3] + s * (a[3] * b[0] + a[1] * b[2] - a[2] * b[1]);
 }
 
-/* The rates of quaternions belong to angular velocities in own axes: they turn with positions that have moved to x. */
+/* The rates of quaternions, of unit length as they are written, belong to angular velocities in own axes: they turn with positions that have moved to x. */
 static void turn_rates(lag_initialization *b, const double *x)
 {
     const size_t n = b->motion->model->nq;
@@ -327,14 +327,14 @@ static void turn_rates(lag_initialization *b, const double *x)
     for (size_t j = 0; told != NULL && j + 4 <= n; ++j) {
         double turned[4];
         const double *e = b->x + j;
-        if ((told[n + j] & LAG_QUATERNION) == 0 || memcmp(e, x + j, sizeof turned) == 0) {
+        if ((told[n + j] & LAG_QUATERNION) == 0 || lag_same(4, e, x + j)) {
             continue;
         }
-        const double square = lag_dot(4, e, e);
+        const double length = sqrt(lag_dot(4, e, e));
         multiply(e, 1, b->x + n + j, turned);
         multiply(x + j, 0, turned, b->x + n + j);
         for (size_t k = 0; k < 4; ++k) {
-            b->x[n + j + k] /= square;
+            b->x[n + j + k] /= length;
         }
     }
 }
