@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lagdsl.api.described import Described
 from lagdsl.api.names import unknown_among
 from lagdsl.backends.python.support.kinematics import FrameKinematics, Kinematics, PointKinematics, frame_of, point_of
-from lagdsl.flat.geometry import frame_names, point_names
+from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:
     from lagdsl.analysis.base_parameters import BaseParameters

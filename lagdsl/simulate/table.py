@@ -7,8 +7,8 @@ from collections.abc import Collection
 import numpy as np
 
 from lagdsl.flat.display import Display, display, display_rate
+from lagdsl.flat.listing import discrete_outputs
 from lagdsl.flat.model import FlatModel
-from lagdsl.flat.outputs import discrete_outputs
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
 from lagdsl.settings.aliases import other_names

@@ -16,8 +16,8 @@ from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
 
+from lagdsl.flat.listing import computed_outputs
 from lagdsl.flat.model import Definition, FlatModel, Output
-from lagdsl.flat.outputs import computed_outputs
 from lagdsl.flat.row_factors import without_row_factors
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (

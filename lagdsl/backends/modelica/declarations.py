@@ -20,7 +20,7 @@ from lagdsl.backends.modelica.variables import (
     units_of_motion,
 )
 from lagdsl.flat.events import entries
-from lagdsl.flat.outputs import computed_outputs, discrete_outputs
+from lagdsl.flat.listing import computed_outputs, discrete_outputs
 from lagdsl.graph.operation import Group
 
 _FIXED = ("fixed", "true")

@@ -10,7 +10,7 @@ from lagdsl.backends.modelica.clauses import Action, Clause
 from lagdsl.backends.modelica.names import quoted, text
 from lagdsl.backends.modelica.variables import acceleration, multiplier, rate
 from lagdsl.flat.events import Assign, Check, Discrete, Reset, Terminate, entries
-from lagdsl.flat.outputs import discrete_outputs
+from lagdsl.flat.listing import discrete_outputs
 from lagdsl.graph.operation import Group
 
 

@@ -14,7 +14,7 @@ from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
-from lagdsl.flat.geometry import frame_names, point_names
+from lagdsl.flat.listing import frame_names, point_names
 from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.settings import settings, split

@@ -8,8 +8,8 @@ from typing import assert_never
 
 from lagdsl.flat import quantity as fq
 from lagdsl.flat.events import Contact, Discrete, entries
+from lagdsl.flat.listing import discrete_outputs
 from lagdsl.flat.model import Definition, FlatModel, Output
-from lagdsl.flat.outputs import discrete_outputs
 from lagdsl.fmi.variables.attributes import attributes_of, bounds
 from lagdsl.fmi.variables.names import belonging, named
 from lagdsl.fmi.variables.parameter_use import parameters_of, tunable

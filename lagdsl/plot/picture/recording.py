@@ -10,8 +10,8 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.listing import computed_outputs
 from lagdsl.flat.model import FlatModel
-from lagdsl.flat.outputs import computed_outputs
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation, compile_flat
 from lagdsl.plot.picture.wishes import Wishes

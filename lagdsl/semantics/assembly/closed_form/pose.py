@@ -7,7 +7,8 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.assembly.closed_form.algebra import minus, over, plus, times, total
 from lagdsl.semantics.operators.axes import axis_of, origin_of
 
-# Half a turn away rows are as large as the ratio of these; another zero lies so near to half a turn as the first is large.
+# Half a turn away rows are as large as the ratio of these. Another zero lies as near to half a turn as the first is
+# large.
 _ASIDE = (1e-6, 1.3e-6, 1.7e-6)
 _LEAST = 1e-12
 

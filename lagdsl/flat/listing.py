@@ -1,8 +1,18 @@
-"""Outputs of the flat model by what computes them."""
+"""Frames, points and outputs of a model in lists of their own."""
 
 from __future__ import annotations
 
-from lagdsl.flat.model import FlatModel, Output
+from lagdsl.flat.model import FlatModel, Frame, Output, Point
+
+
+def frame_names(flat: FlatModel) -> list[str]:
+    """In the order of their definition, without the world."""
+    return [item.name for item in flat.named if isinstance(item, Frame)]
+
+
+def point_names(flat: FlatModel) -> list[str]:
+    """In the order of their definition."""
+    return [item.name for item in flat.named if isinstance(item, Point)]
 
 
 def discrete_outputs(flat: FlatModel) -> tuple[str, ...]:
