@@ -265,7 +265,7 @@ class RunReport(Structure):
         *_all(_Numbers, "x"),
         *_all(c_size_t, "row steps all_steps rejections evaluations jacobians decompositions projections"),
         *_all(c_size_t, "events changes"),
-        *_all(_Numbers, "w changed guilty doubted slack"),
+        *_all(_Numbers, "w changed guilty doubted"),
         *_all(c_size_t, "fault"),
         *_all(c_double, "next"),
         *_all(POINTER(RunChange), "change"),

@@ -146,7 +146,6 @@ typedef struct lag_run_report {
     const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
     const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP, LAG_VALLEY, 1: because of this one */
     const double *doubted;      /* (nindicator) first time at which a relation turned by what may be the method's error; infinite: none */
-    const double *slack;        /* (2) what is round-off: lag/events/contact.h */
     size_t fault;               /* after LAG_CONFLICT a reset, after LAG_ASSERTION_FAILED an assertion of a clause */
     double next;                /* time of the next tick of the model's clocks; infinite: none */
     const lag_change *change;   /* the first LAG_CHANGES of them */

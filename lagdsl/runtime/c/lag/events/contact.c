@@ -71,7 +71,6 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     memset(contacts, 0, sizeof *contacts);
     contacts->motion = motion;
     contacts->places = lag_places_of(model);
-    contacts->slack[0] = 1e-13;
     place_gaps(contacts, model, &memory);
     place_each(contacts, model->ncontact, &memory);
     find_entries(contacts, model);

@@ -146,15 +146,6 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
     }
 }
 
-void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which)
-{
-    const size_t bytes = count_of(noise->motion->model) * sizeof(double);
-    memcpy(noise->kept, noise->sigma, bytes);
-    lag_noise_find(noise, t, x);
-    noise->kept[which] = fmin(noise->kept[which], noise->sigma[which]);
-    memcpy(noise->sigma, noise->kept, bytes);
-}
-
 void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep)
 {
     const size_t n = noise->motion->model->nq;

@@ -34,9 +34,6 @@ void lag_noise_begin(lag_noise *noise);
 /* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
 
-/* sigma of indicator `which` alone, if it is less at x at time t than it was found before, as that of a square is at its zero. */
-void lag_noise_reduce(lag_noise *noise, double t, const double *x, size_t which);
-
 /*
  * Rates of indicators and distances into `creep` (nindicator + ncorner) [1/s], by what they do in `span` [s] if the rates of coordinates are off by `part`
  * of the largest ones and by `tolerance` as a part of the largest ones since the last event.

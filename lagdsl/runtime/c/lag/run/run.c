@@ -174,7 +174,6 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .changed = run->crossings.changed,
         .guilty = run->instants.iteration.guilty,
         .doubted = run->crossings.doubted,
-        .slack = run->instants.contacts.slack,
         .fault = run->instants.iteration.fault,
         .next = lag_instants_next(&run->instants),
         .change = run->change,

@@ -110,7 +110,6 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
     RECORD(instants->contacts.lookahead);
-    RECORD(instants->contacts.slack);
     RECORD(instants->contacts.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
