@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -162,3 +163,9 @@ def statement(modes: Modes) -> str:
     if rest and not marginal:
         return f"stable {system} but for drift: {zeros} of {len(values)} eigenvalues are zero, all others decay"
     return f"no growing mode about this {system}: {' and '.join(parts)}; the linear equations decide no more"
+
+
+def phase_of(entry: complex) -> float:
+    """Degrees in (-179.5, 180.5]; those that are shown as 0 without the sign of rounding."""
+    angle = math.degrees(math.atan2(entry.imag, entry.real))
+    return 0.0 if abs(angle) < 0.5 else angle if angle > -179.5 else angle + 360.0

@@ -85,18 +85,27 @@ def head_of(
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
-    declared = item if isinstance(item, Parameter) else None
+    minimum, maximum = _bounds(item)
     return {
         "name": item.name,
         "doc": item.doc,
         "display": _display(display(item)),
         "value": value,
-        "minimum": None if declared is None else _finite(declared.minimum),
-        "maximum": None if declared is None else _finite(declared.maximum),
+        "minimum": _finite(minimum),
+        "maximum": _finite(maximum),
         "kind": item.base,
         "group": group,
         "angle": is_angle(item),
     }
+
+
+def _bounds(item: Parameter | Input) -> tuple[float | None, float | None]:
+    """Between which a value has a meaning, or is expected."""
+    if item.base == "Boolean":
+        return 0.0, 1.0
+    if isinstance(item, Input) and item.literals:
+        return 1.0, float(len(item.literals))
+    return item.minimum, item.maximum
 
 
 def _finite(value: float | None) -> float | None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from lagdsl.analysis.modes import Modes
+from lagdsl.analysis.modes import Modes, phase_of
 from lagdsl.analysis.point import Point
 from lagdsl.analysis.variation import Variation
 from lagdsl.flat.model import FlatModel
@@ -68,16 +68,10 @@ def _told(modes: Modes, i: int) -> Json:
         "damping": damping if math.isfinite(damping) else None,
         "constant": constant if math.isfinite(constant) else None,
         "shape": [
-            {"name": place.name, "size": abs(entry), "phase": _phase(entry)}
+            {"name": place.name, "size": abs(entry), "phase": phase_of(entry)}
             for place, entry in zip(modes.places, modes.shapes[i].tolist(), strict=True)
         ],
     }
-
-
-def _phase(entry: complex) -> float:
-    """Degrees in (-179.5, 180.5]; those that are shown as 0 without the sign of rounding."""
-    angle = math.degrees(math.atan2(entry.imag, entry.real))
-    return 0.0 if abs(angle) < 0.5 else angle if angle > -179.5 else angle + 360.0
 
 
 def _locus(variation: Variation) -> Json:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from lagdsl.analysis.modes import Modes
+from lagdsl.analysis.modes import Modes, phase_of
 from lagdsl.analysis.variation import Variation
 from lagdsl.plot.figure import COLORS, STYLE, escaped, matplotlib_or_reason, save
 
@@ -97,7 +97,7 @@ def _draw_shape(panel: Axes, modes: Modes, i: int, places: int) -> None:
     if not real:
         for position, entry in zip(positions, shape.tolist(), strict=True):
             if abs(entry) > 1e-6:
-                angle = f" {np.degrees(np.angle(entry)):.0f}°"
+                angle = f" {phase_of(entry):.0f}°"
                 panel.annotate(angle, (abs(entry), position), va="center", fontsize=7, color="#333333")
     panel.axvline(0.0, color="#333333", linewidth=0.8)
     panel.set_yticks(positions, [escaped(named.name) for named in modes.places[:places]])

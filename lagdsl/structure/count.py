@@ -43,6 +43,16 @@ def count_text(line: Count) -> str:
     return f"d = {' + '.join(symbols)} - k = {' + '.join(numbers)} - {line.conditions} = {line.freedom}"
 
 
+def balance_text(coordinates: int, rank: int | None) -> str:
+    """`3 coordinates - 2 independent constraints = 1 degree of freedom`; a `rank` of None leaves constraints out."""
+    held = "" if rank is None else f" - {counted(rank, 'independent constraint')}"
+    return f"{counted(coordinates, 'coordinate')}{held} = {counted(coordinates - (rank or 0), 'degree')} of freedom"
+
+
+def counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
 _LOWER_PAIRS = ("Revolute", "Prismatic")  # that leave one freedom of three
 _PLANE = 3  # equations of a loop in space that hold by themselves where it stays in a plane
 

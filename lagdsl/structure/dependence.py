@@ -13,6 +13,7 @@ from lagdsl.flat.model import Closure, FlatModel
 from lagdsl.numerics.connected_blocks import Partition, entries
 from lagdsl.numerics.rank import independent_rows, minimum_norm
 from lagdsl.record import record
+from lagdsl.structure.count import balance_text, counted
 from lagdsl.structure.names import comes_and_goes, joint_text, listed, located, loop_text, place
 from lagdsl.structure.points import Geometry, Probe, part_ranks
 
@@ -78,10 +79,9 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
     for loop in _loops(flat):
         excess = sum(found.redundant[row] for row in loop.rows)
         if excess:
-            key = (loop.closure.span, excess, _counts(found, split, loop))
-            alike.setdefault(key, []).append(loop)
+            alike.setdefault((loop.closure.span, excess), []).append(loop)
     for loops in alike.values():
-        _report_loop(flat, found, split, loops, sink)
+        _report_loop(flat, found, loops, sink)
 
 
 # Equations of a loop in a plane, or about a point, that hold by themselves.
@@ -107,28 +107,17 @@ def _loops(flat: FlatModel) -> list[_Loop]:
     return list(found.values())
 
 
-def _counts(found: Dependence, split: Partition, loop: _Loop) -> tuple[int, int]:
-    """Coordinates and independent constraints of the part of the mechanism that holds the loop."""
-    labels = {int(split.row_labels[row]) for row in loop.rows if not found.empty[row]}
-    columns = sum(label in labels for label in split.column_labels.tolist())
-    rows = sum(
-        label in labels and not redundant
-        for label, redundant in zip(split.row_labels.tolist(), found.redundant, strict=True)
-    )
-    return columns, rows
-
-
-def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: list[_Loop], sink: Sink) -> None:
+def _report_loop(flat: FlatModel, found: Dependence, alike: list[_Loop], sink: Sink) -> None:
     loop = alike[0]
-    columns, rows = _counts(found, split, loop)
-    count = f"{_counted(columns, 'coordinate')} - {_counted(rows, 'independent constraint')}"
-    first = f"{count} = {columns - rows} degree{'' if columns - rows == 1 else 's'} of freedom"
+    # Of the whole model: the part of the rows that tie something misses coordinates, or is empty, and the count of its
+    # freedoms contradicts that of the model.
+    first = balance_text(len(flat.coordinates), found.redundant.count(False))
     excess = sum(found.redundant[row] for row in loop.rows)
     usual = ("this is usual and harmless: in a planar loop, three of the spatial closure equations hold identically",)
     if loop.closure.joint is not None:
         unknown = "is not determined in the directions left out and is reported in minimum norm"
         first = f"{first}; reaction({loop.closure.joint}) {unknown}"
-    more = (f"the same holds for {_counted(len(alike) - 1, 'other loop')}",) if len(alike) > 1 else ()
+    more = (f"the same holds for {counted(len(alike) - 1, 'other loop')}",) if len(alike) > 1 else ()
     sink.report(
         "N0701",
         loop.closure.span,
@@ -138,10 +127,6 @@ def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: li
         joint=joint_text(flat, loop.closure),
         loop=loop_text(flat, loop.closure),
     )
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition, row: int) -> str:

@@ -14,7 +14,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.structure.constraints import report_impossible, report_inconsistent_rates
-from lagdsl.structure.count import Count, count, count_text
+from lagdsl.structure.count import Count, balance_text, count, count_text, counted
 from lagdsl.structure.degenerate import report_degenerate
 from lagdsl.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.structure.functions import ProgramFunctions
@@ -122,19 +122,13 @@ def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
 def structure_text(structure: Structure) -> str:
     """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`; where conditions
     such as rolling hold rates only, how many coordinates are left to choose at the start."""
-    parts = [_counted(structure.coordinates, "coordinate")]
-    if len(structure.redundant) > len(structure.contacts):
-        parts.append(f"- {_counted(structure.rank, 'independent constraint')}")
-    parts.append(f"= {_counted(structure.freedom, 'degree')} of freedom")
+    constrained = len(structure.redundant) > len(structure.contacts)
+    parts = [balance_text(structure.coordinates, structure.rank if constrained else None)]
     if structure.configuration_freedom == structure.freedom:
         parts += [f"({count_text(structure.count)})"] if structure.count is not None else []
         return " ".join(parts)
     rates, free = structure.configuration_freedom - structure.freedom, structure.configuration_freedom
     verb = "holds rates only and leaves" if rates == 1 else "hold rates only and leave"
     count = f": {count_text(structure.count)}" if structure.count is not None else ""
-    told = f"{rates} of the constraints {verb} {_counted(free, 'coordinate')} to choose at the start{count}"
+    told = f"{rates} of the constraints {verb} {counted(free, 'coordinate')} to choose at the start{count}"
     return f"{' '.join(parts)} ({told})"
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

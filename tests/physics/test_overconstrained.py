@@ -10,7 +10,7 @@ from derived_programs import derive
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.structure.structure import analyze
+from lagdsl.structure.structure import analyze, structure_text
 
 AROUND = ("A", "B", "C", "D")
 
@@ -50,6 +50,90 @@ def test_redundant_closure_equations_name_joint_and_loop() -> None:
     assert first.labels[0].text == "this closes the loop A - B - C - D"
     assert first.notes[0].startswith("3 coordinates - 2 independent constraints = 1 degree of freedom; reaction(D) ")
     assert not any(d.code in ("N0605", "N0607") for d in sink.diagnostics)
+
+
+LINKS = "import Lag.Planar.*; gravity = -g_n*world.y;"
+# A door on two hinges, held by a constraint, with a flap; every closure equation holds identically.
+DOOR = f"""model Door
+  {LINKS}
+  Link door(l = 1 m, m = 2 kg), flap(l = 1 m, m = 1 kg);
+  Revolute A(q(start = 30 deg)), B, hinge;
+  connect(world, A, door.frame_a);
+  connect(world, B, door.frame_a);
+  connect(door.frame_b, hinge, flap);
+  constraint held: A.q = 30 deg;
+end Door;
+"""
+# A rigid triangle on a pin: the loop does not tie the angle of the pin.
+TRIANGLE = f"""model Triangle
+  {LINKS}
+  Link a(l = 1 m, m = 2 kg), b(l = 1 m, m = 1 kg), c(l = 1 m, m = 1 kg);
+  Revolute A, B(q(start = 120 deg)), C(q(start = 120 deg)), D;
+  connect(world, A, a, B, b, C, c, D, a.frame_a);
+end Triangle;
+"""
+# Three parallel bars: two loops, of which the second one has special dimensions.
+BARS = f"""model Bars
+  {LINKS}
+  Link one(l = 0.4 m, m = 1 kg), two(l = 0.4 m, m = 1 kg), three(l = 0.4 m, m = 1 kg);
+  Link left(l = 0.5 m, m = 1 kg), right(l = 0.5 m, m = 1 kg);
+  Revolute A(q(start = 60 deg)), B(q(start = -60 deg)), C(q(start = 60 deg)), D, E(q(start = 60 deg)), F;
+  Fixed pin(r = {{0.5 m, 0}}), last(r = {{1 m, 0}});
+  connect(world, A, one, B, left, right);
+  connect(pin, C, two, D, right.frame_a);
+  connect(last, E, three, F, right.frame_b);
+end Bars;
+"""
+# One of its closure equations follows from a constraint that comes first.
+REPEATED = f"""model Repeated
+  {LINKS}
+  Link crank(l = 0.4 m, m = 1 kg), coupler(l = 1 m, m = 2 kg), rocker(l = 0.8 m, m = 1 kg);
+  Revolute A(q(start = 60 deg)), B(q(start = -30 deg)), C(q(start = -110 deg)), D;
+  Fixed pin(r = {{1 m, 0}});
+  connect(world, A, crank, B, coupler, C, rocker, D, pin);
+  constraint again: rocker.frame_b.origin*world.x = 1 m;
+end Repeated;
+"""
+# Cylinders in a row: loops of one `connect` are told of once.
+ENGINE = f"""model Engine
+  {LINKS}
+  model Cylinder
+    Link web(l = 0.1 m, m = 1 kg), rod(l = 0.3 m, m = 1 kg), piston(l = 0.1 m, m = 1 kg);
+    Revolute pin(q(start = 30 deg)), big(q(start = -40 deg)), wrist;
+    Prismatic guide(s(start = 0.38 m));
+    connect(world, pin, web, big, rod, wrist, piston.frame_a);
+    connect(world, guide, piston.frame_a);
+  end Cylinder;
+  Cylinder cylinder[2];
+end Engine;
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "balance", "excess"),
+    [
+        (DOOR, "2 coordinates - 1 independent constraint = 1 degree of freedom", [5]),
+        (TRIANGLE, "3 coordinates - 2 independent constraints = 1 degree of freedom", [3]),
+        (BARS, "4 coordinates - 3 independent constraints = 1 degree of freedom", [3, 4]),
+        (REPEATED, "3 coordinates - 2 independent constraints = 1 degree of freedom", [4]),
+        (ENGINE, "6 coordinates - 4 independent constraints = 2 degrees of freedom", [6]),
+    ],
+    ids=["door", "triangle", "bars", "repeated", "engine"],
+)
+def test_notes_on_loops_count_as_the_summary(text: str, balance: str, excess: list[int]) -> None:
+    compilation, sink = linkages.compiled(linkages.flat_model(text))
+    assert compilation is not None
+    structure = compilation.structure
+    assert structure_text(structure).startswith(balance)
+    notes = [d for d in sink.diagnostics if d.code == "N0701"]
+    assert all(any(line.startswith(balance) for line in note.notes) for note in notes)
+    told = [int(note.message.split()[0]) * (1 + others(note.notes)) for note in notes]
+    assert told == excess and sum(told) == len(structure.redundant) - structure.rank
+
+
+def others(notes: tuple[str, ...]) -> int:
+    last = notes[-1].split()
+    return int(last[-3]) if notes[-1].startswith("the same holds for ") else 0
 
 
 def test_bennett_keeps_its_closed_form() -> None:

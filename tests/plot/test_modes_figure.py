@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import numpy as np
+import pytest
+from click.testing import CliRunner
 
 import lagdsl
+from lagdsl.analysis.modes import phase_of
+from lagdsl.cli.main import lag
 from lagdsl.plot.modes import plot_modes, plot_variation
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -28,3 +33,21 @@ def test_thresholds_are_marked() -> None:
     variation = lagdsl.compile(MODELS / "ziegler_column.lag").vary("P", np.linspace(0, 3, 11), q=[0, 0])
     figure = plot_variation(variation)
     assert any("flutter 2.0858" in text.get_text() for panel in figure.axes for text in panel.texts)
+
+
+@pytest.mark.parametrize(
+    ("entry", "text"), [(1 - 1e-5j, "0"), (1 + 1e-5j, "0"), (-1 - 1e-5j, "180"), (-1j, "-90"), (1 - 0.01j, "-1")]
+)
+def test_phases_have_no_sign_of_rounding(entry: complex, text: str) -> None:
+    """`-0°` stood in figures, and `-180°` beside `180°`."""
+    assert f"{phase_of(entry):.0f}" == text
+
+
+def test_the_command_of_the_manual_warns_of_nothing(tmp_path: Path) -> None:
+    """Without --trim the modes of the page were those of a state that is no equilibrium (W0854)."""
+    text = (MODELS.parent / "docs" / "reference" / "living_page.md").read_text(encoding="utf-8")
+    (line,) = (line for line in text.splitlines() if line.startswith("lag modes "))
+    words = [word.replace("models/", f"{MODELS}/") for word in shlex.split(line)[1:]]
+    words[words.index("--page") + 1] = str(tmp_path / "modes.html")
+    done = CliRunner().invoke(lag, words)
+    assert (done.exit_code, done.stderr) == (0, "")

@@ -19,7 +19,7 @@ export interface Quantity {
   doc: string | null;
   display: Display;
   value: number; // SI
-  minimum: number | null;
+  minimum: number | null; // SI, too
   maximum: number | null;
   kind: "Real" | "Integer" | "Boolean" | "Enumeration" | "String";
   group: "parameter" | "start" | "input";

@@ -1,4 +1,5 @@
 // Sliders for parameters, start values and inputs.
+import { judged, snapped } from "./bounds.ts";
 import type { Head, Quantity } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above, written } from "./numbers.ts";
@@ -13,7 +14,8 @@ const STEPS = 1000;
 /** The range of a slider in SI units: declared, or a decade around the value; that of a start value holds the motion, too,
  * which reaches so far as `most`; an angle goes all around. */
 function range(quantity: Quantity, most: number): [number, number] {
-  const { value, minimum, maximum, display } = quantity;
+  const { minimum, maximum, display } = quantity;
+  const value = Math.min(Math.max(quantity.value, minimum ?? -Infinity), maximum ?? Infinity);
   let [low, high] = value === 0 ? [-1, 1] : [value / Math.sqrt(10), value * Math.sqrt(10)];
   if (quantity.angle) [low, high] = [Math.min(-Math.PI, value), Math.max(Math.PI, value)];
   else if (quantity.group !== "parameter") {
@@ -104,31 +106,40 @@ export class Sliders {
     const unit = document.createElement("span");
     unit.className = "unit";
     unit.textContent = quantity.display.unit;
+    const fault = document.createElement("span");
+    fault.className = "fault";
+    fault.setAttribute("aria-live", "polite");
+    const tell = (words: string): void => {
+      fault.textContent = words;
+      fault.hidden = words === "";
+      field.setAttribute("aria-invalid", `${words !== ""}`);
+    };
+    const present = (): number => this.values.get(quantity) ?? quantity.value;
     const reread = (): void => {
-      const si = this.values.get(quantity) ?? quantity.value;
+      const si = present();
       bar.value = `${(STEPS * (si - low)) / (high - low || 1)}`;
       field.value = shown(quantity, si);
+      tell(judged(quantity, si, si).words);
     };
-    const set = (si: number): void => {
-      if (!Number.isFinite(si)) return;
-      this.values.set(quantity, whole ? Math.round(si) : si);
-      this.changed();
+    const set = (wanted: number): void => {
+      const si = snapped(quantity, wanted);
+      const { taken, words } = judged(quantity, si, present());
+      if (taken) {
+        this.values.set(quantity, si);
+        this.changed();
+      }
+      reread();
+      tell(words);
     };
     bar.oninput = () => {
-      set(low + ((high - low) * Number(bar.value)) / STEPS);
-      field.value = shown(quantity, this.values.get(quantity) ?? 0);
+      const si = low + ((high - low) * Number(bar.value)) / STEPS;
+      set(whole ? Math.round(si) : si);
     };
-    field.onchange = () => {
-      set((Number(field.value) - quantity.display.shift) / quantity.display.scale);
-      reread();
-    };
+    field.onchange = () => set((field.valueAsNumber - quantity.display.shift) / quantity.display.scale);
     bar.addEventListener("reread", reread);
-    label.ondblclick = () => {
-      set(quantity.value);
-      reread();
-    };
+    label.ondblclick = () => set(quantity.value);
     reread();
-    label.append(name, bar, field, unit);
+    label.append(name, bar, field, unit, fault);
     return label;
   }
 }
