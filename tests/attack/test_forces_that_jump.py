@@ -118,7 +118,7 @@ FORCES = [
         ),
         1.0,
         {"b": (0.4942 - 4 / 15) / 2 + 5 / 6 * 0.5058, "der(a)": 5 / 6, "der(b)": 5 / 6},
-        {("c", "closed"): 1, ("c", "opened"): 0, ("c", "impact"): 0},
+        {("c", "closed"): 1, ("c", "opened"): 0, ("c", "impact"): 1},
     ),
     Attack(
         "clause_for_an_acceleration",
