@@ -19,7 +19,7 @@
 static inline lag_instance *placed(const lag_fmu *fmu, double start, double stop, double tolerance)
 {
     lag_instance *one = lag_instance_place(malloc(lag_instance_size(fmu)), fmu);
-    CHECK_OK(one, lag_instance_setup(one, start, stop, tolerance));
+    CHECK_OK(one, lag_instance_setup(one, LAG_CO_SIMULATION, start, stop, tolerance));
     return one;
 }
 

@@ -162,8 +162,9 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     return LAG_OK;
 }
 
-lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance)
+lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
+    (void)kind;
     (void)stop;
     (void)tolerance;
     instance->held.t = start;

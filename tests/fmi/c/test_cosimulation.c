@@ -170,9 +170,29 @@ static void starts(void)
     const double w = sqrt(8.0);
     CHECK_NEAR(get(one, OSC_Q), 0.5 * cos(w) + 0.5 * sin(w) / w, OFF);
     one = lag_instance_place(one, &OSC_FMU);
-    CHECK_OK(one, lag_instance_setup(one, 0.0, 10.0, 0.0));
+    CHECK_OK(one, lag_instance_setup(one, LAG_CO_SIMULATION, 0.0, 10.0, 0.0));
     begin(one);
     CHECK(get(one, OSC_Q) == 1.0 && get(one, OSC_K) == 4.0);
+    free(one);
+}
+
+/* Steps keep to a hundredth of a tolerance that is coarser than the experiment's; importers of states get what they gave. */
+static void tolerances(void)
+{
+    const double own = OSC_FMU.tolerance;
+    const double given[] = {0.0, 1e-11, own, 10.0 * own, 1e-4, 1e3};
+    const double kept[] = {own, 1e-11, own, own, 1e-6, 1e-3};
+    for (unsigned i = 0; i < sizeof given / sizeof *given; ++i) {
+        lag_instance *one = begun(&OSC_FMU, 0.0, 10.0, given[i]);
+        CHECK_NEAR(one->run->options.tolerance / kept[i], 1.0, 1e-12);
+        free(one);
+    }
+    lag_instance *one = begun(&OSC_FMU, 0.0, 10.0, 1e-4);
+    step_to(one, 10.0, 100);
+    CHECK_NEAR(get(one, OSC_Q), cos(20.0), 1e-4);
+    CHECK(one->run->stepper.steps < steps_alone(10.0));
+    CHECK_OK(one, lag_instance_setup(one, LAG_MODEL_EXCHANGE, 0.0, 10.0, 1e-4));
+    CHECK(one->run->options.tolerance == 1e-4);
     free(one);
 }
 
@@ -238,6 +258,7 @@ int main(void)
     rates_of_outputs();
     tunable();
     starts();
+    tolerances();
     fixed();
     refused();
     (void)printf("cosimulation: ok\n");

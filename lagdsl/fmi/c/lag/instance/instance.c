@@ -10,6 +10,8 @@
 
 static const double LEAST_TOLERANCE = 1e-13;
 static const double MOST_TOLERANCE = 0.1;
+/* Integrators of our own keep this part of a tolerance: it is that of values at communication points, long after the errors of the steps. */
+static const double INTEGRATION = 0.01;
 /* Of an experiment of which nothing is known [s]. */
 static const double LENGTH = 1.0;
 /* Residuals of constraints die out within this part of the experiment: fast against it, and no stiffness. */
@@ -68,7 +70,7 @@ static lag_run_options options_of(lag_instance *instance)
     const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
     const double length = stop - held->start;
     lag_run_options options = lag_instance_plan();
-    options.tolerance = held->tolerance;
+    options.tolerance = held->integration;
     options.p = instance->p;
     options.context = instance;
     options.tell = hear;
@@ -141,7 +143,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
     instance->held.start = instance->held.t = fmu->start_time;
     instance->held.stop = (double)INFINITY;
-    instance->held.tolerance = fmu->tolerance;
+    instance->held.tolerance = instance->held.integration = fmu->tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
         memcpy(instance->guess, model->defaults, model->np * sizeof(double));
@@ -171,7 +173,14 @@ void lag_instance_renew(lag_instance *instance)
     lag_instance_tell_inputs(instance);
 }
 
-lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance)
+/* That of the experiment is one for `lag run`, which is the tolerance of the steps. */
+static double integration_tolerance(const lag_instance *instance, lag_kinds kind)
+{
+    const double given = instance->held.tolerance;
+    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->tolerance)) : given;
+}
+
+lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
     lag_held *held = &instance->held;
     if (!isfinite(start) || !(stop > start)) {
@@ -183,6 +192,7 @@ lag_status lag_instance_setup(lag_instance *instance, double start, double stop,
     held->start = held->t = held->last = start;
     held->stop = stop;
     held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
+    held->integration = integration_tolerance(instance, kind);
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);
     return LAG_OK;

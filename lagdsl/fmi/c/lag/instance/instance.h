@@ -56,8 +56,8 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
 
 /* ---- initialization ---- */
 
-/* `tolerance` 0: that of the experiment. */
-lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance);
+/* `tolerance` 0: that of the experiment. In co-simulation the run keeps to a part of one that is coarser. */
+lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance);
 /*
  * States that were not set follow the parameters. All move to the nearest values that satisfy constraints and initial
  * equations; then the events of the start are carried out. A value that is set before lag_instance_begin() starts this anew;

@@ -34,7 +34,8 @@ enum {
 typedef struct lag_held {
     double t;               /* [s] the present */
     double start, stop;     /* of the experiment; infinite stop: none given */
-    double tolerance;
+    double tolerance;       /* of the importer, */
+    double integration;     /* and of the run */
     double last, span;      /* time of the last completed step, and its length */
     double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */

@@ -40,7 +40,7 @@ lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, dou
 lag_answer lag_shell_enter_initialization(lag_shell *shell)
 {
     const lag_course_of_calls *now = &shell->now;
-    const lag_status status = lag_instance_setup(shell->instance, now->start, now->stop, now->tolerance);
+    const lag_status status = lag_instance_setup(shell->instance, (lag_kinds)now->kind, now->start, now->stop, now->tolerance);
     if (status != LAG_OK) {
         return lag_shell_refused(shell, status);
     }
