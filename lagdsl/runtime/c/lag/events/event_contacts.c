@@ -42,6 +42,7 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
         }
     }
     *acted = *acted || any;
+    iteration->acted = iteration->acted || any;
     return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
 }
 

@@ -300,7 +300,9 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     if (status == LAG_OK) {
         status = strike(iteration, t, x, acted);
     }
-    return status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
+    status = status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
+    iteration->acted = iteration->acted || *acted;
+    return status;
 }
 
 /* 1: a constraint that discretes switch asks for other positions. */

@@ -44,6 +44,7 @@ typedef struct lag_event_iteration {
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
     double *closed, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
+    int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
     double *guilty;        /* (nw) LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */

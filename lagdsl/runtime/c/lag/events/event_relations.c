@@ -388,7 +388,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
-    if (is_same(iteration, x)) {
+    if (!iteration->acted) {
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);

@@ -130,6 +130,7 @@ static void remember(lag_instants *instants, const double *x)
 {
     memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
     memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
+    instants->iteration.acted = 0;
 }
 
 /* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
@@ -330,6 +331,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int refracted = 0;
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
+    instants->iteration.acted = instants->iteration.acted || refracted;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }
