@@ -35,8 +35,8 @@ def mjcf(mesh: str = "m.stl", folders: str = "", more: str = "", solid: str = SO
 
 @pytest.fixture
 def path(tmp_path: Path) -> Path:
-    """far/robot/mjcf/robot.xml; meshes beside it, in far/robot/meshes, and in far/shared."""
-    for folder in ("robot/mjcf", "robot/meshes", "shared"):
+    """far/robot/mjcf/robot.xml; meshes beside it, in far/robot/meshes, and in far/common."""
+    for folder in ("robot/mjcf", "robot/meshes", "common"):
         (tmp_path / "far" / folder).mkdir(parents=True)
         (tmp_path / "far" / folder / "m.stl").write_bytes(binary_stl())
     return tmp_path / "far" / "robot" / "mjcf" / "robot.xml"
@@ -48,7 +48,7 @@ INSIDE = [
     ("pictures elsewhere", mjcf(folders='texturedir="../../../elsewhere"')),
     ("folder of meshes behind", mjcf().replace("<worldbody>", '<compiler meshdir="../meshes"/><worldbody>')),
     ("down and up", mjcf("../../m.stl", folders='meshdir="../meshes/a/b"')),
-    ("without folders", mjcf("../../shared/x/m.stl", folders='meshdir="../meshes" strippath="true"')),
+    ("without folders", mjcf("../../common/x/m.stl", folders='meshdir="../meshes" strippath="true"')),
     ("made by MuJoCo", mjcf(more='<texture name="t" type="2d" builtin="flat" width="2" height="2"/>')),
     ("URDF", URDF.format(mesh="../meshes/m.stl")),
 ]
@@ -64,12 +64,12 @@ def test_names_lead_to_the_parent_of_the_folder_and_below(path: Path, text: str)
 
 
 FAR = [
-    ("mesh", mjcf("../../shared/m.stl"), 4),
-    ("folder of meshes", mjcf(folders='meshdir="../../shared"'), 4),
-    ("texture", mjcf(more='<texture name="t" type="2d" file="../../shared/m.stl"/>'), 5),
-    ("included file", mjcf(more='<include file="../../shared/more.xml"/>'), 5),
-    ("included model", mjcf(more='<model name="o" file="../../shared/more.xml"/>'), 5),
-    ("mesh", URDF.format(mesh="../../shared/m.stl"), 3),
+    ("mesh", mjcf("../../common/m.stl"), 4),
+    ("folder of meshes", mjcf(folders='meshdir="../../common"'), 4),
+    ("texture", mjcf(more='<texture name="t" type="2d" file="../../common/m.stl"/>'), 5),
+    ("included file", mjcf(more='<include file="../../common/more.xml"/>'), 5),
+    ("included model", mjcf(more='<model name="o" file="../../common/more.xml"/>'), 5),
+    ("mesh", URDF.format(mesh="../../common/m.stl"), 3),
 ]
 
 
@@ -87,7 +87,7 @@ def test_farther_names_are_told_with_the_option_that_lets_them(path: Path, kind:
 
 def test_the_option_lets_them(path: Path) -> None:
     pytest.importorskip("mujoco")
-    path.write_text(mjcf(folders='meshdir="../../shared"'))
+    path.write_text(mjcf(folders='meshdir="../../common"'))
     model, told = imported(path, root=path.parents[2], folder=path.parents[2])
     assert 'draw mesh(file = "shared/m.stl")' in model and not told
     done = CliRunner().invoke(lag, ["import", str(path), "--root", str(path.parents[2])])
