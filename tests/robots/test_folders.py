@@ -89,7 +89,7 @@ def test_the_option_lets_them(path: Path) -> None:
     pytest.importorskip("mujoco")
     path.write_text(mjcf(folders='meshdir="../../common"'))
     model, told = imported(path, root=path.parents[2], folder=path.parents[2])
-    assert 'draw mesh(file = "shared/m.stl")' in model and not told
+    assert 'draw mesh(file = "common/m.stl")' in model and not told
     done = CliRunner().invoke(lag, ["import", str(path), "--root", str(path.parents[2])])
     assert done.exit_code == 0 and "Revolute j" in done.stdout
 
