@@ -133,6 +133,11 @@ static double value_on_constraints(change *one, double t)
 static size_t find_moved(lag_run *run, const double *located, size_t count, double t)
 {
     size_t which = count;
+    int moved = 0;
+    const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
+    if (status != LAG_OK || lag_projection_exact(&run->projection, t, run->point, &moved) != LAG_OK || !moved) {
+        return count;
+    }
     for (size_t i = 0; i < count && which == count; ++i) {
         change one = {run, i};
         if (located[i] != 0.0) {
