@@ -173,6 +173,9 @@ lag_status lag_run_count_turns(lag_run *run, double t, const double *x)
 lag_status lag_run_count_step(lag_run *run)
 {
     const double t = run->half.t;
+    if (run->motion.model->nturn > 0 && *run->turns.at == t) { /* rows were wanted */
+        return LAG_OK;
+    }
     if (run->motion.model->nturn == 0 || t == run->stepper.t) {
         return lag_run_count_turns(run, t, run->stepper.x);
     }
