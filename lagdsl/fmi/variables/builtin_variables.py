@@ -44,9 +44,8 @@ def indicators(flat: FlatModel, program: Program, taken: Iterable[str]) -> Itera
 
 
 def indicator_count(flat: FlatModel, program: Program) -> int:
-    """Relations, contacts, and corners of the equations."""
-    corners = program.function("corner").results[0].elements if program.has("corner") else ()
-    return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(corners)
+    """Relations that the motion changes, and contacts."""
+    return held_relations(flat, program).count(False) + len(flat.events.contacts)
 
 
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:

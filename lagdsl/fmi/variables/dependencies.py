@@ -139,13 +139,9 @@ class _Search:
         return {(role, first + index): resolve(influences[node]) for index, node in enumerate(elements)}
 
     def _indicators(self) -> dict[Entry, Influence]:
-        """Of relations; of contacts, that open as a multiplier tells and close as a gap does; of corners."""
-        found: dict[Entry, Influence] = {}
-        if self._program.has("indicator"):
-            found = self._relations_and_contacts()
-        return found | (self._values(Role.INDICATOR, "corner", 0, len(found)) if self._program.has("corner") else {})
-
-    def _relations_and_contacts(self) -> dict[Entry, Influence]:
+        """Of relations; of contacts, that open as a multiplier tells and close as a gap does."""
+        if not self._program.has("indicator"):
+            return {}
         found = self._values(Role.INDICATOR, "indicator", 0)
         count, n = len(found), len(self._program.layout.coordinates)
         gaps = self._program.function("contact").results[0].elements

@@ -1,122 +1,116 @@
 /*
- * Event indicators. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
- * dead band, the margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
- * has located it. The margin is round-off, until events without effect tell that the importer is less exact. A value that an event leaves behind zero
- * is latched there: it is no event until it goes further by the margin, or comes back. A relation that changes at zero itself, as
- * `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a little early. An importer compares signs at its steps: what changes and
- * changes back between them is not seen.
+ * Event indicators. A guard is a relation or a contact; its value passes zero downward when it changes (lag/events/zero_crossing.h). Importers
+ * compare the signs of indicators at their steps, so an indicator is clearly of one sign behind every event:
+ *
+ * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
+ *   because its value may never get behind.
+ * - One that an event leaves within its dead band, or behind zero, is not armed: it leaves so far behind zero as the event left it, and the band more.
+ *   The band is what the tolerance lets the value do. Importers may be less exact than they have told, or tell nothing: a guard that leaves
+ *   without having been armed gets a band that is larger by a factor.
+ * - It is armed once an importer has asked where it is farther before zero than that.
  */
 #include "lag/instance/instance_internal.h"
-
-#include "lag/linalg/arena.h"
-#include "lag/linalg/vector.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-/* A margin becomes so many times larger after an event without effect: a factor, not an error, holds for a gap and for a force. */
-static const double WIDER = 4.0;
-/* A relation that changes at zero does so early by this part of its round-off. */
+/* A guard that changes at zero leaves so early, as a part of its round-off. */
 static const double EARLY = 0.5;
-/*
- * A relation rests if it moves by no more than tolerance times speed times time. If the motion changes in the time T, an acceleration shows after
- * tolerance*T, a jerk after tolerance^(1/2)*T: this power of the tolerance lies between them.
- */
-static const double BRIEF = 0.75;
-
-size_t lag_instance_crossing_count(const lag_instance *instance)
-{
-    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
-}
+/* In event mode a guard has left that is so near to the zero of its indicator, as a part of its round-off. */
+static const double NEARLY = 0.4;
+/* The band of a guard that has left without having been armed becomes so many times larger. */
+static const double WIDER = 4.0;
+/* Round-off is so many units in the last place of the numbers that enter. */
+static const double UNITS = 16.0;
 
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    size_t count = lag_instance_watched(fmu);
+    size_t count = lag_instance_guards(fmu);
     for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
         count -= fmu->held_relations[i];
     }
     return count;
 }
 
-int lag_instance_is_held(const lag_instance *instance, size_t i)
+/* True for a relation that the motion does not change. */
+static int is_held(const lag_instance *instance, size_t i)
 {
     return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
 }
 
-double lag_instance_crossing_value(const lag_instance *instance, size_t i)
+/* True for a relation that does not hold now. */
+static int is_false(const lag_instance *instance, size_t i)
+{
+    const lag_run *run = instance->run;
+    return i < instance->fmu->model->nindicator && run->motion.w[run->crossings.places.relation + i] == 0.0;
+}
+
+/* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
+static int changes_at_zero(const lag_instance *instance, size_t i)
+{
+    const lag_model *model = instance->fmu->model;
+    return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
+}
+
+static double value_of(const lag_instance *instance, size_t i)
 {
     return lag_zero_crossing_value(&instance->run->crossings, i);
 }
 
 /* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
-double lag_instance_round_off(const lag_instance *instance, size_t i)
+static double round_off(const lag_instance *instance, size_t i)
 {
     return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
 }
 
-double lag_instance_margin(const lag_instance *instance, size_t i)
+static double dead_band(const lag_instance *instance, size_t i)
 {
-    return fmax(1.0, instance->widened[i]) * lag_instance_round_off(instance, i);
+    return instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, i);
 }
 
-void lag_instance_widen(lag_instance *instance, size_t i)
+static int is_armed(const lag_instance *instance, size_t i)
 {
-    instance->widened[i] = WIDER * fmax(1.0, instance->widened[i]);
+    return instance->held.t > instance->armed[i];
 }
 
-int lag_instance_changes_at_zero(const lag_instance *instance, size_t i)
+/* What is left until guard i leaves; negative: it has left. */
+static double room(const lag_instance *instance, size_t i)
 {
-    const lag_model *model = instance->fmu->model;
-    const int holds = i < model->nindicator && instance->run->motion.w[instance->run->crossings.places.relation + i] != 0.0;
-    return i < model->nindicator && holds == (model->strict[i] != 0);
+    const double sigma = round_off(instance, i);
+    const double behind = is_armed(instance, i) ? 0.0 : instance->latched[i];
+    return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 
-double lag_instance_room(const lag_instance *instance, size_t i)
+int lag_instance_leaves(lag_instance *instance, size_t i, int *rests)
 {
-    const double margin = lag_instance_margin(instance, i);
-    return lag_instance_crossing_value(instance, i) + (lag_instance_changes_at_zero(instance, i) ? -EARLY * margin : margin);
-}
-
-double lag_instance_side(const lag_instance *instance, size_t i)
-{
-    const lag_run *run = instance->run;
-    const size_t corner = lag_instance_first_corner(instance);
-    const int relation = i < instance->fmu->model->nindicator;
-    const int below = i >= corner && instance->side[i - corner] < 0.0;
-    return below || (relation && run->motion.w[run->crossings.places.relation + i] == 0.0) ? -1.0 : 1.0;
-}
-
-lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, const double *x)
-{
-    const lag_status status = lag_instance_crossing_count(instance) > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-/* Room of everything at the present state, as far as it is not latched. */
-static lag_status look(lag_instance *instance, double *room)
-{
-    const double t = instance->held.t;
-    const double *x = instance->x;
-    const size_t count = lag_instance_crossing_count(instance);
-    const lag_status status = lag_instance_look_at_crossings(instance, t, x);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[i] = lag_instance_is_held(instance, i) ? 1.0 : lag_instance_room(instance, i) + instance->latched[i];
+    const int leaves = room(instance, i) < NEARLY * round_off(instance, i);
+    if (leaves && !is_armed(instance, i)) {
+        instance->latched[i] *= WIDER;
     }
-    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
+    *rests = *rests && !(leaves && is_armed(instance, i));
+    return leaves;
+}
+
+/* Values of the guards at the present state. */
+static lag_status look(lag_instance *instance)
+{
+    const size_t count = lag_instance_guards(instance->fmu);
+    const lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->g;
-    const lag_status status = look(instance, instance->room);
-    for (size_t i = 0; i < lag_instance_watched(instance->fmu) && status == LAG_OK; ++i) {
-        if (!lag_instance_is_held(instance, i)) {
-            *g++ = lag_instance_side(instance, i) * instance->room[i];
+    const lag_status status = look(instance);
+    for (size_t i = 0; i < lag_instance_guards(instance->fmu) && status == LAG_OK; ++i) {
+        if (!is_held(instance, i)) {
+            *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
         }
-    }
-    if (status == LAG_OK) {
-        lag_instance_pass_corners(instance);
+        if (value_of(instance, i) > instance->latched[i]) {
+            instance->armed[i] = fmin(instance->armed[i], instance->held.t);
+        }
     }
     return status;
 }
@@ -130,85 +124,19 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return status;
 }
 
-static double resting(const lag_instance *instance, size_t which)
-{
-    return which < instance->fmu->model->nindicator ? instance->resting[which] : 0.0;
-}
-
-/* So short a time that a motion with these rates is a parabola in it as far as it is known, and so long that accelerations show. */
-static double brief(const lag_instance *instance, const double *rate)
-{
-    const lag_run *run = instance->run;
-    const size_t n = run->motion.model->nq;
-    double scale = run->instants.contacts.length;
-    for (size_t j = 0; j < n; ++j) {
-        const double speed = run->instants.noise.peak[n + j];
-        scale = speed > 0.0 && fabs(rate[n + j]) * scale > speed ? speed / fabs(rate[n + j]) : scale;
-    }
-    return pow(run->crossings.tolerance, BRIEF) * scale;
-}
-
-/* Relations that have turned and stay at zero, as far as the motion is known. They are shown to change when they leave that. */
-static lag_status find_resting(lag_instance *instance, double t, const double *x)
+lag_status lag_instance_latch(lag_instance *instance)
 {
     lag_run *run = instance->run;
-    lag_zero_crossing *crossings = &run->crossings;
-    const lag_model *model = instance->fmu->model;
-    double *rate = instance->tangent;
-    lag_fill(model->nindicator, 0.0, instance->resting);
-    if (!lag_any(model->nindicator, crossings->hovers)) {
-        return LAG_OK;
-    }
-    lag_status status = lag_zero_crossing_begin(crossings, t, x);
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        const int hovers = crossings->hovers[i] != 0.0 && !lag_instance_is_held(instance, i);
-        instance->resting[i] = hovers ? lag_zero_crossing_known(crossings, i) : 0.0;
-    }
-    if (status != LAG_OK || !lag_any(model->nindicator, instance->resting) || run->motion.ode.rates(&run->motion, t, x, rate) != LAG_OK) {
-        lag_fill(model->nindicator, 0.0, instance->resting);
-        return status;
-    }
-    const double ahead = brief(instance, rate);
-    memcpy(instance->point, x, lag_motion_size(model) * sizeof(double));
-    lag_axpy(lag_motion_size(model), ahead, rate, instance->point);
-    lag_axpy(model->nq, 0.5 * ahead * ahead, rate + model->nq, instance->point);
-    lag_zero_crossing_creep(crossings, t, x, ahead);
-    status = lag_zero_crossing_look(crossings, t + ahead, instance->point);
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        instance->resting[i] = lag_zero_crossing_rests(crossings, i) ? instance->resting[i] : 0.0;
-    }
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
-{
-    const size_t count = lag_instance_crossing_count(instance);
-    if (instance->fmu->model->nindicator + instance->fmu->model->ncorner > 0) {
-        lag_noise_find(&instance->run->instants.noise, t, x);
-    }
-    lag_contacts_follow(&instance->run->instants.contacts, x);
-    lag_status status = find_resting(instance, t, x);
-    status = status == LAG_OK ? lag_instance_look_at_crossings(instance, t, x) : status;
+    const double t = instance->held.t;
     instance->known = 0;
-    instance->held.latched_at = t;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = fmax(0.0, lag_instance_margin(instance, i) - lag_instance_room(instance, i));
-        instance->latched[i] = behind + resting(instance, i);
+    if (instance->fmu->model->nindicator > 0) {
+        lag_noise_find(&run->instants.noise, t, instance->x);
     }
-    return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
-}
-
-lag_status lag_instance_release(lag_instance *instance)
-{
-    const size_t count = lag_instance_watched(instance->fmu);
-    const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
-    for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        if (lag_instance_room(instance, i) > 2.0 * lag_instance_margin(instance, i) + resting(instance, i)) {
-            instance->latched[i] = 0.0;
-        }
-    }
-    if (status == LAG_OK && instance->fmu->model->ncorner > 0) {
-        lag_noise_follow(&instance->run->instants.noise, instance->x);
+    const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
+    for (size_t i = 0; i < lag_instance_guards(instance->fmu) && status == LAG_OK; ++i) {
+        const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
+        instance->latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
+        instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
     }
     return status;
 }

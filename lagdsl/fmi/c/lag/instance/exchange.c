@@ -74,9 +74,8 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
     if (status == LAG_OK) {
         *events = is_off(instance);
-        status = lag_instance_release(instance);
-    }
-    if (status == LAG_OK) {
+        lag_noise_follow(&instance->run->instants.noise, instance->x);
+        lag_contacts_follow(&instance->run->instants.contacts, instance->x);
         status = lag_instance_judge(instance, lag_instance_assert(instance, held->t, instance->x));
     }
     if (status == LAG_OK) {
