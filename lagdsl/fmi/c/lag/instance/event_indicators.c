@@ -69,7 +69,7 @@ static double dead_band(const lag_instance *instance, size_t i)
     return instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, i);
 }
 
-static int is_armed(const lag_instance *instance, size_t i)
+int lag_instance_is_armed(const lag_instance *instance, size_t i)
 {
     return instance->held.t > instance->armed[i];
 }
@@ -78,17 +78,14 @@ static int is_armed(const lag_instance *instance, size_t i)
 static double room(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
-    const double behind = is_armed(instance, i) ? 0.0 : instance->latched[i];
+    const double behind = lag_instance_is_armed(instance, i) ? 0.0 : instance->latched[i];
     return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 
-int lag_instance_leaves(lag_instance *instance, size_t i, int *rests)
+int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const int leaves = room(instance, i) < NEARLY * round_off(instance, i);
-    if (leaves && !is_armed(instance, i)) {
-        instance->latched[i] *= WIDER;
-    }
-    *rests = *rests && !(leaves && is_armed(instance, i));
+    instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
 
@@ -135,7 +132,7 @@ lag_status lag_instance_latch(lag_instance *instance)
     const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
     for (size_t i = 0; i < lag_instance_guards(instance->fmu) && status == LAG_OK; ++i) {
         const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
-        instance->latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
+        instance->latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
         instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
     }
     return status;

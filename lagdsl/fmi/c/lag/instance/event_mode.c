@@ -9,37 +9,48 @@
 
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
-/* Length of the last step, where nobody tells. */
-static const double MOMENT = 1e-6;
+/* Length of the step that led here, as a part of the experiment, where nobody tells. */
+static const double STEP = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
 static const double LATE = 1e-9;
 
 /*
- * Flags of what has changed at the present state, beside what the run has located, into those of the run's alert; *any: whether anything has, conditions
- * and values that `pre` reads included. In model exchange these are the guards that leave; the others stay, however far behind zero. *rests: contacts
- * among them were never clear of their dead bands since the last event, so what they do is rest.
+ * Guards that an importer has led to the other side, flagged in `changed`; the others stay, however far behind zero. *flies: contacts among them were
+ * clear of their dead bands before; what the others do is rest.
  */
-static lag_status find(lag_instance *instance, double t, const double *located, int *any, int *rests)
+static void find_left(lag_instance *instance, double *changed, int *flies)
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
-    const lag_model *model = instance->fmu->model;
+    const size_t relations = instance->fmu->model->nindicator;
+    for (size_t i = 0; i < lag_instance_guards(instance->fmu); ++i) {
+        changed[i] = lag_instance_leaves(instance, i);
+        *flies = *flies || (i >= relations && changed[i] != 0.0 && lag_instance_is_armed(instance, i));
+        if (i < relations) {
+            crossings->band[i] = changed[i] != 0.0 ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
+        }
+    }
+}
+
+/*
+ * Flags of what has changed at the present state, beside what the run has located, into those of the run's alert; *any: whether anything has, conditions
+ * and values that `pre` reads included.
+ */
+static lag_status find(lag_instance *instance, double t, const double *located, int *any, int *flies)
+{
+    lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t count = lag_instance_guards(instance->fmu);
-    const int exchanged = instance->held.exchanged;
-    int still = 1; /* of relations */
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
-    if (status == LAG_EVENT_PENDING && !exchanged && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
+    if (instance->held.exchanged && (status == LAG_OK || status == LAG_EVENT_PENDING)) {
+        find_left(instance, crossings->changed, flies);
+    } else if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
         status = lag_zero_crossing_look(crossings, t, instance->x);
     }
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const int left = exchanged ? lag_instance_leaves(instance, i, i < model->nindicator ? &still : rests) : crossings->changed[i] != 0.0;
-        crossings->changed[i] = left || (located != NULL && located[i] != 0.0);
-        if (exchanged && i < model->nindicator) {
-            crossings->band[i] = left ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
-        }
+    for (size_t i = 0; located != NULL && i < count; ++i) {
+        crossings->changed[i] = fmax(crossings->changed[i], located[i]);
     }
     *any = status == LAG_OK && lag_any(count, crossings->changed);
-    const int asked = status == LAG_OK && !*any && model->event != NULL;
+    const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
     return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, t, instance->x, any) : status;
 }
 
@@ -89,39 +100,27 @@ static lag_status place(lag_instance *instance, double t, int located)
     return status;
 }
 
-/* Length of the step that led here: the run's, the importer's. */
-static double length_of_step(const lag_instance *instance, int located)
-{
-    const lag_run *run = instance->run;
-    const double span = located ? run->half.length : instance->held.span;
-    return span > 0.0 ? span : MOMENT * fmax(run->instants.contacts.length, fabs(instance->held.t));
-}
-
 lag_status lag_instance_carry_out(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
-    const double h = length_of_step(instance, located);
+    const double h = located ? run->half.length : STEP * fmax(run->instants.contacts.length, fabs(t));
     int any = 0;
-    int rests = held->exchanged;
+    int flies = !held->exchanged;
     instance->known = 0;
     held->jumped = 1;
     held->tied = 0;
     lag_status status = place(instance, t, located);
-    if (status == LAG_OK) {
-        status = find(instance, t, located ? run->pending : NULL, &any, &rests);
-    }
+    status = status == LAG_OK ? find(instance, t, located ? run->pending : NULL, &any, &flies) : status;
     if (status == LAG_OK && any) {
-        run->instants.contacts.flight = rests ? (double)INFINITY : 0.0;
+        run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
         run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
         status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->crossings.changed);
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
-    if (status == LAG_OK) {
-        status = lag_run_ticks(run);
-    }
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
         lag_instance_note_stop(instance, status);
@@ -147,9 +146,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
     }
-    if (status == LAG_OK) {
-        status = lag_instance_follow_inputs(instance);
-    }
+    status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
         memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
@@ -163,10 +160,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 
 lag_status lag_instance_enter_continuous(lag_instance *instance)
 {
-    const lag_status status = lag_instance_begin(instance);
-    instance->held.last = instance->held.t;
-    instance->held.span = 0.0;
-    return status;
+    return lag_instance_begin(instance);
 }
 
 lag_status lag_instance_terminate(lag_instance *instance)

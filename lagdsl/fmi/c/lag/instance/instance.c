@@ -179,7 +179,7 @@ lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double sta
     if (!(tolerance >= 0.0) || !isfinite(tolerance)) {
         return lag_instance_fail(instance, LAG_NOT_FINITE, "the tolerance %g is no positive number", tolerance);
     }
-    held->start = held->t = held->last = start;
+    held->start = held->t = start;
     held->stop = stop;
     held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
     held->integration = integration_tolerance(instance, kind);

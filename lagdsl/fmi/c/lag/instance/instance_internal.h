@@ -41,15 +41,12 @@ typedef struct lag_held {
     double start, stop;     /* of the experiment; infinite stop: none given */
     double tolerance;       /* of the importer, */
     double integration;     /* and of the run */
-    double last, span;      /* time of the last completed step, and its length */
     double about;           /* time at which inputs are `course` */
     double left_at;         /* time of `left`, */
     double left_for;        /* and since inputs were set before that */
     int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
     double step;            /* LAG_OPTION_STEP */
     int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
-    double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
-    double since;           /* completed steps since the last projection */
     lag_phase phase;
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
@@ -200,8 +197,10 @@ lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_find_indicators(lag_instance *instance);
-/* Event mode: true if guard i, looked at last at the present state, has left its side. *rests becomes 0 if it was clear of its dead band before. */
-int lag_instance_leaves(lag_instance *instance, size_t i, int *rests);
+/* True if guard i has been clear of its dead band since the last event. */
+int lag_instance_is_armed(const lag_instance *instance, size_t i);
+/* Event mode: true if guard i, looked at last at the present state, has left its side. */
+int lag_instance_leaves(lag_instance *instance, size_t i);
 /* An event has ended at the present state: what is behind zero now is no event until it goes further. */
 lag_status lag_instance_latch(lag_instance *instance);
 

@@ -174,9 +174,6 @@ lag_status lag_instance_begin(lag_instance *instance)
     const lag_status status = lag_instance_ready(instance);
     if (status == LAG_OK) {
         held->phase = LAG_PHASE_MOTION;
-        held->last = held->t;
-        held->span = held->limit = 0.0;
-        held->since = (double)INFINITY;
     }
     return status;
 }
