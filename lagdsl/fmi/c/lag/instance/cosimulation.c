@@ -116,9 +116,7 @@ static lag_status end_at_the_stop(lag_instance *instance)
 {
     lag_run *run = instance->run;
     lag_status status = finish(instance, run->stepper.t);
-    if (status == LAG_OK) {
-        status = lag_run_ticks(run);
-    }
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
     return status == LAG_OK ? deliver(instance, run->stepper.t) : status;
 }
 

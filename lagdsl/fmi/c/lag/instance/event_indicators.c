@@ -17,8 +17,8 @@
 
 /* A guard that changes at zero leaves so early, as a part of its round-off. */
 static const double EARLY = 0.5;
-/* In event mode a guard has left that is so near to the zero of its indicator, as a part of its round-off. */
-static const double NEARLY = 0.4;
+/* In event mode guards leave together that are nearer to the zeros of their indicators than so many round-offs; behind an event none is. */
+static const double TOGETHER = 4.0;
 /* The band of a guard that has left without having been armed becomes so many times larger. */
 static const double WIDER = 4.0;
 /* Round-off is so many units in the last place of the numbers that enter. */
@@ -84,7 +84,7 @@ static double room(const lag_instance *instance, size_t i)
 
 int lag_instance_leaves(lag_instance *instance, size_t i)
 {
-    const int leaves = room(instance, i) < NEARLY * round_off(instance, i);
+    const int leaves = room(instance, i) < TOGETHER * round_off(instance, i);
     instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }

@@ -39,6 +39,9 @@ static lag_status find(lag_instance *instance, double t, const double *located, 
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t count = lag_instance_guards(instance->fmu);
+    if (instance->held.exchanged && instance->fmu->model->nindicator > 0) {
+        lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
+    }
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
     if (instance->held.exchanged && (status == LAG_OK || status == LAG_EVENT_PENDING)) {
         find_left(instance, crossings->changed, flies);
