@@ -26,6 +26,8 @@ end Exported;
 def test_corners_of_time_and_place_in_an_fmu(version: int, tmp_path: Path) -> None:
     path = tmp_path / "corners.fmu"
     export_text(TEXT, path, version)
-    rows = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=3.0, output_interval=1.5, relative_tolerance=1e-11)
+    rows = simulate_fmu(
+        str(path), fmi_type="CoSimulation", stop_time=3.0, output_interval=1.5, relative_tolerance=1e-11
+    )
     assert rows["v"][-1] == pytest.approx(sqrt(1 - 2 * 0.1) + 1e-3, abs=1e-8)
     assert read_model_description(str(path)).numberOfEventIndicators == 0

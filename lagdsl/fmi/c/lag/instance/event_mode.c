@@ -15,46 +15,39 @@ static const double STEP = 1e-6;
 static const double LATE = 1e-9;
 
 /*
- * Guards that an importer has led to the other side, flagged in `changed`; the others stay, however far behind zero. *flies: contacts among them were
- * clear of their dead bands before; what the others do is rest.
+ * Guards that an importer has led to the other side, flagged in `left`, beside those that are flagged; the others stay, however far behind zero. *flies:
+ * contacts among them were clear of their dead bands before; what the others do is rest.
  */
-static void find_left(lag_instance *instance, double *changed, int *flies)
+static lag_status find_left(lag_instance *instance, double t, double *left, int *flies)
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t relations = instance->fmu->model->nindicator;
-    for (size_t i = 0; i < lag_instance_guards(instance->fmu); ++i) {
-        changed[i] = lag_instance_leaves(instance, i);
-        *flies = *flies || (i >= relations && changed[i] != 0.0 && lag_instance_is_armed(instance, i));
-        if (i < relations) {
-            crossings->band[i] = changed[i] != 0.0 ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
-        }
+    const size_t count = lag_instance_guards(instance->fmu);
+    if (relations > 0) {
+        lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
+    const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
+    for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+        left[i] = left[i] != 0.0 || lag_instance_leaves(instance, i);
+        *flies = *flies || (i >= relations && left[i] != 0.0 && lag_instance_is_armed(instance, i));
+        crossings->band[i] = left[i] != 0.0 || i >= relations ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-/*
- * Flags of what has changed at the present state, beside what the run has located, into those of the run's alert; *any: whether anything has, conditions
- * and values that `pre` reads included.
- */
-static lag_status find(lag_instance *instance, double t, const double *located, int *any, int *flies)
+/* Flags of what has changed, in co-simulation, beside what is flagged. */
+static lag_status find_changed(lag_instance *instance, double t, double *changed)
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t count = lag_instance_guards(instance->fmu);
-    if (instance->held.exchanged && instance->fmu->model->nindicator > 0) {
-        lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
-    }
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
-    if (instance->held.exchanged && (status == LAG_OK || status == LAG_EVENT_PENDING)) {
-        find_left(instance, crossings->changed, flies);
-    } else if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
+    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
         status = lag_zero_crossing_look(crossings, t, instance->x);
     }
-    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
-    for (size_t i = 0; located != NULL && i < count; ++i) {
-        crossings->changed[i] = fmax(crossings->changed[i], located[i]);
+    for (size_t i = 0; i < count; ++i) {
+        changed[i] = fmax(crossings->changed[i], changed[i]);
     }
-    *any = status == LAG_OK && lag_any(count, crossings->changed);
-    const int asked = status == LAG_OK && !*any && instance->fmu->model->event != NULL;
-    return asked ? lag_event_iteration_conditions(&instance->run->instants.iteration, t, instance->x, any) : status;
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 /* The next instant that is known ahead; the stop, if it lies behind that by round-off. */
@@ -110,17 +103,27 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
     const double h = located ? run->half.length : STEP * fmax(run->instants.contacts.length, fabs(t));
+    const size_t count = lag_instance_guards(instance->fmu);
     int any = 0;
     int flies = !held->exchanged;
     instance->known = 0;
     held->jumped = 1;
     held->tied = 0;
-    lag_status status = place(instance, t, located);
-    status = status == LAG_OK ? find(instance, t, located ? run->pending : NULL, &any, &flies) : status;
+    lag_fill(located ? 0 : count, 0.0, run->pending);
+    /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
+    lag_status status = held->exchanged ? find_left(instance, t, run->pending, &flies) : LAG_OK;
+    status = status == LAG_OK ? place(instance, t, located) : status;
+    if (status == LAG_OK) {
+        status = held->exchanged ? find_left(instance, t, run->pending, &flies) : find_changed(instance, t, run->pending);
+    }
+    any = lag_any(count, run->pending);
+    if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
+        status = lag_event_iteration_conditions(&run->instants.iteration, t, instance->x, &any);
+    }
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
         run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
-        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->crossings.changed);
+        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->pending);
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
