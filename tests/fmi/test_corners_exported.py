@@ -1,5 +1,5 @@
-"""An exported model with a time event and a corner of place moves as closed forms say, through FMPy. In model exchange corners
-of place are no events: an importer finds what its steps show."""
+"""An exported model with a time event and a corner of place moves as closed forms say, through FMPy. In model exchange
+corners of place are no events: an importer finds what its steps show."""
 
 from __future__ import annotations
 

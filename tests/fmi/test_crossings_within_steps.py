@@ -1,5 +1,5 @@
 """Changes that are undone soon: corners, relations, contacts. Co-simulation finds them in steps of any length; in model
-exchange an importer sees relations and contacts that last for longer than its own, and no corners. All of it by hand."""
+exchange an importer sees relations and contacts that last for longer than its own steps, no corners. All by hand."""
 
 from __future__ import annotations
 

@@ -149,9 +149,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     lag_held *held = &instance->held;
     *told = (lag_update){.next = (double)INFINITY};
     lag_status status = lag_instance_begin(instance);
-    if (status == LAG_OK) {
-        status = lag_instance_ready(instance);
-    }
+    status = status == LAG_OK ? lag_instance_ready(instance) : status;
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
