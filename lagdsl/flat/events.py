@@ -91,8 +91,8 @@ class Clock(Item):
 class Contact(Item):
     """`gap >= 0` with an impact law. The constraint of its name holds while it is closed.
 
-    `one_way`: `gap` is not a gap but a rate, linear in the rates, and the constraint is of velocity level; the
-    restitution is zero. `capture_speed` is the rebound speed below which it closes, `zeno_time` the time left of a series of impacts
+    `one_way`: `gap` is a rate, linear in the rates, the constraint is of velocity level and the restitution zero.
+    `capture_speed` is the rebound speed below which it closes, `zeno_time` the time left of a series of impacts
     below which it does; None: no speed, a millionth of the length that the experiment states, else of the run.
     """
 

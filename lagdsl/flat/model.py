@@ -326,6 +326,11 @@ class Constraint(Item):
     friction: bool = False
     switched: bool = False
 
+    @property
+    def of_law(self) -> bool:
+        """True if the law of a contact or of dry friction says when it is there."""
+        return self.contact or self.friction
+
 
 @record(kw_only=True)
 class Invariant(Item):
