@@ -1,4 +1,4 @@
-"""Dry friction: `friction name: slip with limit = r, sticking = r0`, and under a contact `with friction = mu, slip = s`.
+"""Dry friction: `friction name: slip with limit = r, sticking = r0`; under a contact `with friction = mu, slip = s`.
 
 Coulomb's law, with the force along the slip g: while it slides it is -R sign(g), in a plane -R g/|g|; while it sticks
 it holds g = 0 with any force up to R0. `docs/explanation/hybrid_model.md` has the law with its modes.
