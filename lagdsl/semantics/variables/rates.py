@@ -65,6 +65,11 @@ def _values(flat: FlatModel) -> Iterator[tuple[FlatExpression, Item, str]]:
     for load in flat.loads:
         for value in load_expressions(load):
             yield value, load, "occurs in a load"
+    for feedback in flat.events.feedbacks:
+        yield feedback.value, feedback, "occurs in a load"
+    for friction in flat.events.frictions:
+        for value in (friction.limit, *(() if friction.sticking is None else (friction.sticking,))):
+            yield value, friction, "occurs in a limit of friction"
     for state in flat.states:
         yield state.derivative, state, f"drives `{state.name}`"
     for output in flat.outputs:
