@@ -11,6 +11,7 @@ from dataclasses import field
 from typing import Literal, TypeAlias
 
 from lagdsl.flat.events import Events
+from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Item, Quantity, Variability
 from lagdsl.record import record
@@ -366,15 +367,6 @@ class Drawing(Item):
     arguments: tuple[tuple[str, FlatExpression | str], ...]
     place: Literal["at", "on", "between"]
     anchors: tuple[FlatExpression | str, ...]
-
-
-@record(kw_only=True)
-class Experiment:
-    start_time: float = 0.0
-    stop_time: float = 10.0
-    tolerance: float = 1e-8
-    interval: float | None = None
-    stop_time_explicit: bool = False
 
 
 @record(kw_only=True)

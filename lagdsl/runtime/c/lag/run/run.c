@@ -188,6 +188,7 @@ static int alike(const lag_model *a, const lag_model *b)
     return a->version == b->version && a->nq == b->nq && a->nz == b->nz && a->nu == b->nu && a->nw == b->nw && a->np == b->np &&
         a->nc == b->nc && a->ny == b->ny && a->ni == b->ni && a->na == b->na && a->nk == b->nk && a->nindicator == b->nindicator &&
         a->ncontact == b->ncontact && a->ngap == b->ngap && a->nclock == b->nclock && a->nreset == b->nreset &&
+        a->nfriction == b->nfriction && a->nslip == b->nslip && a->nload == b->nload &&
         a->ncorner == b->ncorner && a->nway == b->nway && a->nturn == b->nturn && a->ncollision == b->ncollision && a->nstop == b->nstop && a->nfail == b->nfail;
 }
 
