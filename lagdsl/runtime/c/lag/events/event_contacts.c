@@ -44,6 +44,8 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     const double *modes = iteration->motion->w + iteration->places.sticks;
     memcpy(iteration->frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
+    iteration->modes->jumped = iteration->modes->jumped || contacts->struck > 0 ||
+        (collision != NULL && lag_any(iteration->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(iteration, t, x) : status;
     int any = contacts->struck > 0 || !lag_same(frictions, iteration->frictions, modes);
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
@@ -196,7 +198,7 @@ lag_status lag_event_iteration_change_contacts(
     int acted = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         met[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        if (changed[i] != 0.0 && closed[i] != 0.0 && !iteration->turned) {
+        if (changed[i] != 0.0 && closed[i] != 0.0 && !iteration->turned && !lag_modes_is_spared(iteration->modes, i)) {
             closed[i] = 0.0;
             status = lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i);
         }

@@ -203,6 +203,7 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     if (status == LAG_OK) {
         status = reset(iteration, t, x, acted);
     }
+    iteration->modes->jumped = iteration->modes->jumped || *acted;
     return status == LAG_OK && *acted ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
@@ -253,6 +254,7 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
+        iteration->modes->jumped = iteration->modes->jumped || jumped;
     }
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }

@@ -12,19 +12,22 @@
 #ifndef LAG_MODES_H
 #define LAG_MODES_H
 
-#include "lag/events/friction.h"
+#include "lag/events/reserve.h"
 
 typedef struct lag_modes {
     lag_motion *motion;
     lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
+    lag_reserve reserve;
     lag_impulse *impulse;
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
+    int jumped;              /* rates have jumped at this instant: what sticks may slip now */
     double *normal;          /* (ncontact) contacts in the problem */
     double *loose;           /* (nfriction) friction that may stick */
-    double *kinetic;         /* (nfriction) that slips with the limit of sliding */
+    double *kinetic;         /* (nfriction) that slips with the limit of sliding, */
+    double *began;           /* (nfriction) as it does that began to slip at this instant */
     double *heading;         /* (nslip) directions of those that slide */
     double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
     double *loads;           /* (nload) at no force of these rows; */
@@ -37,6 +40,9 @@ typedef struct lag_modes {
 size_t lag_modes_memory(const lag_model *model);
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
+
+/* 1: a contact, or behind them a friction, of a group of undetermined forces that has no reserve left has some of its own. */
+int lag_modes_is_spared(const lag_modes *modes, size_t side);
 
 /*
  * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all

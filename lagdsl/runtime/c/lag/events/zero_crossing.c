@@ -17,14 +17,15 @@ size_t lag_zero_crossing_memory(const lag_model *model)
     return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 4 * model->ncorner + (7 + LAG_LOOKS) * count;
 }
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_frictions *frictions, lag_noise *noise, double *memory)
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t count = lag_guards(model) + model->ncorner;
     crossings->motion = motion;
     crossings->places = lag_places_of(model);
-    crossings->contacts = frictions->contacts;
-    crossings->frictions = frictions;
+    crossings->contacts = reserve->frictions->contacts;
+    crossings->frictions = reserve->frictions;
+    crossings->reserve = reserve;
     crossings->noise = noise;
     crossings->changed = lag_take(&memory, count);
     crossings->depth = lag_take(&memory, count);
@@ -88,7 +89,9 @@ double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
     }
     const size_t contact = which - count;
     const double *open = lag_contacts_is_one_way(crossings->contacts, contact) ? crossings->speed : crossings->gap;
-    return is_closed(crossings, contact) ? motion->lam[motion->model->contact_rows[contact]] : open[contact];
+    const double shared = crossings->frictions->reserve[contact];
+    const double force = isnan(shared) ? motion->lam[motion->model->contact_rows[contact]] : shared;
+    return is_closed(crossings, contact) ? force : open[contact];
 }
 
 /* The place of a relation or corner in lag_noise. */
@@ -167,7 +170,8 @@ static lag_status frictions(lag_zero_crossing *crossings)
 {
     const lag_model *model = crossings->motion->model;
     const size_t first = model->nindicator + model->ncontact;
-    const lag_status status = lag_frictions_look(crossings->frictions);
+    lag_status status = lag_frictions_look(crossings->frictions);
+    status = status == LAG_OK ? lag_reserve_look(crossings->reserve) : status;
     for (size_t i = first; i < first + model->nfriction; ++i) {
         const double least = fmax(crossings->band[i], lag_zero_crossing_noise(crossings, i));
         crossings->changed[i] = -lag_zero_crossing_value(crossings, i) > least;
