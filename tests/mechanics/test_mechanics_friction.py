@@ -125,7 +125,11 @@ def test_entries_of_w_and_their_kinds() -> None:
     assert [slot.name for slot in layout.constraints] == ["floor", "pad[1]", "pad[2]"]
     instants = layout.instants
     assert (instants.frictions, instants.friction_rows) == (("pad",), (1, 2))
-    assert (instants.friction_slips, instants.friction_contacts, instants.contact_rows) == ((2,), (1,), (0,))  # it acts under no contact
+    assert (instants.friction_slips, instants.friction_contacts, instants.contact_rows) == (
+        (2,),
+        (1,),
+        (0,),
+    )  # it acts under no contact
 
 
 @pytest.mark.parametrize("tiny", [(0.0, 0.0), (3e-9, -4e-9)])
