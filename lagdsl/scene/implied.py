@@ -259,6 +259,8 @@ def loads(machine: Machine) -> Iterator[Shape]:
                 yield Shape(kind="torque", name=load.label or "torque", numbers=numbers, spans=load.spans)
             case fm.GeneralizedForce():
                 pass  # it acts on a coordinate, which is no place
+            case fm.RateForce():
+                pass
 
 
 def frames(machine: Machine) -> Iterator[Shape]:

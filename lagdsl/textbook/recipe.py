@@ -23,6 +23,7 @@ from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     AppliedForce,
     AppliedGeneralizedForce,
+    AppliedRateForce,
     AppliedTorque,
     Contributions,
     HeldRates,
@@ -312,6 +313,8 @@ def _printed(parts: Contributions, actions: Sequence[ActionStep], rows: Sequence
                 yield from action.torque
             case AppliedGeneralizedForce():
                 yield from (action.value, action.target)
+            case AppliedRateForce():
+                yield from (action.value, action.rate)
             case _:
                 assert_never(action)
     yield from (row.residual for row in rows)

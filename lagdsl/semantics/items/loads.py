@@ -33,7 +33,7 @@ def _expression(made: flat_model.Load) -> flat.FlatExpression:
             return made.force
         case flat_model.FrameTorque():
             return made.torque
-        case flat_model.GeneralizedForce():
+        case flat_model.GeneralizedForce() | flat_model.RateForce():
             return made.value
 
 

@@ -65,11 +65,14 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
             case fm.GeneralizedForce():
                 yield from (load.value, load.target)
                 yield from () if load.origin is None else (load.origin,)
+            case fm.RateForce():
+                yield from (load.value, load.rate)
             case _:
                 assert_never(load)
     for constraint in flat.constraints:
         yield from constraint.residuals
     yield from (contact.gap for contact in flat.events.contacts)
+    yield from (feedback.value for feedback in flat.events.feedbacks)
     yield from (state.derivative for state in flat.states)
 
 

@@ -289,7 +289,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     }
     memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
     memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
-    lag_places_clear(motion->model, &iteration->places, motion->w);
+    lag_places_clear(&iteration->places, motion->w);
     if (!lag_same(iteration->places.contact, motion->w, iteration->before)) {
         status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
     }
