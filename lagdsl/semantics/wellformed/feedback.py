@@ -45,7 +45,7 @@ class _Parts:
     def __init__(self, flat: fm.FlatModel, dependence: Dependence) -> None:
         self.made: dict[str, Feedback] = {}
         self._taken = {each.name for each in flat.events.feedbacks}
-        self._coordinates = {item.name for item in flat.coordinates}
+        self._moving = {item.name for item in (*flat.coordinates, *flat.states)}
         self._dependence = dependence
         self._known: dict[int, tuple[fx.FlatExpression, bool]] = {}
         self._spans: Spans
@@ -130,7 +130,7 @@ class _Parts:
         known = self._known
         if id(expression) not in known:
             orders = self._dependence.of(expression)
-            accelerated = any(orders[name] > 1 for name in orders.differentiated() if name in self._coordinates)
+            accelerated = any(orders[name] > 1 for name in orders.differentiated() if name in self._moving)
             mechanical = any(isinstance(node, fx.Mechanical) for node in postorder(expression))
             known[id(expression)] = expression, accelerated or mechanical
         return known[id(expression)][1]
