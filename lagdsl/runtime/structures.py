@@ -70,6 +70,7 @@ class Status(IntEnum):
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
     VALLEY = 22
+    NO_FORCES = 23
 
 
 class InitialFault(IntEnum):
@@ -138,6 +139,8 @@ class Model(Structure):
         *_all(_evaluated(4), "turn"),
         *_all(_evaluated(6), "friction"),
         *_all(_evaluated(3), "load"),
+        *_all(_evaluated(1), "load_tangent"),
+        *_all(_evaluated(4), "load_gain"),
         *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),
