@@ -190,7 +190,8 @@ def test_a_member_of_a_component_shows_its_value(editor: Editor, four_bar: str) 
         ("  friction f: der(theta) with limit = ", {"theta"}, {"sticking"}),
         ("  contact c: l >= 0 m with restitution = 0, ", {"friction", "slip", "sticking"}, {"theta", "limit"}),
         (
-            "  contact c: l >= 0 with restitution = 0, friction = 1, slip = der(theta);\n  output Force F = multiplier(c.",
+            "  contact c: l >= 0 with restitution = 0, friction = 1, slip = der(theta);\n"
+            "  output Force F = multiplier(c.",
             {"friction"},
             {"theta"},
         ),
