@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from friction_texts import ALL, BLOCK, SLOPE
+from friction_texts import ALL, BLOCK, PUCK, SLOPE
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -50,6 +50,12 @@ def test_a_row_of_friction_is_the_slip_while_it_sticks() -> None:
     assert not derivation.energy_conserved and x not in derivation.cyclic
 
 
-def test_a_report_tells_the_law() -> None:
-    text = render(recipe(flat_of(BLOCK)), "markdown")
-    assert "Dry friction" in text and "limit at rest" in text and "holds the system at rest in whole ranges" in text
+def test_a_report_writes_the_law_as_a_book_does() -> None:
+    lines = [" ".join(line.split()) for line in render(recipe(flat_of(BLOCK)), "text").splitlines()]
+    assert "m₁ s̈ = λ + push − 3/5 g_n (ṡ² + 1) sign(ṡ)" in lines
+    assert "f = λ − 3/5 g_n (ṡ² + 1) sign(ṡ)" in lines
+    assert "While all friction slides, so that their multipliers are zero:" in lines
+    assert "Dry friction holds the system at rest in whole ranges of positions; lag trim finds one of them" in lines
+    lines = [" ".join(line.split()) for line in render(recipe(flat_of(PUCK)), "text").splitlines()]
+    assert "m₁ ÿ = λ_pad,2 − ẏ limit(pad)/√(ẋ² + ẏ²)" in lines
+    assert "limit(pad) 0.3*multiplier(floor)" in lines
