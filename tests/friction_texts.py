@@ -59,4 +59,4 @@ model Gear "A worm whose loss is a part of the force between its wheels"
   torque -0.2*abs(multiplier(mesh))*tanh(der(a)/(1 rad/s)) on a;
 end Gear;
 """
-ALL = {"block": BLOCK, "puck": PUCK, "freewheel": FREEWHEEL, "bearing": BEARING, "slope": SLOPE}
+ALL = {"block": BLOCK, "puck": PUCK, "freewheel": FREEWHEEL, "bearing": BEARING, "slope": SLOPE, "gear": GEAR}

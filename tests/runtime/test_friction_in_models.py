@@ -19,7 +19,10 @@ from lagdsl.runtime.structures import WHAT, Model
 from lagdsl.verify.states import values
 
 ENGINES: tuple[EngineName, ...] = ("tape", "c", "numpy")
-KINDS = ["variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock", "initial", "terminal", "load"]
+KINDS = (
+    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
+    *("initial", "terminal", "load"),
+)
 
 
 def rows(address: int | None, count: int, kind: Any) -> list[int]:
@@ -29,7 +32,7 @@ def rows(address: int | None, count: int, kind: Any) -> list[int]:
 def told(program: Program, engine: EngineName) -> dict[str, Any]:
     """What the model says of friction."""
     held = engine_of(program, engine)
-    model = Model.from_address(held.native().address)
+    model = Model.from_address(held.native.address)
     counts = {name: getattr(model, name) for name in ("nslip", "nfriction", "nload", "ncontact", "nw")}
     size = ctypes.c_size_t
     return counts | {

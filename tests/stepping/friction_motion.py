@@ -208,7 +208,9 @@ class _Run:
             armed[row] |= bool(values[i] > band)
             if values[i + 1] < -band or (armed[row] and values[i + 1] < 0 < values[i]):
                 if not armed[row]:  # up and back between two looks, or down at once
-                    top = minimize_scalar(lambda t: -value(t), bounds=(low, high), method="bounded", options={"xatol": 1e-13})
+                    top = minimize_scalar(
+                        lambda t: -value(t), bounds=(low, high), method="bounded", options={"xatol": 1e-13}
+                    )
                     if -top.fun <= band:
                         return low
                     low = float(top.x)
@@ -262,7 +264,9 @@ class _Run:
             places = [row for row in held if np.any(at["J"][row])]
             if places:
                 J, inverse = at["J"][places], system.rows(s).inverse
-                s = replace(s, q=s.q - inverse @ J.T @ np.linalg.lstsq(J @ inverse @ J.T, at["phi"][places], rcond=1e-11)[0])
+                s = replace(
+                    s, q=s.q - inverse @ J.T @ np.linalg.lstsq(J @ inverse @ J.T, at["phi"][places], rcond=1e-11)[0]
+                )
         rows = system.rows(s)
         return replace(s, v=system.projected(rows, held, s.v, rows.speed))
 
@@ -321,9 +325,7 @@ class _Run:
             return {}
         return {row: MINUS if f[row] > 0 else PLUS for row in fired if mode[row] == STICK}
 
-    def _struck(
-        self, s: State, rows: Rows, touching: list[int], carrying: list[int]
-    ) -> tuple[State, dict[int, float]]:
+    def _struck(self, s: State, rows: Rows, touching: list[int], carrying: list[int]) -> tuple[State, dict[int, float]]:
         """Blows until no gap closes any more: the state, and how fast what struck approached."""
         approach: dict[int, float] = {}
         v, first = s.v, rows.speed
@@ -341,7 +343,9 @@ class _Run:
 
     def _blow(self, rows: Rows, speed: Floats, hits: list[int], carrying: list[int]) -> Floats:
         """The jump of rates. Where restitutions differ and energy would grow, the least is that of all."""
-        e = {row: float(rows.restitution[self._system.contacts.index(row)]) for row in hits} | dict.fromkeys(carrying, 0.0)
+        e = {row: float(rows.restitution[self._system.contacts.index(row)]) for row in hits} | dict.fromkeys(
+            carrying, 0.0
+        )
         jump, gain = self._poisson(rows, speed, e)
         if gain > 0 and len(set(e.values())) > 1:
             jump, _ = self._poisson(rows, speed, dict.fromkeys(e, min(e.values())))

@@ -112,7 +112,11 @@ class FrictionSystem:
         J = rows.J[held]
         push = J.copy()  # what a force of each held row does, with the sliding that follows from it
         known = np.zeros(len(rows.h))
-        sliding = [(each, 1.0 if mode[each.row] == PLUS else -1.0) for each in rows.frictions if mode[each.row] in (PLUS, MINUS)]
+        sliding = [
+            (each, 1.0 if mode[each.row] == PLUS else -1.0)
+            for each in rows.frictions
+            if mode[each.row] in (PLUS, MINUS)
+        ]
         for each, sign in sliding:
             known -= sign * each.r0 * rows.J[each.row]
             if each.contact is not None:
@@ -135,4 +139,6 @@ class FrictionSystem:
     def projected(self, rows: Rows, held: list[int], v: Floats, speed: Floats) -> Floats:
         """Rates that satisfy the held rows, by the least change in the metric of M."""
         J = rows.J[held]
-        return v - rows.inverse @ J.T @ np.linalg.lstsq(J @ rows.inverse @ J.T, speed[held], rcond=1e-11)[0] if held else v
+        return (
+            v - rows.inverse @ J.T @ np.linalg.lstsq(J @ rows.inverse @ J.T, speed[held], rcond=1e-11)[0] if held else v
+        )

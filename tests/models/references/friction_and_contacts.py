@@ -53,7 +53,12 @@ def wedge_under_load(p: Parameters, t: Floats) -> dict[str, Floats]:
     speed, brake = driven(np.array(end - begin))[1], weight / inertia
     moving = np.clip(t - end, 0.0, speed / brake)
     x = x + speed * moving - brake * moving**2 / 2
-    return {"x": x, "z": slope * x, "y": 0 * t, "der(x)": np.where(t > end, np.maximum(rate - brake * moving, 0.0), rate)}
+    return {
+        "x": x,
+        "z": slope * x,
+        "y": 0 * t,
+        "der(x)": np.where(t > end, np.maximum(rate - brake * moving, 0.0), rate),
+    }
 
 
 def stacked_blocks(p: Parameters, t: Floats) -> dict[str, Floats]:

@@ -232,6 +232,20 @@ static lag_status evaluate_load(const lag_model *model, const lag_arguments *at,
     return model->load == NULL ? LAG_MISSING : model->load(at, load, by_acceleration, by_multiplier);
 }
 
+static lag_status evaluate_load_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->load_tangent == NULL ? LAG_MISSING : model->load_tangent(at, results);
+}
+
+static lag_status evaluate_load_gain(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rates = motion + model->nq * model->nload;
+    double *const y = rates + model->nz * model->nload;
+    double *const load = y + model->ny * model->nload;
+    return model->load_gain == NULL ? LAG_MISSING : model->load_gain(at, motion, rates, y, load);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -353,6 +367,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         [LAG_TURN] = evaluate_turn,
         [LAG_FRICTION] = evaluate_friction,
         [LAG_LOAD] = evaluate_load,
+        [LAG_LOAD_TANGENT] = evaluate_load_tangent,
+        [LAG_LOAD_GAIN] = evaluate_load_gain,
         [LAG_MOMENTUM_TANGENT] = evaluate_momentum_tangent,
         [LAG_DEFINITION] = evaluate_definition,
         [LAG_DEFINITION_TANGENT] = evaluate_definition_tangent,
