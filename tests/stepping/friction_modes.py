@@ -78,8 +78,9 @@ class Solution:
 def solutions(
     problem: Problem, kinetic: Collection[int] = (), given: Mapping[int, int] | None = None
 ) -> list[Solution]:
-    """All modes that satisfy the law and differ in their rates; of those with equal rates the one that holds most. Frictions of the rows in `kinetic` have the limit of
-    sliding at rest, too. `given` fixes rows, whose rates may have either sign."""
+    """All modes that satisfy the law and differ in their rates; of those with equal rates the one that holds most.
+    Frictions of the rows in `kinetic` have the limit of sliding at rest, too. `given` fixes rows, whose rates may
+    have either sign."""
     unit = 1 / np.sqrt(np.where(np.diag(problem.G) > 0, np.diag(problem.G), 1.0))
     scaled = _scaled(problem, unit)
     found: list[Solution] = []

@@ -1,5 +1,5 @@
-"""Rows of a model with contacts and dry friction: what its functions say with all of them held, so that the law can be put on
-top of it."""
+"""Rows of a model with contacts and dry friction: what its functions say with all of them held, so that the law can
+be put on top of it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,8 @@ class Rows:
 
 
 class FrictionSystem:
-    """A model without states of first order whose frictions are scalar, with limits r0 + mu times the force of a contact."""
+    """A model without states of first order whose frictions are scalar, with limits r0 + mu times the force of a
+    contact."""
 
     def __init__(self, program: Program, length: float) -> None:
         self.system = System(program, length)
@@ -106,13 +107,17 @@ class FrictionSystem:
         return self.bilateral + [row for row, code in mode.items() if code in (CLOSED, STICK)]
 
     def forces(self, rows: Rows, mode: Mode) -> tuple[Floats, bool, float]:
-        """Forces of all rows in a mode, the smallest of redundant ones; whether some are; the determinant of the equations of the
-        mode against that without friction."""
+        """Forces of all rows in a mode, the smallest of redundant ones; whether some are; the determinant of the
+        equations of the mode against that without friction."""
         held = self.held(mode)
         J = rows.J[held]
         push = J.copy()  # what a force of each held row does, with the sliding that follows from it
         known = np.zeros(len(rows.h))
-        sliding = [(each, 1.0 if mode[each.row] == PLUS else -1.0) for each in rows.frictions if mode[each.row] in (PLUS, MINUS)]
+        sliding = [
+            (each, 1.0 if mode[each.row] == PLUS else -1.0)
+            for each in rows.frictions
+            if mode[each.row] in (PLUS, MINUS)
+        ]
         for each, sign in sliding:
             known -= sign * each.r0 * rows.J[each.row]
             if each.contact is not None:
@@ -135,4 +140,6 @@ class FrictionSystem:
     def projected(self, rows: Rows, held: list[int], v: Floats, speed: Floats) -> Floats:
         """Rates that satisfy the held rows, by the least change in the metric of M."""
         J = rows.J[held]
-        return v - rows.inverse @ J.T @ np.linalg.lstsq(J @ rows.inverse @ J.T, speed[held], rcond=1e-11)[0] if held else v
+        return (
+            v - rows.inverse @ J.T @ np.linalg.lstsq(J @ rows.inverse @ J.T, speed[held], rcond=1e-11)[0] if held else v
+        )
