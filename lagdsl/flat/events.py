@@ -129,6 +129,13 @@ class Friction(Item):
     contact: str | None = None
 
     @property
+    def rows(self) -> tuple[str, ...]:
+        """Names of the rows of its constraint, one for each slip."""
+        if len(self.slips) == 1:
+            return (self.name,)
+        return tuple(f"{self.name}[{place}]" for place in range(1, len(self.slips) + 1))
+
+    @property
     def sticks(self) -> str:
         return f"sticks({self.name})"
 

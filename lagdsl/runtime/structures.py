@@ -70,6 +70,7 @@ class Status(IntEnum):
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
     VALLEY = 22
+    NO_FORCES = 23
 
 
 class InitialFault(IntEnum):
