@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -35,7 +36,7 @@ class RandomProblem:
     def slips(self) -> list[list[int]]:
         """Rows of each."""
         ends = self.contacts + np.cumsum((0, *self.components))
-        return [list(range(a, b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+        return [list(range(a, b)) for a, b in pairwise(ends.tolist())]
 
 
 # Forces or impulses of all rows; None where the solver finds none.

@@ -1,5 +1,5 @@
-"""Random problems of contacts with friction: the runtime's solver satisfies the law, finds what trying all modes finds, and
-gains no energy."""
+"""Random problems of contacts with friction: the runtime's solver satisfies the law, finds what trying all modes finds,
+and gains no energy."""
 
 from __future__ import annotations
 
