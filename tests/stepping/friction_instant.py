@@ -37,6 +37,14 @@ _BLOWS = 500
 _REST = 1e-6
 
 
+class JammedError(AssertionError):
+    """No motion goes on: friction presses a contact as much as the contact makes friction."""
+
+    def __init__(self, time: float) -> None:
+        super().__init__(f"jammed at t = {time:.9g}")
+        self.time = time
+
+
 class FrictionInstant:
     """Carries out instants of one run; `told` is what happened."""
 

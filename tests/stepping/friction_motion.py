@@ -14,10 +14,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
-from stepping.events import Happening
-from stepping.friction_instant import FrictionInstant, left_to
+from stepping.friction_instant import FrictionInstant, JammedError, left_to
 from stepping.friction_modes import CLOSED, MINUS, OPEN, PLUS, STICK, AmbiguousError, Floats
 from stepping.friction_rows import FrictionSystem, Mode
+from stepping.motion import Motion
 from stepping.state import State
 
 from lagdsl.program.program import Program
@@ -32,22 +32,11 @@ _PASSES = 60
 _JAMMED = 1e-7
 
 
-class JammedError(AssertionError):
-    """No motion goes on: friction presses a contact as much as the contact makes friction."""
-
-    def __init__(self, time: float) -> None:
-        super().__init__(f"jammed at t = {time:.9g}")
-        self.time = time
-
-
 @dataclass
-class FrictionMotion:
-    """States at the requested times, those before an event, the forces of all rows there, and what happened."""
+class FrictionMotion(Motion):
+    """With the forces of all rows at the requested times."""
 
-    times: list[float] = field(default_factory=list)
-    states: list[State] = field(default_factory=list)
     forces: list[Floats] = field(default_factory=list)
-    told: list[Happening] = field(default_factory=list)
 
 
 def friction_motion(program: Program, stop: float, times: Sequence[float]) -> FrictionMotion:
@@ -81,7 +70,7 @@ class _Run:
             again = again + 1 if s.t - begin <= 1e-13 * self._stop else 0
             if again > _PASSES:
                 raise AmbiguousError(f"no mode holds at t = {s.t:.9g}")
-        self._motion.told = self._instant.told
+        self._motion.told = sorted(self._instant.told, key=lambda each: each.time)
         return self._motion
 
     # ---- one mode ----------------------------------------------------------------------------------------------------
@@ -101,6 +90,7 @@ class _Run:
             self._note(s, dense, before.t, solver.t if at is None else at, mode)
             if at is not None:
                 after = self._exactly(before, at, row, mode)
+                self._motion.instants.append(after.t)
                 if row == -2:
                     raise JammedError(after.t)
                 return self._instant.run(self._clean(after, mode), mode, self._fired(after, mode, row))
