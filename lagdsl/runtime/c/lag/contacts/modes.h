@@ -12,7 +12,7 @@
 #ifndef LAG_MODES_H
 #define LAG_MODES_H
 
-#include "lag/events/reserve.h"
+#include "lag/contacts/reserve.h"
 
 typedef struct lag_modes {
     lag_motion *motion;
@@ -24,6 +24,7 @@ typedef struct lag_modes {
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
     int jumped;              /* rates have jumped at this instant: what sticks may slip now */
+    double *touched;         /* (nq + nz) by component: its modes are looked for */
     double *normal;          /* (ncontact) contacts in the problem */
     double *loose;           /* (nfriction) friction that may stick */
     double *kinetic;         /* (nfriction) that slips with the limit of sliding, */
