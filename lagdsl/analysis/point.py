@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lagdsl.backends.python.sizes import motion_sizes
-from lagdsl.backends.python.support.feedback import changes_with_loads, with_loads
+from lagdsl.backends.python.support.feedback import LoadsNotFound, changes_with_loads, with_loads
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
@@ -115,6 +115,9 @@ def flow(system: System, point: Point, sink: Sink) -> Flow | None:
             *_, w, _ = with_loads(engine.evaluate, engine.solve, count, *map(np.asarray, point.arguments))
             point = replace(point, w=w)
         qdd, lam = engine.solve(*point.arguments)
+    except LoadsNotFound:
+        sink.report("E0855", None, name=f"the load `{system.flat.events.feedbacks[0].name}`")
+        return None
     except SingularSystem as singular:
         slot = engine.layout.coordinates[singular.coordinate]
         sink.report("E0851", system.flat.coordinates[singular.coordinate].spans[0], name=slot.name)

@@ -162,7 +162,7 @@ def _one_way(ctx: Context, scope: Scope, node: nodes.Contact, name: str, rate: S
 
 def _present(ctx: Context, contact: events.Contact, force: Dimension) -> ContactValue:
     """Adds the contact and the row that holds while it is closed."""
-    ctx.product.occurrences.contacts.append(contact)
+    ctx.product.occurrences.laws.contacts.append(contact)
     residual = flat.Binary("*", flat.Variable(contact.closed), contact.gap)
     ctx.product.constraints.append(
         flat_model.Constraint(

@@ -166,7 +166,7 @@ def _add(ctx: Context, slip: _Slip, force: _Force) -> FrictionValue:
         sticking=force.sticking.expression if force.sticking is not None else None,
         contact=force.contact,
     )
-    ctx.product.occurrences.frictions.append(made)
+    ctx.product.occurrences.laws.frictions.append(made)
     planar = len(slip.parts) > 1
     rows = tuple(row_name(force.name, k) for k in range(1, len(slip.parts) + 1)) if planar else (force.name,)
     sticks = flat.Variable(made.sticks)
@@ -184,7 +184,7 @@ def _add(ctx: Context, slip: _Slip, force: _Force) -> FrictionValue:
     unit = ctx.conventions.dimension(POWER) / slip.dimension
     limit = force.limit.expression
     if force.limit.order >= Order.ACCELERATION:
-        limit = ctx.product.occurrences.feedback(f"limit({force.name})", force.spans, limit, unit)
+        limit = ctx.product.occurrences.laws.feedback(f"limit({force.name})", force.spans, limit, unit)
     for part, way in zip(slip.parts, _ways(made), strict=True):
         value = flat.Conditional(sticks, flat.ZERO, _against(limit, way))
         load = flat_model.RateForce(spans=force.spans, label=force.name, value=value, rate=part)
