@@ -6,14 +6,11 @@ model.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 from itertools import product as cartesian
 from typing import assert_never
 
-from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
