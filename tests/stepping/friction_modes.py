@@ -78,8 +78,9 @@ class Solution:
 def solutions(
     problem: Problem, kinetic: Collection[int] = (), given: Mapping[int, int] | None = None
 ) -> list[Solution]:
-    """All modes that satisfy the law and differ in their rates; of those with equal rates the one that holds most. Frictions of the rows in `kinetic` have the limit of
-    sliding at rest, too. `given` fixes rows, whose rates may have either sign."""
+    """All modes that satisfy the law and differ in their rates; of those with equal rates the one that holds most.
+    Frictions of the rows in `kinetic` have the limit of sliding at rest, too. `given` fixes rows, whose rates may
+    have either sign."""
     unit = 1 / np.sqrt(np.where(np.diag(problem.G) > 0, np.diag(problem.G), 1.0))
     scaled = _scaled(problem, unit)
     found: list[Solution] = []
@@ -138,7 +139,7 @@ def _satisfied(
     problem: Problem, modes: Codes, kinetic: Collection[int], given: Mapping[int, int]
 ) -> Iterator[tuple[Codes, Floats]]:
     """Of these modes those that satisfy the law, with forces: of redundant rows some of them."""
-    matrix, right = _equations(problem, modes)
+    matrix, right = _equations(problem, modes, kinetic)
     u, s, vt = np.linalg.svd(matrix)
     keep = s > _RANK * np.maximum(s[:, :1], 1e-300)
     inverse = np.where(keep, 1 / np.where(keep, s, 1.0), 0.0)
@@ -155,13 +156,13 @@ def _satisfied(
             yield modes[k], other
 
 
-def _equations(problem: Problem, modes: Codes) -> tuple[Floats, Floats]:
+def _equations(problem: Problem, modes: Codes, kinetic: Collection[int]) -> tuple[Floats, Floats]:
     """E f = e of each mode, one for each row: no force, no rate, or the force of sliding."""
     held = (modes == CLOSED) | (modes == STICK)
     matrix = np.where(held[:, :, None], problem.G, np.eye(len(problem.c)))
     right = np.where(held, -problem.c, 0.0)
     for each in problem.frictions:
-        mu, r0 = each.law(at_rest=False)
+        mu, r0 = each.law(at_rest=each.row not in kinetic)
         sign = (modes[:, each.row] == PLUS) * 1.0 - (modes[:, each.row] == MINUS)
         right[:, each.row] -= sign * r0
         if each.contact is not None:
@@ -238,7 +239,7 @@ def reserve(problem: Problem, mode: tuple[int, ...]) -> tuple[float, Floats]:
     """Of a mode with redundant rows the largest least reserve of forces: negative where no forces within their limits
     carry it on. With those forces."""
     codes = np.array(mode, dtype=np.int8)
-    matrix, right = _equations(problem, codes[None])
+    matrix, right = _equations(problem, codes[None], [each.row for each in problem.frictions])
     free = {row: mode[row] for row in range(len(mode)) if mode[row] in (OPEN, PLUS, MINUS)}
     found = _some(problem, codes, (matrix[0], right[0]), (), free, np.inf)
     assert found is not None

@@ -1,5 +1,5 @@
-"""Rows of a model with contacts and dry friction: what its functions say with all of them held, so that the law can be put on
-top of it."""
+"""Rows of a model with contacts and dry friction: what its functions say with all of them held, so that the law can
+be put on top of it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,8 @@ class Rows:
 
 
 class FrictionSystem:
-    """A model without states of first order whose frictions are scalar, with limits r0 + mu times the force of a contact."""
+    """A model without states of first order whose frictions are scalar, with limits r0 + mu times the force of a
+    contact."""
 
     def __init__(self, program: Program, length: float) -> None:
         self.system = System(program, length)
@@ -106,8 +107,8 @@ class FrictionSystem:
         return self.bilateral + [row for row, code in mode.items() if code in (CLOSED, STICK)]
 
     def forces(self, rows: Rows, mode: Mode) -> tuple[Floats, bool, float]:
-        """Forces of all rows in a mode, the smallest of redundant ones; whether some are; the determinant of the equations of the
-        mode against that without friction."""
+        """Forces of all rows in a mode, the smallest of redundant ones; whether some are; the determinant of the
+        equations of the mode against that without friction."""
         held = self.held(mode)
         J = rows.J[held]
         push = J.copy()  # what a force of each held row does, with the sliding that follows from it

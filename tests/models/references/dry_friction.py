@@ -35,7 +35,7 @@ def sliding_cube(p: Parameters, t: Floats) -> dict[str, Floats]:
 def table_on_four_legs(p: Parameters, t: Floats) -> dict[str, Floats]:
     """All feet slide in one direction: their loads do not matter."""
     way, rate = _braked(1.3, p["mu"] * G_N, t)
-    rest = {name: 0 * t for name in ("yaw", "pitch", "roll")}
+    rest = dict.fromkeys(("yaw", "pitch", "roll"), 0 * t)
     return {
         "x": 12 / 13 * way,
         "y": -5 / 13 * way,
@@ -119,7 +119,7 @@ def _rolling_out(v: float, w: float, R: float, mu: float, inertia: float, t: Flo
 
 def billiard_ball_swerves(p: Parameters, t: Floats) -> dict[str, Floats]:
     """The slip keeps its direction and loses 7/2 mu g: a parabola, then a straight line (Coriolis 1835)."""
-    R, spin = p["R"], np.array([0.0, -60.0, 30.0])
+    R, spin = p["R"], np.array([-60.0, 30.0])
     v = np.array([2.0, 0.0])
     slip = v + R * np.array([-spin[1], spin[0]])  # spin x (0, 0, -R)
     size = float(np.hypot(*slip))

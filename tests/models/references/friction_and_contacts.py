@@ -38,8 +38,8 @@ def wedge(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def wedge_under_load(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """Weight W on the face needs W tan(alpha + rho), the floor mu (W + w); inertia adds to W. Without the push the wedge stops,
-    and holds as alpha < 2 rho."""
+    """Weight W on the face needs W tan(alpha + rho), the floor mu (W + w); inertia adds to W. Without the push the
+    wedge stops, and holds as alpha < 2 rho."""
     slope = np.tan(p["alpha"])
     need = np.tan(p["alpha"] + np.arctan(p["mu"])) + p["mu"]
     weight = p["M"] * G_N * need + p["mu"] * p["m"] * G_N
@@ -250,7 +250,8 @@ def painleve_rod(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def tipping_box(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """At rest until the moment of the pull about the right corner is that of the weight, then a pendulum upside down."""
+    """At rest until the moment of the pull about the right corner is that of the weight, then a pendulum upside
+    down."""
     m, b, h, rise = p["m"], p["b"], p["h"], p["rise"]
     begin = m * G_N * b / 2 / (rise * h)
     assert rise * t[-1] < p["mu"] * m * G_N

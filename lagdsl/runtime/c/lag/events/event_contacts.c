@@ -188,24 +188,16 @@ void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t,
     }
 }
 
-lag_status lag_event_iteration_change_contacts(
-    lag_event_iteration *iteration, double t, double *x, const double *changed, const double *frictions)
+lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
 {
-    const size_t count = iteration->motion->model->ncontact;
-    double *closed = iteration->motion->w + iteration->places.contact;
-    double *met = iteration->contacts->met;
-    lag_status status = LAG_OK;
+    const lag_model *model = iteration->motion->model;
+    const double *closed = iteration->motion->w + iteration->places.contact;
     int acted = 0;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        met[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        if (changed[i] != 0.0 && closed[i] != 0.0 && !iteration->turned && !lag_modes_is_spared(iteration->modes, i)) {
-            closed[i] = 0.0;
-            status = lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i);
-        }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        iteration->contacts->met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    iteration->left = iteration->turned ? NULL : frictions;
-    const int any = lag_any(count, changed) || lag_any(iteration->motion->model->nfriction, frictions);
-    return any && status == LAG_OK ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : status;
+    iteration->left = iteration->turned ? NULL : changed;
+    return lag_any(model->ncontact + model->nfriction, changed) ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : LAG_OK;
 }
 
 /* ---- steps of energy in place ---- */

@@ -345,12 +345,11 @@ static lag_status tell_frictions(lag_event_iteration *iteration, double t, const
     return status;
 }
 
-lag_status lag_event_iteration_run(
-    lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts, const double *frictions)
+lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *sides)
 {
     const lag_model *model = iteration->motion->model;
     const double *w = iteration->motion->w;
-    lag_status status = contacts != NULL ? lag_event_iteration_change_contacts(iteration, t, x, contacts, frictions) : LAG_OK;
+    lag_status status = sides != NULL ? lag_event_iteration_change_contacts(iteration, t, x, sides) : LAG_OK;
     iteration->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;

@@ -120,10 +120,9 @@ static lag_status rest(lag_instants *instants, double t, const double *x)
 
 /* ---- instants ---- */
 
-static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
+static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *sides)
 {
-    const double *frictions = contacts != NULL ? contacts + instants->motion->model->ncontact : NULL;
-    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts, frictions);
+    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, sides);
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_seek(&instants->timed, t);
     }

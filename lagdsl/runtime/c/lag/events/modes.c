@@ -73,10 +73,29 @@ static const double *force_of(const lag_modes *modes)
     return modes->motion->model->nfriction > 0 ? modes->reserve.force : modes->motion->lam;
 }
 
-int lag_modes_is_spared(const lag_modes *modes, size_t side)
+/* 1: a contact, or behind them a friction, shares undetermined forces. */
+static int shares(const lag_modes *modes, size_t side)
 {
-    const double *reserve = modes->frictions->reserve;
-    return !isnan(reserve[side]) && modes->reserve.slack[side] > SPARED * modes->reserve.size[side];
+    return !isnan(modes->frictions->reserve[side]);
+}
+
+/* 1: of those that share undetermined forces, as their group has no reserve left, this one has none. */
+static int is_exhausted(const lag_modes *modes, size_t side)
+{
+    return modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+}
+
+/* Closed contacts that open in any case leave the problem. */
+static void open_left(lag_modes *modes, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    const int any = left != NULL && lag_any(model->nfriction, left + model->ncontact);
+    for (size_t i = 0; i < model->ncontact && left != NULL; ++i) {
+        double *closed = lag_contacts_flag(modes->contacts, i);
+        if (*closed != 0.0 && (shares(modes, i) ? any && is_exhausted(modes, i) : left[i] != 0.0)) {
+            modes->normal[i] = *closed = 0.0;
+        }
+    }
 }
 
 /* Friction that slides, with its heading; friction that may stick. What is off is neither. */
@@ -87,7 +106,8 @@ static void sort_frictions(lag_modes *modes, const double *left)
     for (size_t k = 0; k < model->nfriction; ++k) {
         const int acts = is_candidate(modes, model->friction_contacts[k]);
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
-        const int gone = left != NULL && left[k] != 0.0 && !(stuck && lag_modes_is_spared(modes, modes->motion->model->ncontact + k));
+        const size_t side = model->ncontact + k;
+        const int gone = left != NULL && left[side] != 0.0 && !(stuck && shares(modes, side) && !is_exhausted(modes, side));
         const double speed = lag_frictions_speed(frictions, k);
         const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
         double force[2] = {0.0, 0.0};
@@ -377,6 +397,7 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
         return LAG_OK;
     }
     lag_status status = look_at_forces(modes, t, x);
+    open_left(modes, left);
     sort_frictions(modes, left);
     status = status == LAG_OK ? find(modes, t, x) : status;
     for (int k = 0; k < MOST_TIMES && status == LAG_OK && model->nfriction > 0; ++k) {

@@ -41,12 +41,10 @@ size_t lag_modes_memory(const lag_model *model);
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
 
-/* 1: a contact, or behind them a friction, of a group of undetermined forces that has no reserve left has some of its own. */
-int lag_modes_is_spared(const lag_modes *modes, size_t side);
-
 /*
  * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all
- * friction, at x at time t. Friction flagged in `left` (nfriction, or null), whose reserve passed zero with motion->lam, slips along its force.
+ * friction, at x at time t. Of those flagged in `left` (ncontact + nfriction, or null) contacts open, whose force passed zero, and friction slips against its
+ * force, whose reserve did; one whose slip passed zero may stick.
  * LAG_NO_FORCES: no accelerations satisfy the law: friction wedges.
  */
 lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left);

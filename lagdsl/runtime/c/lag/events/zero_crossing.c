@@ -89,8 +89,8 @@ double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
     }
     const size_t contact = which - count;
     const double *open = lag_contacts_is_one_way(crossings->contacts, contact) ? crossings->speed : crossings->gap;
-    const double shared = crossings->frictions->reserve[contact];
-    const double force = isnan(shared) ? motion->lam[motion->model->contact_rows[contact]] : shared;
+    const int shares = !isnan(crossings->frictions->reserve[contact]); /* friction of its group is watched */
+    const double force = shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[contact]];
     return is_closed(crossings, contact) ? force : open[contact];
 }
 
