@@ -15,7 +15,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Program
-from lagdsl.runtime.engines.broadcast import BatchEngine
+from lagdsl.runtime.engines.broadcast import BatchEngine, solving
 from lagdsl.runtime.engines.engine import SingularSystem
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.standing import standing
@@ -112,7 +112,8 @@ def flow(system: System, point: Point, sink: Sink) -> Flow | None:
     engine, count = system.engine, motion_sizes(system.program).loads
     try:
         if count:
-            *_, w, _ = with_loads(engine.evaluate, engine.solve, count, *map(np.asarray, point.arguments))
+            solve = solving(system.program, engine)
+            *_, w, _ = with_loads(engine.evaluate_many, solve, count, *map(np.asarray, point.arguments))
             point = replace(point, w=w)
         qdd, lam = engine.solve(*point.arguments)
     except LoadsNotFound:
