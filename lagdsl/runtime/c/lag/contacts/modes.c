@@ -21,7 +21,7 @@ size_t lag_modes_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw + model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
-           model->nload * (1 + 2 * n + model->nc);
+           model->nload * (1 + 2 * n + model->nc + model->nz + model->ny + model->nload);
 }
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory)
@@ -44,7 +44,7 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
     modes->jacobian = lag_take(&memory, model->nc * n);
     modes->gamma = lag_take(&memory, model->nc);
     modes->loads = lag_take(&memory, model->nload);
-    modes->by_load = lag_take(&memory, model->nload * n);
+    modes->by_load = lag_take(&memory, model->nload * (n + model->nz + model->ny + model->nload));
     modes->by_acceleration = lag_take(&memory, model->nload * n);
     modes->by_multiplier = memory;
 }

@@ -32,7 +32,7 @@ typedef struct lag_modes {
     double *heading;         /* (nslip) directions of those that slide */
     double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
     double *loads;           /* (nload) at no force of these rows; */
-    double *by_load;         /* (nload, nq) generalized forces for unit loads */
+    double *by_load;         /* (nq, nload) how M qdd - f changes with loads; behind it other results of load_gain() */
     double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
     double *qdd;             /* (nq) */
 } lag_modes;

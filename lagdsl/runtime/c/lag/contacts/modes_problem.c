@@ -86,21 +86,16 @@ static lag_status find_loads(lag_modes *modes)
     lag_motion *motion = modes->motion;
     const lag_model *model = motion->model;
     const size_t n = model->nq;
-    double *load = modes->w + modes->places.load;
     if (model->nload == 0) {
         return LAG_OK;
     }
-    lag_status status = model->load(&motion->at, modes->loads, modes->by_acceleration, modes->by_multiplier);
-    lag_fill(model->nload, 0.0, load);
-    status = status == LAG_OK ? look(modes, modes->w, modes->force, modes->impulse->jacobian, modes->impulse->residual) : status;
-    for (size_t k = 0; k < model->nload && status == LAG_OK; ++k) {
-        double *force = modes->by_load + k * n;
-        load[k] = 1.0;
-        status = look(modes, modes->w, force, modes->impulse->jacobian, modes->impulse->residual);
-        load[k] = 0.0;
-        lag_axpy(n, -1.0, modes->force, force);
-    }
-    return status;
+    double *rates = modes->by_load + model->nload * n;
+    double *outputs = rates + model->nload * model->nz;
+    const lag_status status = model->load(&motion->at, modes->loads, modes->by_acceleration, modes->by_multiplier);
+    motion->at.w = modes->w; /* with the directions that are looked at */
+    const lag_status known = status == LAG_OK ? model->load_gain(&motion->at, modes->by_load, rates, outputs, outputs + model->nload * model->ny) : status;
+    motion->at.w = motion->w;
+    return known;
 }
 
 /* A row of the constraints in the problem: its forces bring loads along. */
@@ -110,7 +105,9 @@ static void add_loads(lag_modes *modes, size_t number, size_t row)
     const double lam = modes->motion->lam[row];
     for (size_t k = 0; k < model->nload; ++k) {
         const double part = modes->by_multiplier[k * model->nc + row];
-        lag_axpy(model->nq, part, modes->by_load + k * model->nq, modes->rows.columns + number * model->nq);
+        for (size_t j = 0; j < model->nq; ++j) { /* how M qdd - f changes: a force is its negative */
+            modes->rows.columns[number * model->nq + j] -= part * modes->by_load[j * model->nload + k];
+        }
         modes->loads[k] -= isfinite(lam) ? part * lam : 0.0;
     }
 }
