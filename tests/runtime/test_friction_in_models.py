@@ -47,7 +47,7 @@ def rows(address: int | None, count: int, kind: Any) -> list[int]:
 
 
 def told(program: Program, engine: EngineName) -> dict[str, Any]:
-    """What the model says of friction."""
+    """Data of friction in the model."""
     held = engine_of(program, engine)
     model = Model.from_address(held.native.address)
     counts = {name: getattr(model, name) for name in ("nslip", "nfriction", "nload", "ncontact", "nw")}
