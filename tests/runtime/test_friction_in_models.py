@@ -19,27 +19,10 @@ from lagdsl.runtime.structures import WHAT, Model
 from lagdsl.verify.states import values
 
 ENGINES: tuple[EngineName, ...] = ("tape", "c", "numpy")
-<<<<<<< HEAD
 KINDS = (
     *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
     *("initial", "terminal", "load"),
 )
-=======
-KINDS = [
-    "variable",
-    "contact",
-    "impacts",
-    "sticks",
-    "direction",
-    "relation",
-    "timed",
-    "condition",
-    "clock",
-    "initial",
-    "terminal",
-    "load",
-]
->>>>>>> h-stepping
 
 
 def rows(address: int | None, count: int, kind: Any) -> list[int]:
