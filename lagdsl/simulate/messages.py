@@ -218,7 +218,8 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             if status == Status.WAY_JUMP:
                 changing = _displacing(course, changing, fault, u)
             items = [entry.item for entry in changing if entry.item is not None]
-            names = [entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name for entry in changing]
+            laws = (Contact, Friction)
+            names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
             others = (*resets, *flat.events.frictions, *flat.events.contacts)
             return _BLAMED[status], items[0] if items else others[0], told
