@@ -20,12 +20,10 @@ from lagdsl.units import Dimension
 
 @record(kw_only=True)
 class Parameter(Quantity):
-    """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
-
-    `structural` ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the
-    expressions and never in `p`.
-    A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a large change.
-    """
+    """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1. `structural`
+    ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the expressions and
+    never in `p`. A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a
+    large change."""
 
     value: float
     free: bool = False
@@ -93,12 +91,10 @@ class Definition(Quantity):
 
 @record(kw_only=True)
 class Output(Quantity):
-    """A result column; `value` may use what the mechanics provides.
-
-    `joint` names the cut joint whose coordinate this is: computed from the motion of its frames, listed after the
-    outputs of the user. `turn`: such an angle is known up to multiples of this, which a run counts; zero for the
-    parts of a unit quaternion, four in a row, which is known up to its sign. None: all others.
-    """
+    """A result column; `value` may use what the mechanics provides. `joint` names the cut joint whose coordinate this
+    is: computed from the motion of its frames, listed after the outputs of the user. `turn`: such an angle is known up
+    to multiples of this, which a run counts; zero for the parts of a unit quaternion, four in a row, which is known up
+    to its sign. None: all others."""
 
     value: FlatExpression
     joint: str | None = None
@@ -121,10 +117,8 @@ class Alias(Item):
 
 @record(kw_only=True)
 class Joint(Item):
-    """A component with kinematics that may move: `coordinates` are its own, by qualified name.
-
-    `cut`: it closes a loop by constraints, and its coordinates, unless they were kept, are outputs.
-    """
+    """A component with kinematics that may move: `coordinates` are its own, by qualified name. `cut`: it closes a loop
+    by constraints, and its coordinates, unless they were kept, are outputs."""
 
     name: str
     kind: str
@@ -279,7 +273,16 @@ class GeneralizedForce(Item):
     origin: FlatExpression | None
 
 
-Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce"
+@record(kw_only=True)
+class RateForce(Item):
+    """Q_j = value * d(rate)/dqd_j; `rate` is any scalar that is linear in the rates, such as the slip of friction."""
+
+    label: str | None
+    value: FlatExpression
+    rate: FlatExpression
+
+
+Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce | RateForce"
 
 
 @record(kw_only=True)
@@ -295,12 +298,11 @@ class Closure:
 @record(kw_only=True)
 class Constraint(Item):
     """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
-
     `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
-    `contact`: it is there while the contact of that name is closed, and identically satisfied else. `switched`: it
-    depends on discretes in another way, so that it may be there at some times only. `factors` are the powers of two by
-    which the equations multiply the rows; none where all are one.
+    `contact`: it is there while the contact of that name is closed, and identically satisfied else; `friction`: while
+    the friction of that name sticks. `switched`: it depends on discretes in another way, so that it may be there at
+    some times only. `factors` are the powers of two by which the equations multiply the rows; none where all are one.
     """
 
     name: str
@@ -313,7 +315,13 @@ class Constraint(Item):
     closure: Closure | None = None
     node: bool = False
     contact: bool = False
+    friction: bool = False
     switched: bool = False
+
+    @property
+    def of_law(self) -> bool:
+        """True if the law of a contact or of dry friction says when it is there."""
+        return self.contact or self.friction
 
 
 @record(kw_only=True)

@@ -132,6 +132,8 @@ def _load(load: fm.Load) -> _Line:
         case fm.GeneralizedForce():
             text = f"{load.keyword}{label} {text_of(load.value)} on {text_of(load.target)}"
             text += f" from {text_of(load.origin)}" if load.origin is not None else ""
+        case fm.RateForce():
+            text = f"force{label} {text_of(load.value)} along {text_of(load.rate)}"
         case _:
             assert_never(load)
     return _Line(text, load)

@@ -176,10 +176,13 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     found = impacts(flat)
     factors = [lowering.symbols.rows[each.name][1] for each in flat.events.contacts]  # gaps are as their rows are
     plain = [lowering.scalar(each.gap) for each in found]
-    gaps = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
-    speeds = [lowering.rate.of(gap) for gap in gaps]
-    rows = jacobian(graph, gaps, graph.symbols(Group.Q, len(flat.coordinates)))
+    told = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
     contacts = flat.events.contacts
+    one_way = {place for place, each in enumerate(contacts) if each.one_way}
+    gaps = [graph.zero if place in one_way else gap for place, gap in enumerate(told)]
+    speeds = [rate if place in one_way else lowering.rate.of(rate) for place, rate in enumerate(told)]
+    moved, driven = (jacobian(graph, told, graph.symbols(by, len(flat.coordinates))) for by in (Group.Q, Group.QD))
+    rows = [driven[place] if place in one_way else row for place, row in enumerate(moved)]
     unknown = graph.constant(-1.0)
     capture_speed = [
         unknown if each.capture_speed is None else graph.multiply(by, lowering.scalar(each.capture_speed))
@@ -258,7 +261,7 @@ class Pass:
                 return self._symbols.by_name[entry.name]
             case "condition":
                 return self._memories[entry.name]
-            case "contact" | "impacts" | "relation" | "timed" | "clock" | "instant":
+            case "contact" | "impacts" | "sticks" | "direction" | "relation" | "timed" | "clock" | "instant" | "load":
                 return self._symbols.previous[entry.name]
             case _:
                 assert_never(entry.kind)

@@ -10,7 +10,7 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.evaluate import NotEvaluable
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Branch, Check, Contact, Entry, Reset, entries
+from lagdsl.flat.events import Branch, Check, Contact, Entry, Friction, Reset, entries
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
@@ -66,6 +66,8 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
         case Status.MOMENTUM_UNREACHABLE:
             coordinate = flat.coordinates[fault.which]
             return _told(course, "E0840", fault, coordinate, sink, name=coordinate.name)
+        case Status.NO_FORCES:
+            return _report_no_forces(course, fault, sink)
         case Status.NOT_FINITE:
             return _report_not_finite(course, fault, u, sink)
         case Status.STEP_TOO_SMALL:
@@ -196,6 +198,13 @@ def _cancelling_note(course: Course, fault: Fault) -> tuple[str, ...]:
     return (f"the inertias of {', '.join(names)} cancel in a common motion, but for a part of {sizes[0]:.1g}",)
 
 
+def _report_no_forces(course: Course, fault: Fault, sink: Sink) -> str | None:
+    """The frictions that act, which leave no forces."""
+    frictions = course.flat.events.frictions
+    named = ", ".join(f"`{each.name}`" for each in frictions)
+    return _told(course, "E0843", fault, frictions[0] if frictions else None, sink, text=named)
+
+
 def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> tuple[str, Item, str]:
     """Code, place and name of the clause that failed at an instant."""
     flat = course.flat
@@ -209,9 +218,11 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             if status == Status.WAY_JUMP:
                 changing = _displacing(course, changing, fault, u)
             items = [entry.item for entry in changing if entry.item is not None]
-            names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
+            laws = (Contact, Friction)
+            names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
-            return _BLAMED[status], items[0] if items else resets[0], told
+            others = (*resets, *flat.events.frictions, *flat.events.contacts)
+            return _BLAMED[status], items[0] if items else others[0], told
         case Status.CONFLICT:
             return "E0832", resets[fault.which], resets[fault.which].name
         case Status.ASSERTION_FAILED:

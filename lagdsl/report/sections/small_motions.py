@@ -43,6 +43,7 @@ from lagdsl.report.document import (
 from lagdsl.report.names import listed
 from lagdsl.report.notation import dotted
 from lagdsl.report.page import Page
+from lagdsl.report.sections.instants import absent_rows
 from lagdsl.report.unicode_math import line
 from lagdsl.report.unit_text import value_and_unit
 from lagdsl.textbook.small_motions.accelerations import LONGEST_SOLUTION
@@ -62,7 +63,6 @@ _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` fi
 _OF_CONTACTS = (
     "Of each contact the gap or the multiplier is zero, and neither is negative: it is open, or closed and pushes."
 )
-_OPEN = "While all contacts are open, so that their multipliers are zero:"
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _SINGULAR = (
     "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
@@ -83,8 +83,9 @@ def accelerations(page: Page) -> list[Block]:
     blocks: list[Block] = [Heading("Solved for the accelerations")]
     if found.nonlinear:
         return [*blocks, Paragraph(text(_NONLINEAR))]
-    if any(row.contact for row in page.derivation.constraints):
-        blocks.append(Paragraph(text(_OPEN)))
+    absent = absent_rows(page)
+    if absent is not None:
+        blocks.append(Paragraph(text(absent)))
     if found.values:
         units = {} if page.units is None else page.units.of_symbols(page.derivation)
         lines = (

@@ -12,7 +12,7 @@ static const double ULPS = 4096.0;
 
 size_t lag_instants_memory(const lag_model *model)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
            lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
 }
 
@@ -30,6 +30,9 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
     instants->contacts.limits = projection->limits;
     instants->contacts.impulse = &instants->impulse;
+    instants->contacts.frictions = &instants->frictions;
+    lag_frictions_place(&instants->frictions, motion, &instants->contacts, lag_take(&memory, lag_frictions_memory(model)));
+    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, lag_take(&memory, lag_modes_memory(model)));
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
@@ -40,6 +43,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->departed = lag_take(&memory, model->nindicator);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
+    instants->iteration.modes = &instants->modes;
     instants->iteration.from = instants->x_before;
     instants->iteration.stood = instants->w_before;
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
@@ -116,9 +120,9 @@ static lag_status rest(lag_instants *instants, double t, const double *x)
 
 /* ---- instants ---- */
 
-static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
+static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *sides)
 {
-    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts);
+    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, sides);
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_seek(&instants->timed, t);
     }
@@ -131,6 +135,7 @@ static void remember(lag_instants *instants, const double *x)
     memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
     memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
     instants->iteration.acted = 0;
+    instants->modes.jumped = 0;
 }
 
 /* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
@@ -161,8 +166,10 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     status = status == LAG_OK ? settle(instants, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
-        status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);
+        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.closing);
     }
+    instants->modes.jumped = 1; /* nothing is known of them */
+    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status != LAG_OK) {
@@ -215,8 +222,9 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
+        instants->modes.jumped = jumped;
     }
-    if (status != LAG_OK || !blow || instants->motion->model->ncontact == 0) {
+    if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
     status = lag_event_iteration_part(&instants->iteration, t, x);
@@ -232,7 +240,9 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    status = status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    instants->modes.jumped = instants->modes.jumped || *jumped;
+    return status;
 }
 
 /* Reports the changes with time. */
@@ -332,6 +342,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
     instants->iteration.acted = instants->iteration.acted || refracted;
+    instants->modes.jumped = instants->modes.jumped || refracted;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }
@@ -361,8 +372,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
         }
     }
     instants->iteration.located = NULL;
+    instants->iteration.turned = any || ticks;
     if (status == LAG_OK) {
-        instants->iteration.turned = any || ticks;
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
     lag_fill(model->ncontact, 0.0, instants->contacts.met);
@@ -379,6 +390,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     memcpy(instants->iteration.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
     memcpy(instants->iteration.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    memcpy(instants->iteration.guilty + instants->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
     return LAG_CHATTER;
 }
 
@@ -387,4 +399,5 @@ void lag_instants_after(lag_instants *instants, double t, double h)
     instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
     instants->contacts.lookahead = instants->iteration.moment;
+    instants->frictions.step = h;
 }

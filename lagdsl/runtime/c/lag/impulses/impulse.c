@@ -27,7 +27,7 @@ static const double FEW = 16.0;
 size_t lag_impulse_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return 7 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
+    return 8 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
 }
 
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
@@ -48,6 +48,7 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     impulse->w = lag_take(&memory, model->nw);
     impulse->holding = lag_take(&memory, model->ncontact);
     impulse->point = lag_take(&memory, lag_motion_size(model));
+    impulse->rates = lag_take(&memory, n);
     impulse->work = memory;
     lag_fill(model->ncontact, 0.0, impulse->holding);
 }
@@ -81,6 +82,7 @@ lag_status lag_impulse_look(lag_impulse *impulse, double t, const double *x)
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     memcpy(impulse->w + impulse->places.contact, impulse->holding, model->ncontact * sizeof(double));
+    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
     lag_motion_look(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
     motion->at.w = impulse->w;
@@ -269,12 +271,11 @@ static lag_status begin(lag_impulse *impulse, double t, double *x)
     return status;
 }
 
-/* Newton's method from rates that were looked at. */
-static lag_status iterate(lag_impulse *impulse, double t, double *x, const double *held, const lag_blow *blow)
+lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows)
 {
     const double *qd = x + impulse->motion->model->nq;
     for (int k = 0; k < MOST_STEPS; ++k) {
-        lag_status status = lag_impulse_step_find(impulse, held, blow, qd);
+        lag_status status = lag_impulse_step_find(impulse, held, rows, impulse->rates, qd);
         status = status == LAG_SINGULAR && k > 0 ? retreat(impulse, t, x) : status == LAG_OK ? step(impulse, t, x) : status;
         if (status != LAG_OK) {
             return status;
@@ -299,15 +300,5 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
     find_sizes(impulse, qd);
     *jumped = is_off(impulse, qd, NONE, LEFT);
-    return *jumped ? iterate(impulse, t, x, held, NULL) : LAG_OK;
-}
-
-lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, const lag_blow *blow)
-{
-    const size_t n = impulse->motion->model->nq;
-    const lag_status status = lag_impulse_look(impulse, t, x);
-    lag_impulse_choose(impulse, blow);
-    memcpy(impulse->before, impulse->now, n * sizeof(double));
-    memcpy(impulse->point, x + n, n * sizeof(double));
-    return status == LAG_OK ? iterate(impulse, t, x, NULL, blow) : status;
+    return *jumped ? lag_impulse_iterate(impulse, t, x, held, NULL) : LAG_OK;
 }

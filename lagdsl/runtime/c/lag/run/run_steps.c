@@ -23,7 +23,7 @@ static double least_length(const lag_run *run, double stop)
 static lag_status restart(lag_run *run, const lag_method *method, double span)
 {
     lag_stepper *s = &run->stepper;
-    if (method == &lag_branch_switching) {
+    if (method == &lag_collocation) {
         method = run->behind;
     }
     run->accuracy.relative = method->factor * run->options.tolerance;
@@ -57,14 +57,14 @@ static lag_status see(lag_run *run)
 }
 
 /* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
-static lag_status look_around(lag_run *run, double limit, double *shorter)
+static lag_status look_around(lag_run *run, double *shorter)
 {
     lag_stepper *s = &run->stepper;
     lag_status status = lag_look_at(&run->look, run->projection.jacobian);
     if (status != LAG_ATTENTION) {
         return status;
     }
-    status = lag_singular_after(&run->singular, limit, shorter);
+    status = lag_singular_after(&run->singular, shorter);
     if (status == LAG_ATTENTION && *shorter > s->h_least) {
         lag_stepper_undo(s, *shorter);
         status = LAG_TOO_LONG;
@@ -79,7 +79,7 @@ static lag_status look_around(lag_run *run, double limit, double *shorter)
 static lag_status look_ahead(lag_run *run, double limit, int *done)
 {
     lag_stepper *s = &run->stepper;
-    lag_status status = s->method == &lag_branch_switching ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    lag_status status = s->method == &lag_collocation ? restart(run, run->behind, limit - s->t) : LAG_OK;
     if (status == LAG_OK) {
         status = lag_singular_ahead(&run->singular, limit, done);
     }
@@ -90,13 +90,19 @@ static lag_status look_ahead(lag_run *run, double limit, int *done)
     return status;
 }
 
-/* One step that ends on the constraints; where that looks dangerous it is taken back. */
+/* One step that ends on the constraints; where that looks dangerous it is taken back. Across singular positions the motion is fitted. */
 static lag_status step_once(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     for (;;) {
+        const int crosses = lag_run_crosses(run->motion.model, &run->options);
         double shorter = 0.0;
-        lag_status status = lag_stepper_step(s, limit);
+        int done = 0;
+        lag_status status = crosses ? look_ahead(run, limit, &done) : LAG_OK;
+        if (status != LAG_OK || done) {
+            return status;
+        }
+        status = lag_stepper_step(s, limit);
         if (status != LAG_OK) {
             return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
         }
@@ -109,8 +115,8 @@ static lag_status step_once(lag_run *run, double limit)
         if (status == LAG_PROJECTION_FAILED) {
             lag_run_lose(run, s->t, s->x);
         }
-        if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
-            status = look_around(run, limit, &shorter);
+        if (status == LAG_OK && crosses) {
+            status = look_around(run, &shorter);
         }
         if (status == LAG_TOO_LONG) {
             continue;
@@ -119,16 +125,12 @@ static lag_status step_once(lag_run *run, double limit)
     }
 }
 
-/* The same, unless something is known that comes first. */
+/* The same; nothing is left of a step that failed. */
 static lag_status advance(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     const double t = s->t;
-    int done = 0;
-    lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
-    if (status == LAG_OK && !done) {
-        status = step_once(run, limit);
-    }
+    const lag_status status = step_once(run, limit);
     if (status != LAG_OK && s->t > t) {
         lag_stepper_undo(s, s->t - s->t_before);
     }
@@ -139,10 +141,10 @@ static lag_status advance(lag_run *run, double limit)
 static lag_status follow(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
-    if (s->method == &lag_branch_switching && s->t < stop) {
+    if (s->method == &lag_collocation && s->t < stop) {
         return restart(run, run->behind, stop - s->t);
     }
-    const lag_method *method = run->options.method == NULL && s->method != &lag_branch_switching ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->stiffness, s) : s->method;
     if (method == s->method || s->t >= stop) {
         lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
         return LAG_OK;
@@ -189,7 +191,7 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_stepper *s = &run->stepper;
     lag_noise_find(crossings->noise, s->t, s->x);
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
-    for (size_t i = 0; i < model->nindicator + model->ncontact && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+    for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
         const int was_clear = crossings->start[i] > noise || (crossings->moved[i] > fabs(crossings->start[i]) + noise && !lag_zero_crossing_rests(crossings, i));
         crossings->changed[i] = located[i] != 0.0 && was_clear && lag_zero_crossing_value(crossings, i) <= noise;
@@ -232,7 +234,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
         }
         half->corner = 0;
         at_event = !inside;
-        memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+        memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
         end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
@@ -263,7 +265,7 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     const int left = half->own && left_to_ticks(run, stop);
     const int own = half->own && !left;
     if (left) {
-        memcpy(run->waiting, run->pending, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+        memcpy(run->waiting, run->pending, lag_guards(run->motion.model) * sizeof(double));
         run->half.left = h;
     }
     *happened = own || due;
@@ -285,7 +287,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
-    memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
         own = lag_scan_on_constraints(run, run->pending, own);
     }

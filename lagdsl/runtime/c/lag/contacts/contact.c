@@ -1,0 +1,142 @@
+/* Contacts at rest: what is closed at the start, what stays closed. */
+#include "lag/contacts/contact.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* A gap that is negative by this part of its size after a jump is pierced. */
+static const double INSIDE = 1e-6;
+
+size_t lag_contacts_memory(const lag_model *model)
+{
+    return 15 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+}
+
+static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
+{
+    contacts->gap = lag_take(memory, model->ngap);
+    contacts->speed = lag_take(memory, model->ngap);
+    contacts->jacobian = lag_take(memory, model->ngap * model->nq);
+    contacts->part = lag_take(memory, model->ngap);
+    lag_inequalities_place(&contacts->blow, model, lag_take(memory, lag_inequalities_memory(model)));
+}
+
+static void place_each(lag_contacts *contacts, size_t count, double **memory)
+{
+    double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
+        &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
+        &contacts->back, &contacts->first, &contacts->entries, &contacts->met};
+    for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
+        *arrays[k] = lag_take(memory, count);
+        memset(*arrays[k], 0, count * sizeof(double));
+    }
+    for (size_t i = 0; i < count; ++i) {
+        contacts->until[i] = (double)INFINITY;
+    }
+}
+
+/* Gradients of gaps have the entries of the rows that their contacts are while they are closed; all, where nobody tells these. */
+static void find_entries(lag_contacts *contacts, const lag_model *model)
+{
+    const lag_pattern *pattern = model->jacobian_pattern;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        size_t k = 0;
+        while (pattern != NULL && k < pattern->count && pattern->row[k] < model->contact_rows[i]) {
+            ++k;
+        }
+        contacts->first[i] = (double)k;
+        while (pattern != NULL && k < pattern->count && pattern->row[k] == model->contact_rows[i]) {
+            ++k;
+        }
+        contacts->entries[i] = pattern != NULL ? (double)k - contacts->first[i] : (double)model->nq;
+    }
+}
+
+/* An angle is as large as a radian: its sine and cosine enter. */
+static int is_angle(const char *unit)
+{
+    return unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0';
+}
+
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory)
+{
+    const lag_model *model = motion->model;
+    memset(contacts, 0, sizeof *contacts);
+    contacts->motion = motion;
+    contacts->places = lag_places_of(model);
+    place_gaps(contacts, model, &memory);
+    place_each(contacts, model->ncontact, &memory);
+    find_entries(contacts, model);
+    contacts->hit = lag_take(&memory, model->nq + model->nz);
+    contacts->tau = lag_take(&memory, model->nq);
+    contacts->zero = lag_take(&memory, model->nq);
+    contacts->moved = lag_take(&memory, model->nq);
+    contacts->other = lag_take(&memory, model->nq);
+    contacts->forces = lag_take(&memory, model->nq);
+    contacts->peak = lag_take(&memory, 2 * model->nq);
+    contacts->least = lag_take(&memory, model->nq);
+    memset(contacts->zero, 0, model->nq * sizeof(double));
+    memset(contacts->peak, 0, 2 * model->nq * sizeof(double));
+    for (size_t j = 0; j < model->nq; ++j) {
+        contacts->least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
+    }
+}
+
+int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    int any = 0;
+    if (count == 0 || lag_contacts_look(contacts, t, x) != LAG_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        flags[i] = contacts->gap[i] < -lag_contacts_touch(contacts, i);
+        any = any || flags[i] != 0.0;
+    }
+    return any;
+}
+
+lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    const lag_status status = count > 0 ? lag_contacts_look(contacts, t, x) : LAG_OK;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const int touches = fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
+        closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
+    }
+    return status;
+}
+
+double lag_contacts_next(const lag_contacts *contacts)
+{
+    double next = (double)INFINITY;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        next = fmin(next, contacts->until[i]);
+    }
+    return next;
+}
+
+lag_status lag_contacts_apart(
+    lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    if (count == 0) {
+        return LAG_OK;
+    }
+    contacts->motion->at.w = before;
+    lag_status status = lag_contacts_look(contacts, t, was);
+    contacts->motion->at.w = contacts->motion->w;
+    memcpy(gap, contacts->gap, count * sizeof(double));
+    status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
+    if (status != LAG_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double inside = INSIDE * contacts->scale[i];
+        pierced[i] = contacts->gap[i] < -inside && gap[i] - contacts->gap[i] > inside;
+        status = pierced[i] != 0.0 ? LAG_PENETRATION : status;
+    }
+    return status;
+}

@@ -1,0 +1,121 @@
+/*
+ * Contacts of one run: open, impacting, closed.
+ *
+ * Each contact is judged by what enters its own gap. Its length is sum |dgap/dq_j| |q_j|, with the largest magnitudes so far: gaps are
+ * zero to round-off of that; its speed is sum |dgap/dq_j| |qd_j|; its force is the one that would cancel the accelerations that the forces give
+ * its own coordinates, with forces that act and those that would where positions change by as much as they are. So what does not enter a gap changes nothing, in whatever units and sizes.
+ *
+ * A contact that rebounds at the speed v, after an approach at v/r, and is accelerated back by a, is in the air for T = 2 v/a, and for r T,
+ * r^2 T, ... afterwards: it rests T/(1 - r) later. It is held from now on where that is short, and told to be closed at that time.
+ */
+#ifndef LAG_CONTACT_H
+#define LAG_CONTACT_H
+
+#include "lag/impulses/impulse.h"
+
+struct lag_frictions;
+
+typedef struct lag_contacts {
+    lag_motion *motion;      /* its w tells which contacts are closed */
+    lag_places places;
+    lag_impulse *impulse;    /* its arrays are used */
+    struct lag_frictions *frictions; /* under them */
+    lag_inequalities blow;   /* rows of one impact, */
+    double *part;            /* (ngap) the contacts, or collisions behind them, of its normals */
+    double length;           /* of the experiment [s] */
+    double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
+    double lookahead;           /* gaps that close so soon at their present speed close now [s] */
+    const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
+    double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
+    double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
+    double *scale, *pace;    /* (ncontact) length and speed of each, at the state looked at last */
+    double *force;           /* (ncontact) the largest that each had to carry, about */
+    double *until;           /* (ncontact) bounces that were too short to follow last up to then; infinite: there are none */
+    double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state looked at last */
+    double *restitution, *capture_speed, *zeno_time;   /* (ncontact) */
+    double *approach;        /* (ncontact) of lag_contacts_strike: speed at the first impact, zero without, */
+    double *order;           /* (ncontact) those that struck, in the order in which they did, */
+    size_t struck;           /* so many, */
+    double *before;          /* (ncontact) which contacts were closed before it */
+    double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
+    double *closing;         /* (ncontact) */
+    double *back;            /* (ncontact) accelerations of gaps while they are open */
+    double *hit;             /* (nq + nz) by component: one impact takes place in it */
+    double *tau, *zero, *moved, *other, *forces; /* (nq) each */
+} lag_contacts;
+
+/* Doubles for them. */
+size_t lag_contacts_memory(const lag_model *model);
+
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory);
+
+/* The motion passed through x: magnitudes. */
+void lag_contacts_follow(lag_contacts *contacts, const double *x);
+
+/* Length and speed of every contact with these gradients (ngap, nq). */
+void lag_contacts_scale(lag_contacts *contacts, const double *jacobian);
+
+/* Round-off of a gap, and of a force, with these lengths and forces. */
+double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
+double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
+
+/* True if any gap is negative; `flags` (ncontact) marks these. */
+int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
+
+/* Flags (ncontact) in `closing` of contacts that touch and do not move apart, as at the start. */
+lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing);
+
+/* Opens closed contacts that do not touch or do not stay. */
+lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
+
+/* 1: gaps of closed contacts have no rate beyond round-off. */
+int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
+
+/*
+ * Impacts until nothing closes any more, first with those of contacts flagged in `met` and those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
+ * Closed contacts that are driven in take part without restitution, those that move apart afterwards open. Changes the rates in x and,
+ * in w, contacts that are closed unless they pull, and their counts. LAG_EVENT_ITERATION_FAILED: impacts without end. LAG_NO_FORCES: no impulses satisfy the
+ * law of friction.
+ */
+lag_status lag_contacts_strike(
+    lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
+
+/* True if flights at contact i, of which the next takes so long and each of the others this part of the one before, are too short to follow. */
+int lag_contacts_are_brief(const lag_contacts *contacts, size_t i, double flight, double ratio);
+
+/* The first time up to which bounces last that were too short to follow; infinite without. */
+double lag_contacts_next(const lag_contacts *contacts);
+
+/*
+ * LAG_PENETRATION, and flags in `pierced` (ncontact), if what has changed since the discretes were `before` (nw) and the state `was` makes a
+ * gap negative, as the side of a step does. `gap` (ncontact) is for its use.
+ */
+lag_status lag_contacts_apart(
+    lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced);
+
+/* For the parts of it: gaps at a state with their scales, the multipliers, forces by which pulls are told from round-off. */
+lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x);
+void lag_contacts_solve(lag_contacts *contacts, double t, const double *x);
+lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x);
+/* A gap below this touches; a rate below this is round-off. */
+double lag_contacts_touch(const lag_contacts *contacts, size_t i);
+double lag_contacts_creep(const lag_contacts *contacts, size_t i);
+
+static inline double *lag_contacts_flag(const lag_contacts *contacts, size_t i)
+{
+    return contacts->motion->w + contacts->places.contact + i;
+}
+
+/* 1: contact i holds a rate on one side, as a freewheel does; its gap is zero. */
+static inline int lag_contacts_is_one_way(const lag_contacts *contacts, size_t i)
+{
+    const unsigned char *one_way = contacts->motion->model->one_way;
+    return one_way != NULL && one_way[i] != 0;
+}
+
+static inline double lag_contacts_multiplier(const lag_contacts *contacts, size_t i)
+{
+    return contacts->motion->lam[contacts->motion->model->contact_rows[i]];
+}
+
+#endif

@@ -1,0 +1,273 @@
+#include "lag/contacts/modes_problem.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
+/* An acceleration below this part of what it is a sum of is zero. */
+static const double NONE = 1e-10;
+/* A slip in a plane begins with this part of its largest terms. */
+static const double BEGINNING = 1e-14;
+
+int lag_modes_is_touched(const lag_modes *modes, const double *row)
+{
+    const lag_model *model = modes->motion->model;
+    size_t j = 0;
+    while (j + 1 < model->nq && row[j] == 0.0) {
+        ++j;
+    }
+    return model->components == NULL || modes->touched[model->components[j]] != 0.0;
+}
+
+void lag_modes_head(lag_modes *modes, size_t k, const double *along, double length, double sense)
+{
+    for (size_t a = 0; a < lag_frictions_components(modes->frictions, k); ++a) {
+        modes->heading[lag_modes_first(modes, k) + a] = length > 0.0 ? sense * along[a] / length : 0.0;
+    }
+}
+
+/* ---- the problem ---- */
+
+/* Directions of w (nw) for the present headings: of a slip in a plane only what is missing in the slip itself. */
+static void direct(const lag_modes *modes, double *w)
+{
+    const lag_frictions *frictions = modes->frictions;
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        const size_t count = lag_frictions_components(frictions, k);
+        if (!lag_modes_is_touched(modes, lag_modes_slip_row(modes, k))) {
+            continue;
+        }
+        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+        const double part = count == 1 ? 1.0 : moves ? 0.0 : BEGINNING * fmax(lag_frictions_length(frictions, frictions->fast, k), BEGINNING);
+        for (size_t a = 0; a < count; ++a) {
+            w[modes->places.direction + lag_modes_first(modes, k) + a] = part * modes->heading[lag_modes_first(modes, k) + a];
+        }
+    }
+}
+
+/* M, f, J, gamma with the discretes w. */
+static lag_status look(lag_modes *modes, const double *w, double *force, double *jacobian, double *gamma)
+{
+    lag_motion *motion = modes->motion;
+    motion->at.w = w;
+    const lag_status status = motion->model->dynamics(&motion->at, modes->impulse->mass, force, jacobian, gamma);
+    motion->at.w = motion->w;
+    return status;
+}
+
+/* Rows and biases with all that may act. Afterwards modes->w has what acts without. */
+static lag_status find_rows(lag_modes *modes)
+{
+    const lag_model *model = modes->motion->model;
+    double *w = modes->w;
+    memcpy(w, modes->motion->w, model->nw * sizeof(double));
+    direct(modes, w);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 1.0 : w[modes->places.contact + i];
+    }
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        w[modes->places.sticks + k] = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k)) ? modes->loose[k] : w[modes->places.sticks + k];
+    }
+    const lag_status status = look(modes, w, modes->force, modes->jacobian, modes->gamma);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 0.0 : w[modes->places.contact + i];
+    }
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        w[modes->places.sticks + k] = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k)) ? 0.0 : w[modes->places.sticks + k];
+    }
+    return status;
+}
+
+/* Generalized forces for unit loads, and the loads as they are without the forces of the rows in the problem. */
+static lag_status find_loads(lag_modes *modes)
+{
+    lag_motion *motion = modes->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    if (model->nload == 0) {
+        return LAG_OK;
+    }
+    double *rates = modes->by_load + model->nload * n;
+    double *outputs = rates + model->nload * model->nz;
+    const lag_status status = model->load(&motion->at, modes->loads, modes->by_acceleration, modes->by_multiplier);
+    motion->at.w = modes->w; /* with the directions that are looked at */
+    const lag_status known = status == LAG_OK ? model->load_gain(&motion->at, modes->by_load, rates, outputs, outputs + model->nload * model->ny) : status;
+    motion->at.w = motion->w;
+    return known;
+}
+
+/* A row of the constraints in the problem: its forces bring loads along. */
+static void add_loads(lag_modes *modes, size_t number, size_t row)
+{
+    const lag_model *model = modes->motion->model;
+    const double lam = modes->motion->lam[row];
+    for (size_t k = 0; k < model->nload; ++k) {
+        const double part = modes->by_multiplier[k * model->nc + row];
+        for (size_t j = 0; j < model->nq; ++j) { /* how M qdd - f changes: a force is its negative */
+            modes->rows.columns[number * model->nq + j] -= part * modes->by_load[j * model->nload + k];
+        }
+        modes->loads[k] -= isfinite(lam) ? part * lam : 0.0;
+    }
+}
+
+static void add_contacts(lag_modes *modes)
+{
+    const lag_model *model = modes->motion->model;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (modes->normal[i] != 0.0) {
+            const size_t row = model->contact_rows[i];
+            const size_t number = lag_inequalities_add_normal(&modes->rows, model->nq, modes->jacobian + row * model->nq, -modes->gamma[row], 0.0);
+            add_loads(modes, number, row);
+        }
+    }
+}
+
+/* What friction k bears: the part that normal forces of the problem do not change, and that they do. */
+static void set_limits(lag_modes *modes, size_t k, size_t number)
+{
+    const lag_frictions *frictions = modes->frictions;
+    const lag_model *model = modes->motion->model;
+    const int slides = modes->kinetic[k] != 0.0;
+    const double *gain = (slides ? frictions->gain : frictions->sticking_gain) + k * model->nc;
+    double *coefficients = modes->rows.coefficients + number * modes->rows.normals;
+    size_t normal = 0;
+    modes->rows.limits[number] = slides ? frictions->limit[k] : frictions->sticking[k];
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (modes->normal[i] != 0.0) {
+            const double lam = modes->motion->lam[model->contact_rows[i]];
+            coefficients[normal++] = gain[model->contact_rows[i]];
+            modes->rows.limits[number] -= isfinite(lam) ? gain[model->contact_rows[i]] * lam : 0.0;
+        }
+    }
+}
+
+static void add_frictions(lag_modes *modes)
+{
+    const lag_model *model = modes->motion->model;
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        const size_t count = lag_frictions_components(modes->frictions, k);
+        const size_t row = model->friction_rows[lag_modes_first(modes, k)];
+        double speed[2] = {0.0, 0.0};
+        if (modes->loose[k] == 0.0) {
+            continue;
+        }
+        for (size_t a = 0; a < count; ++a) {
+            speed[a] = -modes->gamma[row + a];
+        }
+        const size_t size = modes->rows.size;
+        const size_t number = lag_inequalities_add_friction(&modes->rows, model->nq, count, modes->jacobian + row * model->nq, speed);
+        set_limits(modes, k, number);
+        for (size_t a = 0; a < count; ++a) {
+            add_loads(modes, size + a, row + a);
+        }
+    }
+}
+
+/* Solves it with the limits of sliding for friction that is `kinetic`. */
+static lag_status solve(lag_modes *modes, double t, const double *x)
+{
+    const lag_model *model = modes->motion->model;
+    lag_inequalities_clear(&modes->rows);
+    lag_status status = find_loads(modes);
+    if (status != LAG_OK) {
+        return status;
+    }
+    add_contacts(modes);
+    add_frictions(modes);
+    memcpy(modes->w + modes->places.load, modes->loads, model->nload * sizeof(double));
+    return modes->rows.size > 0 ? lag_impulse_accelerate(modes->impulse, t, x, modes->w, &modes->rows, modes->qdd) : LAG_OK;
+}
+
+/* ---- what follows ---- */
+
+static int moves(const lag_modes *modes, size_t row)
+{
+    return fabs(modes->rows.after[row]) > NONE * modes->rows.scale[row];
+}
+
+/* 1: the force of friction `number` of the problem, in rows from `row` on, is as large as its limit. */
+static int is_at_limit(const lag_modes *modes, size_t number, size_t row, size_t count)
+{
+    const lag_inequalities *rows = &modes->rows;
+    const double limit = rows->limits[number] + lag_dot(rows->normals, rows->coefficients + number * rows->normals, rows->force);
+    const double force = count > 1 ? hypot(rows->force[row], rows->force[row + 1]) : fabs(rows->force[row]);
+    return force >= (1.0 - NONE) * limit;
+}
+
+/* Headings of friction that slips; 1: one of them has a limit at rest above that of sliding, and was not `kinetic`. */
+static int find_slipping(lag_modes *modes)
+{
+    const lag_frictions *frictions = modes->frictions;
+    size_t row = modes->rows.normals;
+    size_t number = 0;
+    int again = 0;
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        const size_t count = lag_frictions_components(frictions, k);
+        if (modes->loose[k] == 0.0) {
+            continue;
+        }
+        const double *after = modes->rows.after + row;
+        const double length = count > 1 ? hypot(after[0], after[1]) : fabs(after[0]);
+        const int slips = moves(modes, row) || moves(modes, row + count - 1);
+        if (slips || modes->began[k] == 0.0 || !is_at_limit(modes, number, row, count)) {
+            lag_modes_head(modes, k, after, slips ? length : 0.0, 1.0);
+        } else {
+            const double *before = lag_frictions_direction(frictions, k);
+            lag_modes_head(modes, k, before, count > 1 ? hypot(before[0], before[1]) : fabs(before[0]), 1.0);
+        }
+        again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
+        modes->kinetic[k] = slips ? 1.0 : modes->kinetic[k];
+        frictions->compliance[k] = fmax(modes->rows.compliance[row], modes->rows.compliance[row + count - 1]);
+        row += count;
+        ++number;
+    }
+    return again;
+}
+
+static void set_modes(lag_modes *modes)
+{
+    const lag_frictions *frictions = modes->frictions;
+    const lag_model *model = modes->motion->model;
+    size_t normal = 0;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (modes->normal[i] != 0.0) {
+            const int opens = modes->rows.after[normal] > 0.0 && moves(modes, normal);
+            *lag_contacts_flag(modes->contacts, i) = opens ? 0.0 : 1.0;
+            ++normal;
+        }
+    }
+    direct(modes, modes->motion->w);
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        if (!lag_modes_is_touched(modes, lag_modes_slip_row(modes, k))) {
+            continue;
+        }
+        const int heads = lag_frictions_length(frictions, modes->heading, k) > 0.0;
+        const int acts = lag_frictions_acts(frictions, k);
+        *lag_frictions_sticks(frictions, k) = acts && modes->loose[k] != 0.0 && !heads;
+        if (!acts) {
+            lag_fill(lag_frictions_components(frictions, k), 0.0, lag_frictions_direction(frictions, k));
+        }
+    }
+}
+
+lag_status lag_modes_solve(lag_modes *modes, double t, const double *x)
+{
+    memcpy(modes->kinetic, modes->began, modes->motion->model->nfriction * sizeof(double));
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        if (modes->loose[k] != 0.0) {
+            lag_modes_head(modes, k, modes->heading, 0.0, 0.0);
+        }
+    }
+    lag_status status = find_rows(modes);
+    int again = 1;
+    while (again && status == LAG_OK) {
+        status = solve(modes, t, x);
+        again = status == LAG_OK && find_slipping(modes);
+    }
+    if (status == LAG_OK) {
+        set_modes(modes);
+    }
+    return status;
+}
