@@ -45,8 +45,8 @@ def indicators(flat: FlatModel, program: Program, taken: Iterable[str]) -> Itera
 
 
 def indicator_count(flat: FlatModel, program: Program) -> int:
-    """Relations that the motion changes, and contacts."""
-    return held_relations(flat, program).count(False) + len(flat.events.contacts)
+    """Relations that the motion changes, contacts, and dry friction."""
+    return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(flat.events.frictions)
 
 
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:

@@ -1,5 +1,5 @@
 /*
- * Event indicators. A guard is a relation or a contact; its value passes zero downward when it changes (lag/events/zero_crossing.h). Importers
+ * Event indicators. A guard is a relation, a contact or dry friction; its value passes zero downward when it changes (lag/events/zero_crossing.h). Importers
  * compare the signs of indicators at their steps, so an indicator is clearly of one sign behind every event:
  *
  * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
@@ -21,12 +21,10 @@ static const double EARLY = 0.5;
 static const double TOGETHER = 4.0;
 /* The band of a guard that has left without having been armed becomes so many times larger. */
 static const double WIDER = 4.0;
-/* Round-off is so many units in the last place of the numbers that enter. */
-static const double UNITS = 16.0;
 
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    size_t count = lag_instance_guards(fmu);
+    size_t count = lag_guards(fmu->model);
     for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
         count -= fmu->held_relations[i];
     }
@@ -53,9 +51,11 @@ static int changes_at_zero(const lag_instance *instance, size_t i)
     return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
 }
 
+/* What is off does not change; FMI wants numbers. */
 static double value_of(const lag_instance *instance, size_t i)
 {
-    return lag_zero_crossing_value(&instance->run->crossings, i);
+    const double value = lag_zero_crossing_value(&instance->run->crossings, i);
+    return isinf(value) ? 1.0 : value;
 }
 
 /* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
@@ -66,7 +66,7 @@ static double round_off(const lag_instance *instance, size_t i)
 
 static double dead_band(const lag_instance *instance, size_t i)
 {
-    return instance->held.tolerance / (UNITS * DBL_EPSILON) * round_off(instance, i);
+    return fmax(round_off(instance, i), lag_zero_crossing_known(&instance->run->crossings, i));
 }
 
 int lag_instance_is_armed(const lag_instance *instance, size_t i)
@@ -84,7 +84,8 @@ static double room(const lag_instance *instance, size_t i)
 
 int lag_instance_leaves(lag_instance *instance, size_t i)
 {
-    const int leaves = room(instance, i) < TOGETHER * round_off(instance, i);
+    const int stays = value_of(instance, i) == 0.0 && !changes_at_zero(instance, i); /* zero itself lies behind no `<` */
+    const int leaves = !stays && room(instance, i) < TOGETHER * round_off(instance, i);
     instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
@@ -92,7 +93,7 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 /* Values of the guards at the present state. */
 static lag_status look(lag_instance *instance)
 {
-    const size_t count = lag_instance_guards(instance->fmu);
+    const size_t count = lag_guards(instance->fmu->model);
     const lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -101,7 +102,7 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->g;
     const lag_status status = look(instance);
-    for (size_t i = 0; i < lag_instance_guards(instance->fmu) && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
         if (!is_held(instance, i)) {
             *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
         }
@@ -130,7 +131,7 @@ lag_status lag_instance_latch(lag_instance *instance)
         lag_noise_find(&run->instants.noise, t, instance->x);
     }
     const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
-    for (size_t i = 0; i < lag_instance_guards(instance->fmu) && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
         const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
         instance->latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
         instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;

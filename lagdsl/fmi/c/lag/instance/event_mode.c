@@ -22,14 +22,15 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
     const size_t relations = instance->fmu->model->nindicator;
-    const size_t count = lag_instance_guards(instance->fmu);
+    const size_t contacts = instance->fmu->model->ncontact;
+    const size_t count = lag_guards(instance->fmu->model);
     if (relations > 0) {
         lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
     const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         left[i] = left[i] != 0.0 || lag_instance_leaves(instance, i);
-        *flies = *flies || (i >= relations && left[i] != 0.0 && lag_instance_is_armed(instance, i));
+        *flies = *flies || (i >= relations && i < relations + contacts && left[i] != 0.0 && lag_instance_is_armed(instance, i));
         crossings->band[i] = left[i] != 0.0 || i >= relations ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
@@ -39,7 +40,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
 static lag_status find_changed(lag_instance *instance, double t, double *changed)
 {
     lag_zero_crossing *crossings = &instance->run->crossings;
-    const size_t count = lag_instance_guards(instance->fmu);
+    const size_t count = lag_guards(instance->fmu->model);
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
     if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
         status = lag_zero_crossing_look(crossings, t, instance->x);
@@ -103,7 +104,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
     const double h = located ? run->half.length : STEP * fmax(run->instants.contacts.length, fabs(t));
-    const size_t count = lag_instance_guards(instance->fmu);
+    const size_t count = lag_guards(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;
     instance->known = 0;

@@ -105,12 +105,6 @@ static inline lag_run_options lag_instance_plan(void)
 
 /* ---- instance.c ---- */
 
-/* Number of guards: relations, then contacts. */
-static inline size_t lag_instance_guards(const lag_fmu *fmu)
-{
-    return fmu->model->nindicator + fmu->model->ncontact;
-}
-
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
 /* Rate at which state derivatives reduce constraint residuals [1/s]: within a fiftieth of the experiment of the FMU. */

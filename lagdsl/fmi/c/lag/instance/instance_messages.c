@@ -71,6 +71,19 @@ static const char *broken(const lag_instance *instance)
     return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
 }
 
+/* Names the rows of friction. */
+static lag_status wedge(lag_instance *instance, lag_status status, double t)
+{
+    const lag_model *model = instance->fmu->model;
+    char rows[LAG_MESSAGE] = "";
+    size_t length = 0;
+    for (size_t k = 0; k < model->nslip && length < sizeof rows; ++k) {
+        const char *name = name_of(model->nc, model->constraints, model->friction_rows[k]);
+        length += (size_t)snprintf(rows + length, sizeof rows - length, "%s%s", k > 0 ? ", " : "", name);
+    }
+    return lag_instance_fail(instance, status, "t = %.10g s: no forces satisfy the law of friction of %s: it wedges", t, rows);
+}
+
 /* Words for a status that names nothing of the model; null for the others. */
 static const char *plain_words(lag_status status)
 {
@@ -129,6 +142,8 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, displacing(instance));
     case LAG_VALLEY:
         return lag_instance_fail(instance, status, "t = %.10g s: the motion comes to rest between two sides of the gap of %s", t, guilty(instance));
+    case LAG_NO_FORCES:
+        return wedge(instance, status, t);
     default:
         break;
     }

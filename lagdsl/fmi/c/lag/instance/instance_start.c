@@ -146,7 +146,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     status = lag_run_enter(run);
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     lag_instance_note_stop(instance, status);
-    lag_fill(lag_instance_guards(instance->fmu), 0.0, instance->latched);
+    lag_fill(lag_guards(instance->fmu->model), 0.0, instance->latched);
     if (status == LAG_OK || status == LAG_STOPPED) {
         status = lag_instance_latch(instance);
     }

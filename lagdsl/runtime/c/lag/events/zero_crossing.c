@@ -114,9 +114,21 @@ double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
                                            : lag_contacts_gap_noise(crossings->contacts, which - count);
 }
 
+/* The size of the numbers that enter the guard of a contact or of friction. */
+static double size_of(const lag_zero_crossing *crossings, size_t which)
+{
+    const lag_contacts *contacts = crossings->contacts;
+    const size_t i = which - crossings->motion->model->nindicator;
+    if (i >= crossings->motion->model->ncontact) {
+        return lag_frictions_size(crossings->frictions, i - crossings->motion->model->ncontact);
+    }
+    return is_closed(crossings, i) ? contacts->force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->pace[i] : contacts->scale[i];
+}
+
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 {
-    return lag_noise_known(crossings->noise, place_of(crossings, which), crossings->tolerance);
+    return lag_zero_crossing_has_noise(crossings, which) ? lag_noise_known(crossings->noise, place_of(crossings, which), crossings->tolerance)
+                                                         : crossings->tolerance * size_of(crossings, which);
 }
 
 /* So far below zero value `which` may be. */
