@@ -49,6 +49,11 @@ def indicator_count(flat: FlatModel, program: Program) -> int:
     return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(flat.events.frictions)
 
 
+def has_derivatives(program: Program) -> bool:
+    """Directional derivatives: not where loads depend on the forces that they cause."""
+    return not program.has("load")
+
+
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:
     """Energies and, of models with constraints, residuals."""
     names = list(taken)

@@ -84,8 +84,8 @@ static double room(const lag_instance *instance, size_t i)
 
 int lag_instance_leaves(lag_instance *instance, size_t i)
 {
-    const int stays = value_of(instance, i) == 0.0 && !changes_at_zero(instance, i); /* zero itself lies behind no `<` */
-    const int leaves = !stays && room(instance, i) < TOGETHER * round_off(instance, i);
+    const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
+    const int leaves = room(instance, i) < near;
     instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
