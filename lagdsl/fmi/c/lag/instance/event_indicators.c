@@ -86,6 +86,7 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
     const int leaves = room(instance, i) < near;
+    instance->led[i] = value_of(instance, i);
     instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
@@ -122,6 +123,14 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return status;
 }
 
+/* True if guard i was armed, and the event has not changed its value. */
+static int goes_on(const lag_instance *instance, size_t i)
+{
+    const double sigma = round_off(instance, i);
+    const double value = value_of(instance, i);
+    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->led[i]) <= sigma;
+}
+
 lag_status lag_instance_latch(lag_instance *instance)
 {
     lag_run *run = instance->run;
@@ -132,6 +141,9 @@ lag_status lag_instance_latch(lag_instance *instance)
     }
     const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
     for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
+        if (goes_on(instance, i)) {
+            continue;
+        }
         const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
         instance->latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
         instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;

@@ -147,6 +147,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     lag_instance_note_stop(instance, status);
     lag_fill(lag_guards(instance->fmu->model), 0.0, instance->latched);
+    lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->armed);
     if (status == LAG_OK || status == LAG_STOPPED) {
         status = lag_instance_latch(instance);
     }
