@@ -149,8 +149,8 @@ class _Search:
         return {(role, first + index): resolve(influences[node]) for index, node in enumerate(elements)}
 
     def _indicators(self) -> dict[Entry, Influence]:
-        """Of relations; of contacts, that open as a multiplier tells and close as a gap or a rate does; of friction, whose
-        limits are compared with its force, and which comes to rest as its slip does."""
+        """Of relations; of contacts, that open as a multiplier tells and close as a gap or a rate does; of friction,
+        whose limits are compared with its force, and which comes to rest as its slip does."""
         if not self._program.has("indicator"):
             return {}
         found = self._values(Role.INDICATOR, "indicator", 0)
@@ -165,7 +165,7 @@ class _Search:
         return found | {(Role.INDICATOR, count + friction): row for friction, row in enumerate(self._frictions())}
 
     def _frictions(self) -> Iterator[Influence]:
-        """Of what one friction is compared with: its slip, its limit, its force, and forces that share a load with it."""
+        """Of each friction, what it is compared with: its slip, its limit, its force, and forces that share a load."""
         if not self._program.has("friction"):
             return
         instants, n = self._program.layout.instants, len(self._program.layout.coordinates)

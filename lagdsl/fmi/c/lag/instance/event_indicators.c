@@ -78,7 +78,8 @@ int lag_instance_is_armed(const lag_instance *instance, size_t i)
 static double room(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
-    const double behind = lag_instance_is_armed(instance, i) ? 0.0 : instance->latched[i];
+    const double before = lag_zero_crossing_touches(&instance->run->crossings, i) ? dead_band(instance, i) : 0.0;
+    const double behind = lag_instance_is_armed(instance, i) ? -before : instance->latched[i];
     return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 

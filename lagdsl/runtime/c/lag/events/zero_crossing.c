@@ -94,6 +94,13 @@ double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
     return is_closed(crossings, contact) ? force : open[contact];
 }
 
+int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which)
+{
+    const lag_model *model = crossings->motion->model;
+    const size_t k = which - model->nindicator - model->ncontact; /* large for others */
+    return k < model->nfriction && lag_frictions_components(crossings->frictions, k) > 1 && *lag_frictions_sticks(crossings->frictions, k) == 0.0;
+}
+
 /* The place of a relation or corner in lag_noise. */
 static size_t place_of(const lag_zero_crossing *crossings, size_t which)
 {

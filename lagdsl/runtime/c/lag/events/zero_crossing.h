@@ -57,6 +57,9 @@ size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
 /* Value that passes zero downward when relation, contact or corner number `which` changes; that of the last look. */
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
 
+/* True if that value does not get behind zero, as the length of a slip in a plane, which turns round there. */
+int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which);
+
 /* Round-off of that, as far as it is known. */
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
 
