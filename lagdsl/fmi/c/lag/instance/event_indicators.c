@@ -22,19 +22,19 @@ static const double TOGETHER = 4.0;
 /* The band of a guard that has left without having been armed becomes so many times larger. */
 static const double WIDER = 4.0;
 
-size_t lag_instance_indicator_count(const lag_fmu *fmu)
+/* True for a relation that the motion does not change. */
+static int is_held(const lag_fmu *fmu, size_t i)
 {
-    size_t count = lag_guards(fmu->model);
-    for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
-        count -= fmu->held_relations[i];
-    }
-    return count;
+    return fmu->held_relations != NULL && i < fmu->model->nindicator && fmu->held_relations[i];
 }
 
-/* True for a relation that the motion does not change. */
-static int is_held(const lag_instance *instance, size_t i)
+size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
+    size_t count = 0;
+    for (size_t i = 0; i < lag_guards(fmu->model); ++i) {
+        count += !is_held(fmu, i);
+    }
+    return count;
 }
 
 /* True for a relation that does not hold now. */
@@ -87,25 +87,19 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
     const int leaves = room(instance, i) < near;
-    instance->led[i] = value_of(instance, i);
+    instance->run->crossings.seen[0][i] = value_of(instance, i);
     instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
-}
-
-/* Values of the guards at the present state. */
-static lag_status look(lag_instance *instance)
-{
-    const size_t count = lag_guards(instance->fmu->model);
-    const lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->g;
-    const lag_status status = look(instance);
-    for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
-        if (!is_held(instance, i)) {
+    const size_t count = lag_guards(instance->fmu->model);
+    lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
+    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        if (!is_held(instance->fmu, i)) {
             *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
         }
         if (value_of(instance, i) > instance->latched[i]) {
@@ -129,7 +123,7 @@ static int goes_on(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double value = value_of(instance, i);
-    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->led[i]) <= sigma;
+    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.seen[0][i]) <= sigma;
 }
 
 lag_status lag_instance_latch(lag_instance *instance)

@@ -15,38 +15,29 @@ static const double STEP = 1e-6;
 static const double LATE = 1e-9;
 
 /*
- * Guards that an importer has led to the other side, flagged in `left`, beside those that are flagged; the others stay, however far behind zero. *flies:
- * contacts among them were clear of their dead bands before; what the others do is rest.
+ * Guards that have left, flagged in `left`, beside those that are flagged. In co-simulation the run tells them. In model exchange the importer has led them to
+ * the other side, and others stay, however far behind zero; *flies: contacts among them were clear of their dead bands before; what the others do is rest.
  */
 static lag_status find_left(lag_instance *instance, double t, double *left, int *flies)
 {
+    const lag_model *model = instance->fmu->model;
     lag_zero_crossing *crossings = &instance->run->crossings;
-    const size_t relations = instance->fmu->model->nindicator;
-    const size_t contacts = instance->fmu->model->ncontact;
-    const size_t count = lag_guards(instance->fmu->model);
-    if (relations > 0) {
+    const int exchanged = instance->held.exchanged;
+    const size_t relations = model->nindicator;
+    const size_t count = lag_guards(model);
+    if (exchanged && relations > 0) {
         lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
-    const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
-    for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
-        left[i] = left[i] != 0.0 || lag_instance_leaves(instance, i);
-        *flies = *flies || (i >= relations && i < relations + contacts && left[i] != 0.0 && lag_instance_is_armed(instance, i));
-        crossings->band[i] = left[i] != 0.0 || i >= relations ? 0.0 : fmax(0.0, -lag_zero_crossing_value(crossings, i));
-    }
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-/* Flags of what has changed, in co-simulation, beside what is flagged. */
-static lag_status find_changed(lag_instance *instance, double t, double *changed)
-{
-    lag_zero_crossing *crossings = &instance->run->crossings;
-    const size_t count = lag_guards(instance->fmu->model);
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
-    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
+    if (!exchanged && status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
         status = lag_zero_crossing_look(crossings, t, instance->x);
     }
-    for (size_t i = 0; i < count; ++i) {
-        changed[i] = fmax(crossings->changed[i], changed[i]);
+    for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+        const int leaves = exchanged ? lag_instance_leaves(instance, i) : crossings->changed[i] != 0.0;
+        const double behind = i < relations ? fmax(0.0, -lag_zero_crossing_value(crossings, i)) : 0.0;
+        left[i] = left[i] != 0.0 || leaves;
+        *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && lag_instance_is_armed(instance, i));
+        crossings->band[i] = !exchanged ? crossings->band[i] : left[i] != 0.0 ? 0.0 : behind;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -114,9 +105,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
     lag_status status = held->exchanged ? find_left(instance, t, run->pending, &flies) : LAG_OK;
     status = status == LAG_OK ? place(instance, t, located) : status;
-    if (status == LAG_OK) {
-        status = held->exchanged ? find_left(instance, t, run->pending, &flies) : find_changed(instance, t, run->pending);
-    }
+    status = status == LAG_OK ? find_left(instance, t, run->pending, &flies) : status;
     any = lag_any(count, run->pending);
     if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
         status = lag_event_iteration_conditions(&run->instants.iteration, t, instance->x, &any);

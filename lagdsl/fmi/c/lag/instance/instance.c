@@ -37,7 +37,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 3 * lag_guards(fmu->model) +
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guards(fmu->model) +
            fmu->ndependent;
 }
 
@@ -103,7 +103,6 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->left = lag_take(&memory, model->nu);
     instance->latched = lag_take(&memory, lag_guards(fmu->model));
-    instance->led = lag_take(&memory, lag_guards(fmu->model));
     instance->armed = lag_take(&memory, lag_guards(fmu->model));
     instance->offsets = lag_take(&memory, fmu->ndependent);
     instance->kept_count = (size_t)(memory - instance->kept);

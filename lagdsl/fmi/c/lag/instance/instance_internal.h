@@ -72,7 +72,6 @@ struct lag_instance {
     double *given_inputs;   /* (nu) flags: this one was set */
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
     double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
-    double *led;            /* (guards) values at the importer's state, at the last event */
     double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     /* what follows from these */
