@@ -27,7 +27,7 @@ equation
 end Carried;
 """
 
-# A rod of length and mass 1 that slides with its lower end ahead, above the critical friction: 4/3 at 45 degrees.
+# A rod of length and mass 1 that slides with its lower end ahead, above the critical friction, 5/3 at 45 degrees.
 ROD = """model Rod
   coordinate Real x(der(start = -8)), y(start = 1/2*sin(pi/4)), a(start = pi/4);
   kinetic 1/2*(der(x)^2 + der(y)^2) + 1/24*der(a)^2;
