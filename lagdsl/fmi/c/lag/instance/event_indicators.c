@@ -51,7 +51,7 @@ static int changes_at_zero(const lag_instance *instance, size_t i)
     return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
 }
 
-/* What is off does not change; FMI wants numbers. */
+/* Guards that are off are infinite; FMI wants numbers. */
 static double value_of(const lag_instance *instance, size_t i)
 {
     const double value = lag_zero_crossing_value(&instance->run->crossings, i);
