@@ -31,7 +31,7 @@ end Freewheel;
 """
 BEARING = """
 model Bearing
-  coordinate Angle phi(start = 0 rad);
+  coordinate Angle phi(start = 30 deg);
   gravity = {0, -g_n, 0};
   frame arm = world.rotz(phi);
   mass 2 kg at arm.origin + 0.5 m*arm.x;

@@ -56,10 +56,12 @@ def _influences(program: Program) -> tuple[list[Influence], list[Influence], lis
     graph, layout = program.graph, program.layout
     symbols = [graph.symbol(group, i) for group in (*_MOVED, *_SOLVED) for i in range(layout.size(group))]
     bits = {symbol: 1 << place for place, symbol in enumerate(symbols)}
+    first = sum(layout.size(group) for group in _MOVED)
+    loads = [graph.symbol(Group.W, place) for place, kind in enumerate(layout.kinds) if kind == "load"]
+    bits |= dict.fromkeys(loads, (1 << first) - 1)  # they follow from accelerations and multipliers, so from everything
     blocks = {name: program.function(name).results for name in _FUNCTIONS if program.has(name)}
     roots = [node for results in blocks.values() for block in results for node in block.elements]
     found = Influences(graph, roots, bits)
-    first = sum(layout.size(group) for group in _MOVED)
     solution = Accelerations(program, found, first, frozenset(), pulled=False)
     states, outputs, relations = (
         [solution.resolve(found[node]) for block in blocks.get(name, ())[:1] for node in block.elements]

@@ -53,7 +53,7 @@ def linearize_at(system: System, point: Point, sink: Sink) -> Linearization | No
     a, b, c, d = _without_rounding(at, entries)
     return Linearization(
         model=system.flat.name,
-        point=point,
+        point=at.flow.point,
         states=tuple(names[i] for i in kept),
         inputs=tuple(Named(slot.name, slot.unit) for slot in layout.inputs),
         outputs=tuple(Named(slot.name, slot.unit) for slot in layout.outputs),

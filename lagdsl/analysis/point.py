@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lagdsl.backends.python.sizes import motion_sizes
-from lagdsl.backends.python.support.feedback import changes_with_loads, with_loads
+from lagdsl.backends.python.support.feedback import LoadsNotFound, changes_with_loads, with_loads
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Program
-from lagdsl.runtime.engines.broadcast import BatchEngine
+from lagdsl.runtime.engines.broadcast import BatchEngine, solving
 from lagdsl.runtime.engines.engine import SingularSystem
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.standing import standing
@@ -112,9 +112,13 @@ def flow(system: System, point: Point, sink: Sink) -> Flow | None:
     engine, count = system.engine, motion_sizes(system.program).loads
     try:
         if count:
-            *_, w, _ = with_loads(engine.evaluate, engine.solve, count, *map(np.asarray, point.arguments))
+            solve = solving(system.program, engine)
+            *_, w, _ = with_loads(engine.evaluate_many, solve, count, *map(np.asarray, point.arguments))
             point = replace(point, w=w)
         qdd, lam = engine.solve(*point.arguments)
+    except LoadsNotFound:
+        sink.report("E0855", None, name=f"the load `{system.flat.events.feedbacks[0].name}`")
+        return None
     except SingularSystem as singular:
         slot = engine.layout.coordinates[singular.coordinate]
         sink.report("E0851", system.flat.coordinates[singular.coordinate].spans[0], name=slot.name)

@@ -16,7 +16,7 @@ from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
-from lagdsl.runtime.engines.broadcast import differentiating
+from lagdsl.runtime.engines.broadcast import differentiating, solving
 from lagdsl.settings.aliases import by_own_names
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class Model(SmallMotions):
         super().__init__(
             compilation,
             self._choosing(engine.evaluate_many),
-            engine.solve_many,
+            solving(program, engine),
             differentiating(program, engine),
             motion_sizes(program),
             program.layout.defaults,

@@ -10,7 +10,7 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.evaluate import NotEvaluable
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Branch, Check, Contact, Entry, Reset, entries
+from lagdsl.flat.events import Branch, Check, Contact, Entry, Friction, Reset, entries
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
@@ -218,9 +218,11 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             if status == Status.WAY_JUMP:
                 changing = _displacing(course, changing, fault, u)
             items = [entry.item for entry in changing if entry.item is not None]
-            names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
+            laws = (Contact, Friction)
+            names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
-            return _BLAMED[status], items[0] if items else resets[0], told
+            others = (*resets, *flat.events.frictions, *flat.events.contacts)
+            return _BLAMED[status], items[0] if items else others[0], told
         case Status.CONFLICT:
             return "E0832", resets[fault.which], resets[fault.which].name
         case Status.ASSERTION_FAILED:

@@ -8,14 +8,20 @@ people read this model.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any
 
+from lagdsl.flat.events import Friction
 from lagdsl.flat.expression import (
+    ONE,
+    ZERO,
     Binary,
     Component,
+    Conditional,
     FlatExpression,
     FrameOrigin,
+    Function,
     Number,
     PointReference,
     Unary,
@@ -25,12 +31,13 @@ from lagdsl.flat.expression import (
 from lagdsl.flat.model import Definition, FlatModel, Parameter, PointMass, RigidBody
 from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.flat.traversal import postorder
-from lagdsl.source import Span
-from lagdsl.textbook.sliding import with_senses
+from lagdsl.source import SourceFile, Span
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import ACCELERATION, INERTIA, MASS
 
 _STANDARD_GRAVITY = 9.80665
+# Items that say which mode holds: their entries stay.
+_LAWS = ("constraints", "events")
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +52,7 @@ class Familiar:
 
 def familiar(model: FlatModel) -> Familiar:
     """The model for people."""
-    model = with_senses(model)
+    model = _with_senses(model)
     zeros = tuple(item.name for item in model.parameters if _is_idle(item))
     idle = frozenset(zeros)
     twins = dict(_twins(model.parameters))
@@ -179,3 +186,59 @@ def _replaced(expression: FlatExpression, value: float, letter: FlatExpression) 
     if isinstance(expression, Component):
         return replace(expression, vector=_replaced(expression.vector, value, letter))
     return expression
+
+
+# ---- dry friction ----------------------------------------------------------------------------------------------------
+
+
+def _with_senses(flat: FlatModel) -> FlatModel:
+    """The model with senses of slips in place of the entries for them: -R sign(s') while it slides, -R v/|v| in a
+    plane, and a multiplier while it sticks. Both may stand in one equation, as the sense of no slip is zero."""
+    frictions = flat.events.frictions
+    if not frictions:
+        return flat
+    rewriting = _Rewriting(frictions)
+    changed = {each.name: rewriting.of(getattr(flat, each.name)) for each in fields(flat) if each.name not in _LAWS}
+    return replace(flat, **changed)
+
+
+class _Rewriting:
+    def __init__(self, frictions: tuple[Friction, ...]) -> None:
+        self._sticking = {each.sticks for each in frictions}
+        self._senses = {name: sense for each in frictions for name, sense in _senses(each).items()}
+        self._known: dict[int, tuple[Any, Any]] = {}
+
+    def of(self, part: Any) -> Any:
+        if isinstance(part, tuple):
+            return tuple(self.of(each) for each in part)
+        if isinstance(part, (Span, SourceFile, Dimension)) or not is_dataclass(part):
+            return part
+        known = self._known.get(id(part))
+        if known is None:
+            known = self._known[id(part)] = part, self._changed(part)
+        return known[1]
+
+    def _changed(self, part: Any) -> Any:
+        if isinstance(part, Variable):
+            return self._senses.get(part.name, part)
+        if isinstance(part, Conditional):
+            condition = part.condition
+            if isinstance(condition, Variable) and condition.name in self._sticking:
+                return _sum(self.of(part.value), self.of(part.otherwise))
+            if condition == Binary(">", part.value, ZERO) and part.otherwise == ONE:
+                return self.of(part.value)  # the speed of a slip, by which nothing is divided where it is zero
+        if isinstance(part, Binary) and part.operator == "+":
+            return _sum(self.of(part.left), self.of(part.right))
+        return replace(part, **{each.name: self.of(getattr(part, each.name)) for each in fields(part)})
+
+
+def _senses(friction: Friction) -> Mapping[str, FlatExpression]:
+    if len(friction.slips) == 1:
+        return {friction.directions[0]: Function("sign", friction.slips)}
+    return dict.fromkeys(friction.directions, ZERO)
+
+
+def _sum(one: FlatExpression, other: FlatExpression) -> FlatExpression:
+    if ZERO in (one, other):
+        return other if one == ZERO else one
+    return Binary("+", one, other)

@@ -53,7 +53,7 @@ EVERY = MODELS if ALL else SOME
 REFUSED = {
     "ball_on_moving_table": "contact `surface`",
     "bouncing_ball": "contact `floor`",
-    "clutch": "constraint `stick`",
+    "clutch": "friction `clutch`",
     "escapement": "contact `on_upper`",
     "ladder_leaving_wall": "contact `wall`",
     "library/end_stops": "contact `ends.low`",

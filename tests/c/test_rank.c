@@ -47,8 +47,10 @@ static void turns_and_losses_are_seen(const lag_pattern *pattern)
     jacobian[30 * COLUMNS + 30] = 0.7; /* a little */
     CHECK(lag_look_at(&look, jacobian) == LAG_OK);
     jacobian[30 * COLUMNS + 30] = jacobian[30 * COLUMNS + 31] = -0.7; /* all around */
+    CHECK(lag_look_turned(&look, jacobian));
     CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
     chain(jacobian);
+    CHECK(!lag_look_turned(&look, jacobian));
     CHECK(lag_look_at(&look, jacobian) == LAG_OK);
     look.rank = 0; /* nothing to compare with */
     for (size_t j = 0; j < COLUMNS; ++j) {
@@ -60,6 +62,9 @@ static void turns_and_losses_are_seen(const lag_pattern *pattern)
         jacobian[12 * COLUMNS + j] *= 0.1;
     }
     CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    CHECK(look.margin > 0.0 && look.margin < 0.05);
+    memset(jacobian + 12 * COLUMNS, 0, COLUMNS * sizeof(double));
+    CHECK(lag_look_margin(&look, jacobian) == 0.0);
     free(memory);
 }
 

@@ -101,7 +101,7 @@ GIVEN = [
     ),
     Situation(
         "a belt has the speed of the block at a corner of time, and keeps it",
-        "events/modes.c",
+        "contacts/modes.c",
         belt("min(time, 1)"),
         2.0,
         ((1.0, "f", "sticks"),),
@@ -109,7 +109,7 @@ GIVEN = [
     ),
     Situation(
         "a rope becomes taut while a stop is hit",
-        "events/contact_strike.c",
+        "contacts/contact_strike.c",
         ROPE,
         2.0,
         ((1.0, "stop", "impact"), (1.0, "rope", "impact"), (1.0, "rope", "closed")),
@@ -148,7 +148,7 @@ GIVEN = [
     ),
     Situation(
         "two feet of a bench share a push: their normal forces are known, their shares are not",
-        "events/reserve.c",
+        "contacts/reserve.c",
         BENCH,
         6.0,
         tuple((5.0, f"{foot}.friction", "slips") for foot in ("left", "right")),
@@ -158,7 +158,7 @@ GIVEN = [
 CHOSEN = [
     Situation(
         "a belt has the speed of the block at a corner of time, and brakes harder than friction",
-        "events/modes.c",
+        "contacts/modes.c",
         belt("min(time, 6 - 5*time)"),
         2.0,
         (),
@@ -166,7 +166,7 @@ CHOSEN = [
     ),
     Situation(
         "a belt has the speed of the block at a corner of time, and outruns friction",
-        "events/modes.c",
+        "contacts/modes.c",
         belt("max(time, 5*time - 4)"),
         2.0,
         ((1.0, "f", "reverses"),),
@@ -174,7 +174,7 @@ CHOSEN = [
     ),
     Situation(
         "Newton's cradle: two balls strike three",
-        "events/contact_strike.c",
+        "contacts/contact_strike.c",
         CRADLE,
         2.0,
         (*((1.0, f"c[{i}]", "impact") for i in range(1, 5)), (1.0, "c[2]", "closed"), (1.0, "c[3]", "opened")),
@@ -182,7 +182,7 @@ CHOSEN = [
     ),
     Situation(
         "a static limit above the sliding one breaks loose",
-        "events/modes.c",
+        "contacts/modes.c",
         mass() + "force time on x; friction dry: der(x) with limit = 3, sticking = 5;",
         6.0,
         ((5.0, "dry", "slips"),),
@@ -190,7 +190,7 @@ CHOSEN = [
     ),
     Situation(
         "a ratchet closes again",
-        "events/modes.c",
+        "contacts/modes.c",
         RATCHET,
         9.0,
         ((2.0, "ratchet", "closed"), (5.0, "ratchet", "opened"), (6 + AGAIN, "ratchet", "closed")),
@@ -217,7 +217,7 @@ CHOSEN = [
     ),
     Situation(
         "friction reverses without rest",
-        "events/modes.c",
+        "contacts/modes.c",
         mass("der(start = 2)") + "force -3 on x; friction dry: der(x) with limit = 1;",
         1.5,
         ((0.5, "dry", "reverses"),),
@@ -225,7 +225,7 @@ CHOSEN = [
     ),
     Situation(
         "bounces accumulate, then the block sticks",
-        "events/contact_strike.c",
+        "contacts/contact_strike.c",
         FALLS + "coordinate Real x(der(start = 2)), h(start = 0.05); mass 1 at {x, h}; "
         "contact floor: h >= 0 with restitution = 0.5, friction = 0.5, slip = der(x);",
         1.0,
@@ -236,7 +236,7 @@ CHOSEN = [
     ),
     Situation(
         "the force of a contact passes zero while friction under it slides",
-        "events/modes.c",
+        "contacts/modes.c",
         block("der(start = 2)") + "force 5*time on h; "
         "contact floor: h >= 0 with restitution = 0, friction = 0.1, slip = der(x);",
         3.0,
@@ -245,7 +245,7 @@ CHOSEN = [
     ),
     Situation(
         "a sticking block on a platform that accelerates ever more",
-        "events/friction.c",
+        "contacts/friction.c",
         mass() + "friction dry: der(x) - time^2/2 with limit = 2;",
         3.0,
         ((2.0, "dry", "slips"),),
@@ -253,7 +253,7 @@ CHOSEN = [
     ),
     Situation(
         "a planar puck comes on a belt that runs across",
-        "events/friction.c",
+        "contacts/friction.c",
         # its slip has the direction (1, -1) until it sticks: a disc of forces, not a square
         "coordinate Real x(der(start = 1)), y; kinetic 1/2*(der(x)^2 + der(y)^2); "
         "friction pad: {der(x), der(y) - 1} with limit = 2*sqrt(2);",

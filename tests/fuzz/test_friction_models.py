@@ -1,4 +1,4 @@
-"""Random models with dry friction: an engine carries out the motion of the independent formulation that tries all modes."""
+"""Random models with dry friction: an engine carries out the motion of the formulation that tries all modes."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections import Counter
 import pytest
 from attack.rows import ENGINES
 from choice import ALL, EXPLORE
+from fuzz.agreement import Report
 from fuzz.friction_models import STOP, friction_model
 from fuzz.independent import compare_friction
 
@@ -14,9 +15,13 @@ COUNT = 1000 if EXPLORE else 12 if ALL else 1
 MOST_GRAZING = 0.1
 
 
+def _report(seed: int, engine: str) -> Report:
+    return compare_friction(friction_model(seed), engine, STOP)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("engine", ENGINES)
 def test_engine_agrees_with_all_modes(engine: str, capsys: pytest.CaptureFixture[str]) -> None:
-    reports = {seed: compare_friction(friction_model(seed), engine, STOP) for seed in range(1, COUNT + 1)}  # type: ignore[arg-type]
+    reports = {seed: _report(seed, engine) for seed in range(1, COUNT + 1)}
     wrong = {seed: report for seed, report in reports.items() if report.verdict not in ("same", "grazing")}
     grazing = {seed: report.why for seed, report in reports.items() if report.verdict == "grazing"}
     with capsys.disabled():

@@ -41,6 +41,10 @@ OF_EACH_KIND = (
     "library/ladder_filter",  # many coordinates under constraints
     "servo_drive",  # inputs of every type
     "library/blocks_table",  # corners along the motion
+    "stick_slip_belt",  # dry friction, with another limit at rest
+    "ladder_with_friction",  # friction under contacts
+    "freewheel",  # a contact of rates
+    "puck_with_side_force",  # friction in a plane
 )
 
 

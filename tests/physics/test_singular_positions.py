@@ -6,6 +6,7 @@ slightly other lengths, which does turn. So branches are compared, by closed for
 
 from __future__ import annotations
 
+from ctypes import byref
 from pathlib import Path
 
 import linkages
@@ -14,7 +15,11 @@ import pytest
 from choice import engines
 
 import lagdsl
+from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.runtime.run import Run
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.placed import placed
 
 PARALLELOGRAM = """model Parallelogram
   coordinate Angle A(start = 60 deg, fixed = true, der(start = 2 rad/s)), B(start = -60 deg), C(start = 55 deg);
@@ -180,3 +185,65 @@ def test_rows_inside_of_a_crossing_are_on_the_motion() -> None:
     assert np.max(np.abs(motion["A"] + motion["B"])) < 1e-9
     reference = model.simulate(stop=1.2, tolerance=1e-10, interval=1.2 / 100)
     assert motion["A"][::50] == pytest.approx(reference["A"], abs=1e-7)
+
+
+REST = """model Rest
+  annotation(units = "none");
+  coordinate Real a(start = 1, fixed = true, der(start = 0, fixed = true)), b(start = -1);
+  kinetic 1/2*(der(a)^2 + der(b)^2);
+  {forces}
+  constraint c: sin(a) + sin(b) = 0;
+end Rest;
+"""
+
+
+def test_a_motion_that_comes_to_rest_in_a_singular_position_is_not_determined() -> None:
+    """On the branch b = -a about pi/2, where the branch b = a - pi crosses: a swings through for good, and damped comes
+    to rest there by exp(-t/2)."""
+    spring = "potential 1/2*((a - asin(1))^2 + (b + asin(1))^2);"
+    swings = lagdsl.compile(REST.format(forces=spring)).simulate(stop=20.0, tolerance=1e-10)
+    assert swings["a"] == pytest.approx(np.pi / 2 + (1 - np.pi / 2) * np.cos(swings.time), abs=1e-7)
+    assert swings["b"] == pytest.approx(-swings["a"], abs=1e-7)
+    damped = lagdsl.compile(REST.format(forces=spring + "dissipation 1/2*(der(a)^2 + der(b)^2);"))
+    with pytest.raises(SimulationFailed) as failed:
+        damped.simulate(stop=200.0)
+    assert failed.value.diagnostic.code == "E0830" and failed.value.name == "c"
+    assert abs(failed.value.state["a"] - np.pi / 2) < 1e-4
+    assert failed.value.trajectory["b"] == pytest.approx(-failed.value.trajectory["a"], abs=1e-7)
+
+
+def test_a_motion_that_is_driven_out_of_reach_ends_there() -> None:
+    text = """model Reach
+  annotation(units = "none");
+  coordinate Real a(start = 0.451);
+  kinetic 1/2*der(a)^2;
+  constraint c: cos(a) = 0.9 + 0.2*time;
+end Reach;
+"""
+    with pytest.raises(SimulationFailed) as failed:
+        lagdsl.compile(text).simulate(stop=1.0)
+    assert failed.value.diagnostic.code == "E0830" and failed.value.time == pytest.approx(0.5, abs=1e-6)
+
+
+def test_a_run_that_is_saved_anywhere_goes_on_as_it_was() -> None:
+    """Before every step and behind it, also in front of a crossing and on it."""
+    model = lagdsl.compile(SLIDER_CRANK, engine="tape")
+    flat, engine = model._compilation.flat, engine_of(model._compilation.program, "tape")
+    start = model.simulate(stop=1e-9)
+    x = np.array([start[name][0] for name in start.names[1:] if name not in model.outputs])
+
+    def begun() -> Run:
+        run = placed(flat, engine, model.defaults, np.zeros(0))
+        assert run.begin(0.0, x) == Status.OK
+        return run
+
+    one, other = begun(), begun()
+    library, options = one._library, byref(one._options())
+    saved = np.zeros(int(library.run_saved_size(one._model.model, options)), dtype=np.uint8)
+    while one.t < 0.4:
+        library.run_save(one._run, saved.ctypes.data)
+        assert library.run_load(other._run, saved.ctypes.data) == Status.OK
+        for run in (one, other):
+            assert run.to(0.4, 1) in (Status.OK, Status.TOO_LONG)
+        assert one.t == other.t and one.x.tolist() == other.x.tolist()
+    assert one.x[0] == pytest.approx(-one.x[1], abs=1e-8) and one.x[0] > np.pi / 2

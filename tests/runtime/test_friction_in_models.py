@@ -19,27 +19,10 @@ from lagdsl.runtime.structures import WHAT, Model
 from lagdsl.verify.states import values
 
 ENGINES: tuple[EngineName, ...] = ("tape", "c", "numpy")
-<<<<<<< HEAD
 KINDS = (
     *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
     *("initial", "terminal", "load"),
 )
-=======
-KINDS = [
-    "variable",
-    "contact",
-    "impacts",
-    "sticks",
-    "direction",
-    "relation",
-    "timed",
-    "condition",
-    "clock",
-    "initial",
-    "terminal",
-    "load",
-]
->>>>>>> h-stepping
 
 
 def rows(address: int | None, count: int, kind: Any) -> list[int]:
@@ -47,7 +30,7 @@ def rows(address: int | None, count: int, kind: Any) -> list[int]:
 
 
 def told(program: Program, engine: EngineName) -> dict[str, Any]:
-    """What the model says of friction."""
+    """Data of friction in the model."""
     held = engine_of(program, engine)
     model = Model.from_address(held.native.address)
     counts = {name: getattr(model, name) for name in ("nslip", "nfriction", "nload", "ncontact", "nw")}

@@ -80,6 +80,8 @@ class Exact:
         others = [row for row in range(m) if row not in self._rows]
         if not others:
             return lam
+        if not self._rows:  # those that come and go are all absent
+            return [mpmath.mpf(0)] * m
         diagonal = [mass[k * n + k] for k in range(n)]
         scale = [1 / mpmath.sqrt(x if x > 1e-28 * max(diagonal) else max(diagonal)) for x in diagonal]
         rows = [[jacobian[row * n + k] * scale[k] for k in range(n)] for row in range(m)]

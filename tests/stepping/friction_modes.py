@@ -125,13 +125,14 @@ def _chunks(problem: Problem, given: Mapping[int, int]) -> Iterator[Codes]:
 
 
 def _groups(problem: Problem) -> list[tuple[list[int], list[tuple[int, ...]]]]:
-    """Rows of each contact with the frictions under it, and of each other friction: what they may be."""
+    """Rows of each contact with the frictions that need its force, and of each other friction: what they may be."""
+    needy = [each for each in problem.frictions if each.contact is not None and not each.r0 and not each.r0_rest]
     groups: list[tuple[list[int], list[tuple[int, ...]]]] = []
     for contact in problem.contacts:
-        mine = [each.row for each in problem.frictions if each.contact == contact]
+        mine = [each.row for each in needy if each.contact == contact]
         closed = [(CLOSED, *choice) for choice in product((STICK, PLUS, MINUS), repeat=len(mine))]
         groups.append(([contact, *mine], [*closed, (OPEN, *[OFF] * len(mine))]))
-    groups += [([each.row], [(STICK,), (PLUS,), (MINUS,)]) for each in problem.frictions if each.contact is None]
+    groups += [([each.row], [(STICK,), (PLUS,), (MINUS,)]) for each in problem.frictions if each not in needy]
     return groups
 
 

@@ -99,6 +99,9 @@ class FrictionSystem:
             contact = int(on[0]) if on else None
             assert contact is None or contact in self.contacts, "a limit of a force that pulls, too"
             mu, mu_rest = (float(found[name][k, on[0]]) if on else 0.0 for name in ("gain", "sticking_gain"))
+            assert contact is None or not (found["limit"][k] or found["sticking"][k]), (
+                "a limit with and without a force"
+            )
             limits = float(found["limit"][k]), float(found["sticking"][k])
             laws.append(Friction(row, contact, mu, limits[0], mu_rest, limits[1]))
         return tuple(laws)

@@ -31,8 +31,7 @@ def motion_sizes(program: Program) -> Sizes:
         p=len(layout.parameters),
         c=len(layout.constraints),
         rank=len(layout.constraints) - sum(layout.redundant),
-        eliminated=program.has("elimination"),
-        kept=program.kept_rows,
+        kept=program.kept_rows if program.has("elimination") else None,
         independent=tuple(not layout.redundant[row] for row in program.kept_rows),
         loads=layout.kinds.count("load"),
     )

@@ -88,6 +88,15 @@ def frictions(page: Page) -> list[Block]:
     ]
 
 
+def absent_rows(page: Page) -> str | None:
+    """Sentence on rows that are not there while contacts are open and friction slides; None where all always are."""
+    rows = page.derivation.constraints
+    contacts = ["all contacts are open"] if any(row.contact for row in rows) else []
+    frictions = ["all friction slides"] if any(row.friction for row in rows) else []
+    found = " and ".join([*contacts, *frictions])
+    return f"While {found}, so that their multipliers are zero:" if found else None
+
+
 def feedbacks(page: Page) -> list[Block]:
     """Loads that stand in the equations by their names."""
     found = page.flat.events.feedbacks

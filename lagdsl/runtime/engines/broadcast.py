@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
+from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.interface import Interface
+from lagdsl.backends.python.support.motion import solve_motion
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.program.program import Program
 from lagdsl.record import record
-from lagdsl.runtime.engines.engine import Engine, Floats
+from lagdsl.runtime.engines.engine import Engine, Floats, SingularSystem
 
 
 class BatchEngine(Engine, Protocol):
@@ -42,13 +44,29 @@ def interface(program: Program, engine: BatchEngine) -> Interface:
     """The functions users call, computed by `engine`."""
     return Interface(
         engine.evaluate_many,
-        engine.solve_many,
+        solving(program, engine),
         differentiating(program, engine),
         motion_sizes(program),
         program.layout.defaults,
         argument_names(program),
         aliases=dict(program.layout.aliases),
     )
+
+
+def solving(program: Program, engine: BatchEngine) -> Callable[..., tuple[Floats, ...]]:
+    """`solve_many` of the engine; with loads that depend on accelerations and multipliers a function of the same
+    arguments that takes those in w, whatever the engine does with them."""
+    sizes = motion_sizes(program)
+    if not sizes.loads:
+        return engine.solve_many
+
+    def solve(*state: ArrayLike) -> tuple[Floats, ...]:
+        try:
+            return solve_motion(engine.evaluate_many, sizes, *map(np.asarray, state))
+        except linear.SingularSystem as singular:
+            raise SingularSystem(singular.coordinate, program.layout) from None
+
+    return solve
 
 
 def differentiating(program: Program, engine: BatchEngine) -> Callable[..., tuple[Floats, ...]]:

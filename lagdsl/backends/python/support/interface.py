@@ -63,7 +63,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Accelerations qdd, shape (..., nq), without any stabilization of constraints."""
-        return self._solve(*self._moving(t, q, qd, z, u, w, p))[0]
+        return self._solve(*self._with_loads(t, q, qd, z, u, w, p))[0]
 
     def multipliers(
         self,
@@ -76,7 +76,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Multipliers lam of all declared rows in M qdd - J'lam = f, shape (..., nc), of least norm."""
-        return self._solve(*self._moving(t, q, qd, z, u, w, p))[1] * self._row_factors
+        return self._solve(*self._with_loads(t, q, qd, z, u, w, p))[1] * self._row_factors
 
     def inverse_dynamics(
         self,
@@ -160,7 +160,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Outputs y, shape (..., ny)."""
-        state = self._moving(t, q, qd, z, u, w, p)
+        state = self._with_loads(t, q, qd, z, u, w, p)
         return self._evaluate("output", *state, *self._solve(*state))[0]
 
     def named_outputs(
@@ -191,7 +191,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), exact."""
-        return self._differentiate("state", *self._moving(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("state", *self._with_loads(t, q, qd, z, u, w, p))[0]
 
     def input_jacobian(
         self,
@@ -204,7 +204,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/du, shape (..., 2 nq + nz, nu), exact."""
-        return self._differentiate("input", *self._moving(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("input", *self._with_loads(t, q, qd, z, u, w, p))[0]
 
     def parameter_jacobian(
         self,
@@ -217,7 +217,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/dp, shape (..., 2 nq + nz, np), exact; q, qd and z are held where they are."""
-        return self._differentiate("parameter", *self._moving(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("parameter", *self._with_loads(t, q, qd, z, u, w, p))[0]
 
     def output_jacobian(
         self,
@@ -235,7 +235,7 @@ class Interface:
 
         Raises ValueError for another word.
         """
-        return self._differentiate(by, *self._moving(t, q, qd, z, u, w, p))[1]
+        return self._differentiate(by, *self._with_loads(t, q, qd, z, u, w, p))[1]
 
     def frame(self, name: str) -> FrameKinematics:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
@@ -261,7 +261,7 @@ class Interface:
     ) -> tuple[Floats, ...]:
         return self._evaluate("kinematics", *self._state(t, q, qd, z, u, w, p))
 
-    def _moving(self, *given: Any) -> tuple[Floats, ...]:
+    def _with_loads(self, *given: Any) -> tuple[Floats, ...]:
         """t, q, qd, z, u, w, p, with the loads that depend on the motion that they cause."""
         state = self._state(*given)
         count = self._sizes.loads

@@ -16,9 +16,9 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    `loads` is the number of the last discretes that are loads. At most `rank` rows are independent. `eliminated`: there
-    is a function `elimination`, which leaves the rows `kept`; those of them that are flagged `independent` are that,
-    unless they are zero at a state (open contacts).
+    `loads` is the number of the last discretes that are loads. At most `rank` rows are independent. `kept` are the rows
+    that the function `elimination` leaves, None where there is no such function; those of them that are flagged
+    `independent` are that, unless they are zero at a state (open contacts).
     """
 
     def __init__(
@@ -31,13 +31,12 @@ class Sizes:
         p: int,
         c: int,
         rank: int,
-        eliminated: bool,
-        kept: tuple[int, ...],
+        kept: tuple[int, ...] | None,
         independent: tuple[bool, ...],
         loads: int = 0,
     ) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
-        self.eliminated, self.kept, self.independent = eliminated, kept, independent
+        self.kept, self.independent = kept, independent
         self.loads = loads
 
 
@@ -50,7 +49,7 @@ SMALLEST_PIVOT_WITH_ROWS_LEFT = 1e-4
 
 def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
     """Accelerations (..., nq) and multipliers (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
-    if not sizes.eliminated:
+    if sizes.kept is None:
         return _solve_dense(evaluate, sizes, *state)
     acceleration, multiplier, response, multiplier_response, jacobian, bias, pivot = evaluate("elimination", *state)
     sound: Flags = np.asarray(pivot > (SMALLEST_PIVOT_WITH_ROWS_LEFT if sizes.kept else SMALLEST_PIVOT))

@@ -21,8 +21,9 @@ typedef struct feedback {
     lag_arguments at;        /* with w, qdd and lam of its own */
     double *load;            /* (nload) entries of that w */
     double *value, *size;    /* (nload) L, its largest magnitude */
-    double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
-    double *own_acceleration, *own_multiplier; /* those at the present loads */
+    double *own_acceleration, *own_multiplier; /* (nload, nq) (nload, nc) how L changes with qdd and lam */
+    double *by_load;         /* (nload, nload) how L changes with loads that it reads itself */
+    double *unused;          /* other results of load_gain() */
     double *slope;           /* (nload, nload) of s - L(s), decomposed */
     double *pivot;           /* (nload) */
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
@@ -35,7 +36,8 @@ typedef struct feedback {
 size_t lag_feedback_memory(const lag_model *model)
 {
     const size_t each = model->nq + model->nc;
-    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + 3 * each + model->nload) + each;
+    const size_t gains = model->nq + model->nz + model->ny + model->nload;
+    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + 2 * each + model->nload + gains) + each;
 }
 
 static feedback begin(const lag_model *model, const lag_arguments *at, double *memory)
@@ -47,13 +49,13 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     f.value = lag_take(&memory, count);
     f.size = lag_take(&memory, count);
     f.pivot = lag_take(&memory, count);
-    f.by_acceleration = lag_take(&memory, count * n);
     f.own_acceleration = lag_take(&memory, count * n);
     f.qdd_change = lag_take(&memory, count * n);
-    f.by_multiplier = lag_take(&memory, count * model->nc);
     f.own_multiplier = lag_take(&memory, count * model->nc);
     f.lam_change = lag_take(&memory, count * model->nc);
     f.slope = lag_take(&memory, count * count);
+    f.by_load = lag_take(&memory, count * count);
+    f.unused = lag_take(&memory, count * (n + model->nz + model->ny));
     f.qdd = lag_take(&memory, n);
     f.lam = memory;
     memcpy(w, at->w, model->nw * sizeof(double));
@@ -67,11 +69,14 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
 /* Accelerations and multipliers at the present loads into qdd, lam; L there. */
 static lag_status look(feedback *f, double *qdd, double *lam)
 {
-    const lag_status status = f->solve(f->context, &f->at, f->again, qdd, lam);
+    const lag_model *model = f->model;
+    double *rates = f->unused + model->nload * model->nq;
+    lag_status status = f->solve(f->context, &f->at, f->again, qdd, lam);
     f->again = 1;
     f->at.qdd = qdd;
     f->at.lam = lam;
-    return status == LAG_OK ? f->model->load(&f->at, f->value, f->own_acceleration, f->own_multiplier) : status;
+    status = status == LAG_OK ? model->load(&f->at, f->value, f->own_acceleration, f->own_multiplier) : status;
+    return status == LAG_OK ? model->load_gain(&f->at, f->unused, rates, rates + model->nload * model->nz, f->by_load) : status;
 }
 
 /* How qdd and lam change with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
@@ -105,7 +110,7 @@ static lag_status factor(feedback *f)
     for (size_t i = 0; i < count; ++i) {
         double largest = 0.0;
         for (size_t k = 0; k < count; ++k) {
-            const double change = lag_dot(n, f->own_acceleration + i * n, f->qdd_change + k * n) +
+            const double change = f->by_load[i * count + k] + lag_dot(n, f->own_acceleration + i * n, f->qdd_change + k * n) +
                 lag_dot(f->model->nc, f->own_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
             f->slope[i * count + k] = (i == k ? 1.0 : 0.0) - change;
             largest = fmax(largest, fabs(f->slope[i * count + k]));

@@ -5,8 +5,6 @@
 
 #include "lag/linalg/arena.h"
 
-/* Pivots of J, rows of size one: below this rank is nearly lost. */
-static const double NEAR = 0.1;
 /*
  * With x' J1 J0' x above this part of x' J0 J0' x for all x, no combination of rows vanishes on the straight way from J0 to J1:
  * x' (J0 + s (J1 - J0)) J0' x > 0.
@@ -23,7 +21,7 @@ static size_t entries_of(const lag_model *model)
 size_t lag_look_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return 2 * m * model->nq + (m + 1) + entries_of(model) + 3 * m + (m + 1) + m * (m + 1) / 2;
+    return 2 * m * model->nq + (m + 1) + entries_of(model) + 4 * m + (m + 1) + m * (m + 1) / 2;
 }
 
 /* Columns of each row. */
@@ -128,6 +126,7 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
     look->reach = lag_take(&memory, m);
     look->start = lag_take(&memory, m + 1);
     look->follows = lag_take(&memory, m);
+    look->trial = lag_take(&memory, m);
     look->band = memory;
     if (m > 0) {
         list_columns(look);
@@ -135,6 +134,7 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
         find_reach(look);
     }
     lag_fill(m, 0.0, look->follows);
+    lag_fill(m, 0.0, look->trial);
     lag_fill(m * n, 0.0, look->rows);
     lag_fill(m * n, 0.0, look->now);
 }
@@ -222,7 +222,7 @@ static void multiply(const lag_look *look, const double *a, const double *b, dou
     }
 }
 
-lag_status lag_look_at(lag_look *look, const double *jacobian)
+static void scale(lag_look *look, const double *jacobian)
 {
     const size_t n = look->n;
     for (size_t i = 0; i < look->m; ++i) {
@@ -231,15 +231,35 @@ lag_status lag_look_at(lag_look *look, const double *jacobian)
             look->now[i * n + j] = jacobian[i * n + j] * look->sizes[j] / look->row_sizes[i];
         }
     }
-    if (look->rank > 0) {
-        multiply(look, look->now, look->rows, LEFT);
-        if (!(least_pivot(look, 0) > 0.0)) {
-            return LAG_ATTENTION;
-        }
-    }
-    memcpy(look->rows, look->now, look->m * n * sizeof(double));
-    look->rank = look->most;
+}
+
+int lag_look_turned(lag_look *look, const double *jacobian)
+{
+    scale(look, jacobian);
+    multiply(look, look->now, look->rows, LEFT);
+    return !(least_pivot(look, 0) > 0.0);
+}
+
+double lag_look_margin(lag_look *look, const double *jacobian)
+{
+    double *follows = look->follows;
+    scale(look, jacobian);
+    look->follows = look->trial;
     lag_fill(look->m, 0.0, look->follows);
     multiply(look, look->now, look->now, 0.0);
-    return least_pivot(look, redundant_rows(look)) > NEAR * NEAR ? LAG_OK : LAG_ATTENTION;
+    const double least = least_pivot(look, redundant_rows(look));
+    look->follows = follows;
+    return sqrt(least);
+}
+
+lag_status lag_look_at(lag_look *look, const double *jacobian)
+{
+    if (look->rank > 0 && lag_look_turned(look, jacobian)) {
+        return LAG_ATTENTION;
+    }
+    look->margin = lag_look_margin(look, jacobian);
+    look->rank = look->most;
+    memcpy(look->rows, look->now, look->m * look->n * sizeof(double));
+    memcpy(look->follows, look->trial, look->m * sizeof(double));
+    return look->margin > LAG_RANK_NEAR ? LAG_OK : LAG_ATTENTION;
 }

@@ -16,13 +16,14 @@ typedef struct lag_look {
     const lag_model *model;
     size_t m, n, most;        /* rows, columns, independent rows */
     size_t rank;              /* at the state looked at last; 0: none */
+    double margin;            /* there, the least pivot of J, rows of size one */
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
     const double *lasting;    /* (m) 0: this row comes and goes and is not looked at; null: all are */
     double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
-    double *follows;          /* (m) 1: the row follows from others there, which nobody said */
+    double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
     double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
 } lag_look;
 
@@ -31,7 +32,17 @@ size_t lag_look_memory(const lag_model *model);
 
 void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
 
-/* LAG_ATTENTION, or LAG_OK: then this is the state that the next look starts from. */
+/* Pivots of J, rows of size one: below this rank is nearly lost. */
+#define LAG_RANK_NEAR 0.1
+
+/*
+ * LAG_OK, or LAG_ATTENTION. This is the state that the next look starts from, unless J has turned so far since the last one that rank
+ * might have been lost on the way.
+ */
 lag_status lag_look_at(lag_look *look, const double *jacobian);
+
+/* True if J has turned so far, and the least pivot of J, zero where rank is lost; nothing of it is remembered. */
+int lag_look_turned(lag_look *look, const double *jacobian);
+double lag_look_margin(lag_look *look, const double *jacobian);
 
 #endif

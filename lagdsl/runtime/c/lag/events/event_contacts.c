@@ -196,7 +196,11 @@ lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, d
     for (size_t i = 0; i < model->ncontact; ++i) {
         iteration->contacts->met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    iteration->left = iteration->turned ? NULL : changed;
+    memcpy(iteration->sides_left, changed, (model->ncontact + model->nfriction) * sizeof(double));
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        iteration->sides_left[i] = changed[i] != 0.0 && closed[i] != 0.0;
+    }
+    iteration->left = iteration->turned ? NULL : iteration->sides_left;
     return lag_any(model->ncontact + model->nfriction, changed) ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : LAG_OK;
 }
 

@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact + model->nfriction + model->nslip +
+           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
            lag_position_maps_memory(model);
 }
 
@@ -58,6 +58,7 @@ void lag_event_iteration_place(
     iteration->sides = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->pulling = lag_take(&memory, model->ncontact);
+    iteration->sides_left = lag_take(&memory, model->ncontact + model->nfriction);
     iteration->frictions = lag_take(&memory, model->nfriction + model->nslip);
     lag_position_maps_place(&iteration->maps, iteration->motion, memory);
 }

@@ -3,7 +3,7 @@
 #define LAG_EVENT_ITERATION_H
 
 #include "lag/events/clock.h"
-#include "lag/events/modes.h"
+#include "lag/contacts/modes.h"
 #include "lag/event_notice.h"
 #include "lag/events/noise.h"
 #include "lag/impulses/impulse.h"
@@ -46,6 +46,7 @@ typedef struct lag_event_iteration {
     double *closed, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
     double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
+    double *sides_left;    /* (ncontact + nfriction) */
     const double *left;    /* (ncontact + nfriction) contacts and friction whose guards were located, until their modes are found; null: none */
     int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
     int stopped;           /* a `terminate` acted */

@@ -390,6 +390,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     memcpy(instants->iteration.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
     memcpy(instants->iteration.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    memcpy(instants->iteration.guilty + instants->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
     return LAG_CHATTER;
 }
 

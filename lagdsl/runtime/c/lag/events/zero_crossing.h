@@ -7,7 +7,7 @@
 #ifndef LAG_ZERO_CROSSING_H
 #define LAG_ZERO_CROSSING_H
 
-#include "lag/events/reserve.h"
+#include "lag/contacts/reserve.h"
 #include "lag/events/noise.h"
 #include "lag/linalg/minimum.h"
 

@@ -94,9 +94,6 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent)
         run->lasting[i] = lasts && !lost;
         run->look.most -= lasts && lost && run->look.most > 0;
     }
-    if (lag_run_crosses(model, &run->options)) {
-        lag_singular_count(&run->singular, run->lasting);
-    }
 }
 
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)

@@ -26,7 +26,7 @@ static const double BEHIND = 6.0, PASSED = 4.0;
 static int is_careful(const lag_run *run)
 {
     const lag_method *method = run->stepper.method;
-    return run->motion.model->ncorner > 0 && method->error_order > 0 && method != &lag_branch_switching;
+    return run->motion.model->ncorner > 0 && method->error_order > 0 && method != &lag_collocation;
 }
 
 static double lookahead(const lag_run *run)

@@ -5,7 +5,7 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
 {
     int moved = 0;
     const lag_status status = lag_stepper_dense(&run->stepper, t, x);
-    if (status == LAG_OK && run->stepper.method == &lag_branch_switching) {
+    if (status == LAG_OK && run->stepper.method == &lag_collocation) {
         lag_singular_project(&run->singular, t, x);
     } else if (status == LAG_OK) {
         (void)lag_projection_apply(&run->projection, t, x, &moved); /* where it cannot, the row is as the method found it */

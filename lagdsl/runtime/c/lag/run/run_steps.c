@@ -23,7 +23,7 @@ static double least_length(const lag_run *run, double stop)
 static lag_status restart(lag_run *run, const lag_method *method, double span)
 {
     lag_stepper *s = &run->stepper;
-    if (method == &lag_branch_switching) {
+    if (method == &lag_collocation) {
         method = run->behind;
     }
     run->accuracy.relative = method->factor * run->options.tolerance;
@@ -57,14 +57,14 @@ static lag_status see(lag_run *run)
 }
 
 /* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
-static lag_status look_around(lag_run *run, double limit, double *shorter)
+static lag_status look_around(lag_run *run, double *shorter)
 {
     lag_stepper *s = &run->stepper;
     lag_status status = lag_look_at(&run->look, run->projection.jacobian);
     if (status != LAG_ATTENTION) {
         return status;
     }
-    status = lag_singular_after(&run->singular, limit, shorter);
+    status = lag_singular_after(&run->singular, shorter);
     if (status == LAG_ATTENTION && *shorter > s->h_least) {
         lag_stepper_undo(s, *shorter);
         status = LAG_TOO_LONG;
@@ -79,7 +79,7 @@ static lag_status look_around(lag_run *run, double limit, double *shorter)
 static lag_status look_ahead(lag_run *run, double limit, int *done)
 {
     lag_stepper *s = &run->stepper;
-    lag_status status = s->method == &lag_branch_switching ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    lag_status status = s->method == &lag_collocation ? restart(run, run->behind, limit - s->t) : LAG_OK;
     if (status == LAG_OK) {
         status = lag_singular_ahead(&run->singular, limit, done);
     }
@@ -90,13 +90,19 @@ static lag_status look_ahead(lag_run *run, double limit, int *done)
     return status;
 }
 
-/* One step that ends on the constraints; where that looks dangerous it is taken back. */
+/* One step that ends on the constraints; where that looks dangerous it is taken back. Across singular positions the motion is fitted. */
 static lag_status step_once(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     for (;;) {
+        const int crosses = lag_run_crosses(run->motion.model, &run->options);
         double shorter = 0.0;
-        lag_status status = lag_stepper_step(s, limit);
+        int done = 0;
+        lag_status status = crosses ? look_ahead(run, limit, &done) : LAG_OK;
+        if (status != LAG_OK || done) {
+            return status;
+        }
+        status = lag_stepper_step(s, limit);
         if (status != LAG_OK) {
             return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
         }
@@ -109,8 +115,8 @@ static lag_status step_once(lag_run *run, double limit)
         if (status == LAG_PROJECTION_FAILED) {
             lag_run_lose(run, s->t, s->x);
         }
-        if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
-            status = look_around(run, limit, &shorter);
+        if (status == LAG_OK && crosses) {
+            status = look_around(run, &shorter);
         }
         if (status == LAG_TOO_LONG) {
             continue;
@@ -119,16 +125,12 @@ static lag_status step_once(lag_run *run, double limit)
     }
 }
 
-/* The same, unless something is known that comes first. */
+/* The same; nothing is left of a step that failed. */
 static lag_status advance(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     const double t = s->t;
-    int done = 0;
-    lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
-    if (status == LAG_OK && !done) {
-        status = step_once(run, limit);
-    }
+    const lag_status status = step_once(run, limit);
     if (status != LAG_OK && s->t > t) {
         lag_stepper_undo(s, s->t - s->t_before);
     }
@@ -139,10 +141,10 @@ static lag_status advance(lag_run *run, double limit)
 static lag_status follow(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
-    if (s->method == &lag_branch_switching && s->t < stop) {
+    if (s->method == &lag_collocation && s->t < stop) {
         return restart(run, run->behind, stop - s->t);
     }
-    const lag_method *method = run->options.method == NULL && s->method != &lag_branch_switching ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->stiffness, s) : s->method;
     if (method == s->method || s->t >= stop) {
         lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
         return LAG_OK;

@@ -1,229 +1,150 @@
-/* Singular positions on the way: rank is watched, the motion out of and across them is fitted. */
-#include <float.h>
+/* Singular positions on the way: rank is watched, steps lead up to them, and the motion across is fitted (lag/run/collocation.c). */
+#include "lag/run/singular_crossing.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "lag/linalg/eigenvalues.h"
-#include "lag/linalg/finite.h"
+#include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
-#include "lag/run.h"
-#include "lag/linalg/singular_value.h"
+#include "lag/linalg/finite.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
+#include "lag/run.h"
 
-/* Singular values of J, rows of size one: where rank counts as lost, where that seems near, and where branches are not told apart any more. */
-static const double LOST = LAG_LOST;
-static const double NEAR = 0.05;
-/* A motion that begins where they are smaller than this is fitted away from there. */
+enum { NODES = LAG_COLLOCATION_NODES, HALVINGS = 7 };
+
+/* Margins of the rank: where it counts as lost, where that seems near, and where branches are not told apart any more. */
+static const double LOST = 1e-7, NEAR = 0.05, UNDECIDED = 1e-5;
+/* A motion that begins below this margin is fitted, and a row has the accelerations of a fitted motion, as those of the state magnify its errors. */
 static const double BESIDE = 1e-3;
-/* Round-off of a projection exceeds the error of a fit where they are smaller than this, and may lead to another branch. */
+/* Round-off of a projection exceeds the error of a fitted motion below this, and may lead to another branch. */
 static const double BLURRED = 1e-6;
-static const double UNDECIDED = 1e-5;
-/* J has turned by much in a step where less than this part of a direction is left; so often a step is halved to see whether steadily. */
-static const double TURNED = 0.25;
-static const double MEETING = 1e-12;
+/* A step in which rank was lost is tried again with this part of its length. */
 static const double SHORTER = 0.25;
-enum { HALVINGS = 6, NODES = 7 };
-
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
-/* ---- memory ---- */
+/* A combination of rows that vanishes prescribes no rate if its own is below this part of the largest of all rows. */
+static const double LEVEL = 1e-3;
+/* A multiplier that has a limit differs, extrapolated with and without a node, by less than this part of its size; round-off passes. */
+static const double LIMIT = 1e-3, SMALL = 1e-6;
 
 size_t lag_singular_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    const size_t n = model->nq;
-    const size_t k = m < n ? m : n;
-    const size_t values = larger(lag_singular_value_memory(m, n), lag_eigenvalues_memory(k));
-    return lag_parts_memory(m, n) + 2 * (m + n) + 5 * m * n + k * k + 4 * m + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) +
-           (2 * NODES + 1) * m + lag_branch_point_memory(model) + larger(values, lag_svd_memory(n, m));
+    return 2 * m * model->nq + 2 * m + NODES * (2 * (model->nq + model->nz) + m) + 3 * lag_motion_size(model) + lag_svd_memory(model->nq, m);
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 {
     const lag_model *model = run->motion.model;
-    const size_t m = model->nc;
-    const size_t n = model->nq;
-    const size_t k = m < n ? m : n;
-    const lag_pattern *entries = model->jacobian_pattern;
-    memset(s, 0, sizeof *s);
-    s->run = run;
-    double *for_parts = lag_take(&memory, lag_parts_memory(m, n));
-    s->counts = lag_take(&memory, m + n);
-    s->before = lag_take(&memory, m * n);
-    s->now = lag_take(&memory, m * n);
-    s->block = lag_take(&memory, m * n);
-    s->other = lag_take(&memory, m * n);
-    s->turned = lag_take(&memory, k * k);
-    s->kept = lag_take(&memory, m + n);
-    s->factors = lag_take(&memory, m * n);
-    s->tau = lag_take(&memory, m);
-    s->diagonal = lag_take(&memory, m);
-    s->pivot = lag_take(&memory, m);
-    s->left = lag_take(&memory, m);
-    lag_branch_point_place(&s->saddle, run, lag_take(&memory, lag_branch_point_memory(model)));
-    double **const along[] = {&s->branch, &s->earlier, &s->coefficients, &s->best};
-    double **const states[] = {&s->state, &s->rates, &s->origin, &s->end};
-    for (size_t i = 0; i < 4; ++i) {
-        *along[i] = lag_take(&memory, NODES * (n + model->nz));
-        *states[i] = lag_take(&memory, lag_motion_size(model));
+    const size_t entries = model->nc * model->nq, width = model->nq + model->nz, size = lag_motion_size(model);
+    double **const arrays[] = {&s->jacobian, &s->rows, &s->phi, &s->drift, &s->values, &s->coefficients, &s->multipliers, &s->state, &s->rates, &s->largest};
+    const size_t sizes[] = {entries, entries, model->nc, model->nc, NODES * width, NODES * width, NODES * model->nc, size, size, size};
+    *s = (lag_singular){.run = run, .distance = -1.0, .margin = (double)INFINITY};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        *arrays[i] = lag_take(&memory, sizes[i]);
     }
-    s->multipliers = lag_take(&memory, 2 * NODES * m);
-    s->limits = lag_take(&memory, m);
     s->memory = memory;
-    lag_fill(m * n, entries != NULL ? 0.0 : 1.0, s->now);
-    for (size_t i = 0; entries != NULL && i < entries->count; ++i) {
-        s->now[entries->row[i] * n + entries->column[i]] = 1.0;
-    }
-    s->parts = lag_parts_of(m, n, s->now, for_parts);
-    s->margin = (double)INFINITY;
-}
-
-void lag_singular_count(lag_singular *s, const double *lasting)
-{
-    const lag_model *model = s->run->motion.model;
-    lag_fill(model->nc + model->nq, 0.0, s->counts);
-    s->general = 0;
-    for (size_t i = 0; i < model->nc; ++i) {
-        if (!(model->redundant != NULL && model->redundant[i]) && lasting[i] != 0.0) {
-            s->counts[(size_t)s->parts.row_part[i]] += 1.0;
-            ++s->general;
-        }
-    }
 }
 
 /* ---- looks ---- */
 
-static int jacobian_at(lag_singular *s, double t, const double *x, double *jacobian)
+static int jacobian_at(lag_singular *s, double t, const double *x)
 {
     lag_motion *motion = &s->run->motion;
     const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    if (model->velocity_constraint(&motion->at, s->run->projection.phi, jacobian) != LAG_OK) {
-        return 0;
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        for (size_t j = 0; j < model->nq; ++j) {
-            jacobian[i * model->nq + j] *= s->run->natural[j] / s->run->row_sizes[i];
-        }
-    }
-    return lag_finite(model->nc * model->nq, jacobian);
+    return model->velocity_constraint(&motion->at, s->run->projection.phi, s->jacobian) == LAG_OK && lag_finite(model->nc * model->nq, s->jacobian);
 }
 
-double lag_singular_margin(lag_singular *s, double t, const double *x, double *jacobian)
+double lag_singular_margin(lag_singular *s, double t, const double *x)
 {
-    double margin = (double)INFINITY;
-    if (!jacobian_at(s, t, x, jacobian)) {
-        return 0.0;
-    }
-    for (size_t which = 0; which < s->parts.count; ++which) {
-        size_t first = 0;
-        const size_t rows = lag_parts_rows(&s->parts, which, &first);
-        const size_t columns = lag_parts_columns(&s->parts, which, &first);
-        const size_t count = (size_t)s->counts[which];
-        if (count > 0) {
-            (void)lag_parts_block(&s->parts, which, s->run->motion.model->nq, jacobian, s->block);
-            margin = fmin(margin, lag_singular_value(rows, columns, s->block, count - 1, s->memory));
-        }
-    }
-    return margin;
+    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->look, s->jacobian) : 0.0;
 }
 
-/* The row with the largest share in the combination of rows that comes nearest to vanishing; J, scaled, is `now`. */
-static size_t weakest_row(lag_singular *s)
+static int is_independent(const lag_run *run, size_t row)
 {
-    const lag_model *model = s->run->motion.model;
-    const size_t n = model->nq;
-    double *kept = s->left;
-    size_t rows = 0;
-    size_t weakest = 0;
+    const unsigned char *redundant = run->motion.model->redundant;
+    return !(redundant != NULL && redundant[row]) && run->lasting[row] != 0.0;
+}
+
+size_t lag_singular_rows(lag_singular *s, double t, const double *x)
+{
+    lag_run *run = s->run;
+    const lag_model *model = run->motion.model;
+    double *phi = run->projection.phi;
+    size_t count = 0;
+    int known = jacobian_at(s, t, x);
     for (size_t i = 0; i < model->nc; ++i) {
-        if (!(model->redundant != NULL && model->redundant[i]) && s->run->lasting[i] != 0.0) {
-            for (size_t j = 0; j < n; ++j) {
-                s->block[j * s->general + rows] = s->now[i * n + j];
+        if (is_independent(run, i)) {
+            s->drift[count++] = phi[i] / run->row_sizes[i];
+        }
+    }
+    known = known && model->position_constraint(&run->motion.at, phi, run->projection.jacobian) == LAG_OK;
+    for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
+        if (is_independent(run, i)) {
+            for (size_t j = 0; j < model->nq; ++j) {
+                s->rows[j * count + column] = s->jacobian[i * model->nq + j] * run->natural[j] / run->row_sizes[i];
             }
-            kept[rows++] = (double)i;
+            s->phi[column++] = model->position_level[i] ? phi[i] / run->row_sizes[i] : 0.0;
         }
     }
-    if (rows == 0) {
-        return 0;
-    }
-    const lag_svd svd = lag_svd_of(n, rows, s->block, s->memory);
-    const double *share = svd.v + (rows - 1) * rows;
-    for (size_t k = 1; k < rows; ++k) {
-        weakest = fabs(share[k]) > fabs(share[weakest]) ? k : weakest;
-    }
-    return (size_t)kept[weakest];
+    return known ? count : 0;
 }
 
 size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *general, size_t *weakest)
 {
-    const size_t n = s->run->motion.model->nq;
+    const size_t rows = *general = lag_singular_rows(s, t, x);
+    const lag_svd svd = lag_svd_of(s->run->motion.model->nq, rows, s->rows, s->memory);
+    double most = -1.0;
     size_t rank = 0;
-    *general = s->general;
-    if (!jacobian_at(s, t, x, s->now)) {
-        return s->general;
-    }
-    for (size_t which = 0; which < s->parts.count; ++which) {
-        size_t first = 0;
-        const size_t rows = lag_parts_rows(&s->parts, which, &first);
-        const size_t columns = lag_parts_columns(&s->parts, which, &first);
-        if (s->counts[which] > 0.0) {
-            (void)lag_parts_block(&s->parts, which, n, s->now, s->block);
-            const size_t above = lag_singular_values_above(rows, columns, s->block, LOST, s->memory);
-            rank += above < (size_t)s->counts[which] ? above : (size_t)s->counts[which];
+    for (size_t i = 0, row = 0; row < rows; ++i) {
+        if (is_independent(s->run, i)) {
+            const double share = fabs(svd.v[(rows - 1) * rows + row++]);
+            *weakest = share > most ? i : *weakest;
+            most = fmax(most, share);
         }
     }
-    *weakest = weakest_row(s);
+    while (rank < svd.k && svd.value[rank] > LOST) {
+        ++rank;
+    }
     return rank;
 }
 
-static double turn_at(lag_singular *s, double t, const double *x)
+/* True if rank is lost and nothing drives the rates beyond all bounds there, which steps notice by themselves. */
+static int is_undetermined(lag_singular *s, double margin, double t, const double *x)
 {
-    return jacobian_at(s, t, x, s->now) ? lag_singular_turn(s, s->now) : -(double)INFINITY;
+    const size_t n = s->run->motion.model->nq;
+    double most = 0.0;
+    memcpy(s->state, x, s->run->stepper.ode->size * sizeof(double));
+    lag_fill(n, 0.0, s->state + n);
+    const size_t rows = lag_singular_rows(s, t, s->state);
+    const lag_svd svd = lag_svd_of(n, rows, s->rows, s->memory);
+    for (size_t i = 0; i < rows; ++i) {
+        most = fmax(most, fabs(s->drift[i]));
+    }
+    return margin <= LOST || (rows > 0 && fabs(lag_dot(rows, svd.v + (rows - 1) * rows, s->drift)) <= LEVEL * most);
 }
 
-/* J at a time within the last step is what turns are seen against. */
-static int see_from(lag_singular *s, double t)
-{
-    s->seen = 0;
-    return lag_stepper_dense(&s->run->stepper, t, s->end) == LAG_OK && jacobian_at(s, t, s->end, s->before);
-}
-
-/* The time in the last step at which rank was lost, about; infinite where it was not. `before` is J at its beginning. */
+/* The time in the last step at which rank was lost, about; infinite where J turns steadily. */
 static double lost_at(lag_singular *s)
 {
-    const lag_stepper *stepper = &s->run->stepper;
+    lag_stepper *stepper = &s->run->stepper;
+    const double step = stepper->t - stepper->t_before;
     double first = stepper->t_before;
-    double last = stepper->t;
-    double turn = turn_at(s, last, stepper->x);
-    if (turn >= TURNED) {
-        return (double)INFINITY;
-    }
-    for (int k = 0; k < HALVINGS; ++k) {
-        const double middle = 0.5 * (first + last);
-        const int known = lag_stepper_dense(&s->run->stepper, middle, s->end) == LAG_OK;
-        const double half = known ? turn_at(s, middle, s->end) : -(double)INFINITY;
-        if (half < TURNED) {
-            last = middle;
-            turn = half;
-        } else if (see_from(s, middle)) {
-            first = middle;
-            turn = last < stepper->t && lag_stepper_dense(&s->run->stepper, last, s->end) == LAG_OK ? turn_at(s, last, s->end)
-                                                                                                      : turn_at(s, stepper->t, stepper->x);
-        }
-        if (turn >= TURNED) {
-            if (last >= stepper->t || !see_from(s, last)) {
-                return (double)INFINITY;
-            }
+    double part = 1.0;
+    while (first < stepper->t) {
+        const double last = fmin(first + part * step, stepper->t);
+        memcpy(s->state, stepper->x, stepper->ode->size * sizeof(double));
+        const int known = last == stepper->t || lag_stepper_dense(stepper, last, s->state) == LAG_OK;
+        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->look, s->jacobian)) {
+            (void)lag_look_at(&s->run->look, s->jacobian);
             first = last;
-            last = stepper->t;
-            turn = turn_at(s, last, stepper->x);
+        } else if (part > ldexp(1.0, -HALVINGS)) {
+            part *= 0.5;
+        } else {
+            return 0.5 * (first + last);
         }
     }
-    return first + (last - first) / (1.0 - fmin(turn, 0.0));
+    return (double)INFINITY;
 }
 
 /* ---- the way on ---- */
@@ -231,122 +152,68 @@ static double lost_at(lag_singular *s)
 void lag_singular_project(lag_singular *s, double t, double *x)
 {
     int moved = 0;
-    if (lag_singular_margin(s, t, x, s->now) > BLURRED) {
-        (void)lag_projection_apply(&s->run->projection, t, x, &moved); /* where it cannot, it is as it was fitted */
+    if (lag_singular_margin(s, t, x) > BLURRED) {
+        (void)lag_projection_exact(&s->run->projection, t, x, &moved); /* where it cannot, it is as it was fitted */
     }
 }
 
-/* The fitted motion ends at `limit` at the latest. */
-static double cut(lag_singular *s, double t, const double *x, double length, double limit)
-{
-    if (t + length <= limit) {
-        return t + length;
-    }
-    lag_fit_state(s, x, length, (limit - t) / length, s->end);
-    lag_singular_project(s, limit, s->end);
-    return limit;
-}
-
-/* The fitted motion stands as the last step. */
-static lag_status take(lag_singular *s, double t, const double *x, double length, double limit)
+/* The fitted motion, up to `limit`, stands as the last step. */
+static lag_status take(lag_singular *s, double length, double limit)
 {
     lag_run *run = s->run;
     lag_stepper *stepper = &run->stepper;
     const size_t n = run->motion.model->nq;
     const size_t size = stepper->ode->size;
-    memcpy(s->origin, x, size * sizeof(double));
-    const double end = cut(s, t, s->origin, length, limit);
-    run->behind = stepper->method == &lag_branch_switching ? run->behind : stepper->method;
-    stepper->method = &lag_branch_switching;
+    run->behind = stepper->method;
+    run->look.rank = 0;
+    stepper->method = &lag_collocation;
     stepper->work[0] = (double)n;
     stepper->work[1] = length;
-    memcpy(stepper->work + 2, s->best, NODES * (size - n) * sizeof(double));
-    if (t == stepper->t) {
-        memcpy(stepper->f_before, stepper->f, size * sizeof(double));
-    }
-    memcpy(stepper->x_before, s->origin, size * sizeof(double));
-    memcpy(stepper->x, s->end, size * sizeof(double));
-    stepper->t_before = t;
-    stepper->t = end;
-    stepper->h = 0.0;
-    stepper->error = stepper->h_of_error = stepper->urge = 0.0;
+    memcpy(stepper->work + 2, s->coefficients, NODES * (size - n) * sizeof(double));
+    memcpy(stepper->f_before, stepper->f, size * sizeof(double));
+    memcpy(stepper->x_before, stepper->x, size * sizeof(double));
+    stepper->t_before = stepper->t;
+    stepper->t = fmin(stepper->t + length, limit);
+    lag_collocation.dense(stepper, stepper->t, stepper->x);
+    lag_singular_project(s, stepper->t, stepper->x);
+    stepper->h = stepper->error = stepper->h_of_error = stepper->urge = 0.0;
     stepper->dense_ready = 1;
     ++stepper->steps;
-    run->look.rank = 0;
-    s->leave = 0;
-    s->distance = 0.0;
-    s->margin = (double)INFINITY;
     return lag_stepper_correct(stepper);
-}
-
-/* The motion across a singular position so far ahead of the state x, if there is one and the motion leads across. */
-static int goes_across(lag_singular *s, double t, const double *x, double distance, double limit, double *length)
-{
-    const size_t n = s->run->motion.model->nq;
-    if (t >= limit || !(distance > 0.0)) {
-        return 0;
-    }
-    memcpy(s->end, x, s->run->stepper.ode->size * sizeof(double));
-    for (size_t j = 0; j < n; ++j) {
-        s->end[j] += distance * x[n + j];
-    }
-    const double height = lag_branch_point_height(&s->saddle, s->general, t + distance, s->end); /* a first look, much cheaper than a fit */
-    if (height > MEETING && height < (double)INFINITY) {
-        return 0;
-    }
-    return lag_fit_across(s, t, x, distance, limit, length) && lag_singular_margin(s, t + *length, s->end, s->now) > LOST;
-}
-
-/* True if branches can still be distinguished. If no branches meet, rates grow without bound, which the step control detects. */
-static int decided(lag_singular *s, double margin, double t, const double *x, double step)
-{
-    const lag_stepper *stepper = &s->run->stepper;
-    if (margin > UNDECIDED && !(step < stepper->h_least)) {
-        return 1;
-    }
-    return margin > LOST && !(lag_branch_point_height(&s->saddle, s->general, t, x) < (double)INFINITY);
 }
 
 void lag_singular_begin(lag_singular *s, int attention)
 {
     const lag_stepper *stepper = &s->run->stepper;
-    s->distance = 0.0;
     s->margin = (double)INFINITY;
-    const double margin = attention ? lag_singular_margin(s, stepper->t, stepper->x, s->now) : (double)INFINITY;
-    s->leave = margin <= LOST ? 1 : margin <= BESIDE ? 2 : 0;
+    s->distance = attention && lag_singular_margin(s, stepper->t, stepper->x) <= BESIDE ? 0.0 : -1.0;
 }
 
 lag_status lag_singular_ahead(lag_singular *s, double limit, int *done)
 {
     const lag_stepper *stepper = &s->run->stepper;
-    double length = 0.0;
-    const double distance = s->distance;
     const double margin = s->margin;
-    const int leave = s->leave;
-    s->leave = 0;
-    s->distance = 0.0;
+    const double length = s->distance >= 0.0 ? lag_collocation_fit(s, stepper->t, stepper->x, s->distance) : 0.0;
+    *done = length > 0.0;
+    s->distance = -1.0;
     s->margin = (double)INFINITY;
-    *done = leave ? (leave == 1 && lag_fit_out(s, stepper->t, stepper->x, limit, &length)) ||
-                        lag_fit_beside(s, stepper->t, stepper->x, &length)
-                  : goes_across(s, stepper->t, stepper->x, distance, limit, &length);
     if (*done) {
-        return take(s, stepper->t, stepper->x, length, limit);
+        return take(s, length, limit);
     }
-    return decided(s, margin, stepper->t, stepper->x, (double)INFINITY) ? LAG_OK : LAG_BRANCH_POINT;
+    return margin <= UNDECIDED && is_undetermined(s, margin, stepper->t, stepper->x) ? LAG_BRANCH_POINT : LAG_OK;
 }
 
-lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
+lag_status lag_singular_after(lag_singular *s, double *shorter)
 {
     lag_run *run = s->run;
     lag_stepper *stepper = &run->stepper;
-    const double t = stepper->t_before;
-    const double step = stepper->t - t;
-    double length = 0.0;
+    const double step = stepper->t - stepper->t_before;
+    const double behind = lag_singular_margin(s, stepper->t, stepper->x);
+    const double before = lag_singular_margin(s, stepper->t_before, stepper->x_before);
     int moved = 0;
-    const double before = lag_singular_margin(s, t, stepper->x_before, s->before);
-    s->seen = 0;
+    run->look.rank = 0;
+    (void)lag_look_at(&run->look, s->jacobian); /* of the state before */
     *shorter = SHORTER * step;
-    const double behind = lag_singular_margin(s, stepper->t, stepper->x, s->now);
     if (fmin(before, behind) < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {
             return *shorter < stepper->h_least ? LAG_PROJECTION_FAILED : LAG_ATTENTION;
@@ -357,14 +224,70 @@ lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
     }
     const double lost = lost_at(s);
     if (lost < (double)INFINITY) {
-        memcpy(run->point, stepper->x_before, stepper->ode->size * sizeof(double));
-        if (goes_across(s, t, run->point, lost - t, limit, &length)) {
-            return take(s, t, run->point, length, limit);
-        }
-        return decided(s, before, t, run->point, *shorter) ? LAG_ATTENTION : LAG_BRANCH_POINT;
+        s->distance = lost - stepper->t_before;
+        s->margin = before;
+        const int last = *shorter < stepper->h_least;
+        return last && is_undetermined(s, before, stepper->t_before, stepper->x_before) ? LAG_BRANCH_POINT : LAG_ATTENTION;
     }
-    const double now = lag_singular_margin(s, stepper->t, stepper->x, s->now);
-    s->distance = now < fmin(NEAR, before) && before < (double)INFINITY ? now * step / (before - now) : 0.0;
-    s->margin = now;
+    s->margin = lag_singular_margin(s, stepper->t, stepper->x);
+    s->distance = s->margin < fmin(NEAR, before) ? s->margin * step / (before - s->margin) : -1.0;
     return LAG_OK;
+}
+
+/* ---- rows ---- */
+
+/* Multipliers into motion.lam at a part of the motion from `start` at time t, from both sides or one; without a limit they are no numbers. */
+static void find_limits(lag_singular *s, const double *coefficients, double t, const double *start, double length, double part)
+{
+    lag_motion *motion = &s->run->motion;
+    const size_t m = motion->model->nc;
+    double largest = 0.0;
+    int moved = 0;
+    int known = 1;
+    for (size_t i = 0; i < NODES && known; ++i) {
+        const double time = t + length * lag_collocation_node(i);
+        lag_collocation_state(motion->model, coefficients, start, length, lag_collocation_node(i), s->state);
+        known = lag_projection_exact(&s->run->projection, time, s->state, &moved) == LAG_OK && lag_motion_solve(motion, time, s->state) == LAG_OK;
+        memcpy(s->multipliers + i * m, motion->lam, m * sizeof(double));
+    }
+    for (size_t i = 0; i < NODES * m; ++i) {
+        largest = fmax(largest, fabs(s->multipliers[i]));
+    }
+    for (size_t row = 0; row < m; ++row) {
+        double at_nodes[NODES], all[NODES], fewer[NODES];
+        double size = SMALL * largest;
+        for (size_t i = 0; i < NODES; ++i) {
+            at_nodes[i] = s->multipliers[i * m + row];
+            size = fmax(size, fabs(at_nodes[i]));
+        }
+        lag_collocation_interpolate(0, 1, at_nodes, all);
+        lag_collocation_interpolate(1, 1, at_nodes, fewer);
+        const double found = lag_collocation_value(1, all, part);
+        const double off = fabs(found - lag_collocation_value(1, fewer, part));
+        motion->lam[row] = known && off <= LIMIT * size ? found : (double)NAN;
+    }
+}
+
+void lag_singular_row(lag_singular *s, double t, const double *x, int after_event)
+{
+    const lag_stepper *stepper = &s->run->stepper;
+    lag_motion *motion = &s->run->motion;
+    const size_t n = motion->model->nq;
+    const size_t m = motion->model->nc;
+    const double margin = lag_singular_margin(s, t, x);
+    const int inside = !after_event && stepper->method == &lag_collocation && t >= stepper->t_before && t <= stepper->t;
+    const double *coefficients = inside ? stepper->work + 2 : s->coefficients;
+    const double length = margin > BESIDE ? 0.0 : inside ? stepper->work[1] : lag_collocation_fit(s, t, x, 0.0);
+    const double part = inside && length > 0.0 ? (t - stepper->t_before) / length : 0.0;
+    if (length > 0.0) {
+        find_limits(s, coefficients, t - part * length, inside ? stepper->x_before : x, length, part);
+        memcpy(s->multipliers, motion->lam, m * sizeof(double));
+    }
+    lag_event_iteration_solve(motion, t, x);
+    for (size_t j = 0; j < n && length > 0.0; ++j) {
+        motion->qdd[j] = lag_collocation_value(n + motion->model->nz, coefficients + j, part);
+    }
+    for (size_t i = 0; i < m && length > 0.0; ++i) {
+        motion->lam[i] = margin > LOST && isnan(s->multipliers[i]) ? motion->lam[i] : s->multipliers[i]; /* large, not without end */
+    }
 }

@@ -42,7 +42,7 @@ static size_t place_of(const lag_method *const *methods, size_t count, const lag
 static void record_method(const lag_run *run, const lag_method **method, lag_record *record)
 {
     const lag_method *const methods[] = {
-        NULL, run->options.method, &lag_dop853, &lag_radau, &lag_radau5, &lag_radau9, &lag_radau13, &lag_branch_switching};
+        NULL, run->options.method, &lag_dop853, &lag_radau, &lag_radau5, &lag_radau9, &lag_radau13, &lag_collocation};
     const size_t count = sizeof methods / sizeof *methods;
     size_t which = place_of(methods, count, *method);
     RECORD(which);
@@ -128,7 +128,6 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->accuracy.relative);
     RECORD(run->look.most);
     RECORD(run->look.rank);
-    RECORD(run->singular.leave);
     RECORD(run->singular.distance);
     RECORD(run->singular.margin);
     RECORD(run->watch.begun);
@@ -179,9 +178,6 @@ void lag_run_record(lag_run *run, lag_record *record)
         record_clock(&run->clock[i], record);
     }
     lag_record_doubles(record, run->numbers, run->memory);
-    if (record->saved != NULL && run->singular.run != NULL) {
-        lag_singular_count(&run->singular, run->lasting);
-    }
 }
 
 /* ---- around it ---- */

@@ -9,7 +9,7 @@
 #ifndef LAG_FRICTION_H
 #define LAG_FRICTION_H
 
-#include "lag/events/contact.h"
+#include "lag/contacts/contact.h"
 
 typedef struct lag_frictions {
     lag_motion *motion;
@@ -24,7 +24,7 @@ typedef struct lag_frictions {
     double *limit, *sticking;  /* (nfriction) what friction bears while it slides, and while it sticks, */
     double *gain, *sticking_gain; /* (nfriction, nc) and how that changes with multipliers */
     double *force;             /* (nfriction) the largest limit so far */
-    double *reserve;           /* (ncontact + nfriction) what lag/events/reserve.h finds where forces are undetermined; else no numbers */
+    double *reserve;           /* (ncontact + nfriction) what lag/contacts/reserve.h finds where forces are undetermined; else no numbers */
 } lag_frictions;
 
 /* Doubles for them. */

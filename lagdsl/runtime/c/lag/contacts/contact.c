@@ -1,5 +1,5 @@
 /* Contacts at rest: what is closed at the start, what stays closed. */
-#include "lag/events/contact.h"
+#include "lag/contacts/contact.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "lag/events/reserve.h"
+#include "lag/contacts/reserve.h"
 
 #include <math.h>
 #include <string.h>

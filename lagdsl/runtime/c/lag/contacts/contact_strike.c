@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/events/friction.h"
+#include "lag/contacts/friction.h"
 #include "lag/linalg/arena.h"
 
 enum { MOST_IMPACTS = 10000 };

@@ -12,7 +12,7 @@
 #ifndef LAG_MODES_H
 #define LAG_MODES_H
 
-#include "lag/events/reserve.h"
+#include "lag/contacts/reserve.h"
 
 typedef struct lag_modes {
     lag_motion *motion;
@@ -24,6 +24,7 @@ typedef struct lag_modes {
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
     int jumped;              /* rates have jumped at this instant: what sticks may slip now */
+    double *touched;         /* (nq + nz) by component: its modes are looked for */
     double *normal;          /* (ncontact) contacts in the problem */
     double *loose;           /* (nfriction) friction that may stick */
     double *kinetic;         /* (nfriction) that slips with the limit of sliding, */
@@ -31,7 +32,7 @@ typedef struct lag_modes {
     double *heading;         /* (nslip) directions of those that slide */
     double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
     double *loads;           /* (nload) at no force of these rows; */
-    double *by_load;         /* (nload, nq) generalized forces for unit loads */
+    double *by_load;         /* (nq, nload) how M qdd - f changes with loads; behind it other results of load_gain() */
     double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
     double *qdd;             /* (nq) */
 } lag_modes;

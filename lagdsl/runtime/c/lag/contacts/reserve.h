@@ -10,7 +10,7 @@
 #ifndef LAG_RESERVE_H
 #define LAG_RESERVE_H
 
-#include "lag/events/friction.h"
+#include "lag/contacts/friction.h"
 
 typedef struct lag_reserve {
     lag_motion *motion;

@@ -1,4 +1,4 @@
-#include "lag/events/friction.h"
+#include "lag/contacts/friction.h"
 
 #include <float.h>
 #include <math.h>

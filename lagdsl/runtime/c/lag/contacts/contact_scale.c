@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/events/contact.h"
+#include "lag/contacts/contact.h"
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;

@@ -1,0 +1,251 @@
+#include "lag/contacts/modes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/contacts/modes_problem.h"
+#include "lag/linalg/arena.h"
+
+/* An acceleration below this part of what it is a sum of is zero. */
+static const double NONE = 1e-10;
+/* Friction that bears this part of its limit beyond its force does not leave with others. */
+static const double SPARED = 1e-7;
+/* A closed contact pulls by more than this part of its largest force. */
+static const double PULL = 1e-9;
+/* In `normal`: a contact that is open and may close. */
+static const double CANDIDATE = 2.0;
+/* Where limits depend on other forces than those of the problem it is solved again with these, so often. */
+enum { MOST_TIMES = 20 };
+
+size_t lag_modes_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw + model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
+           model->nload * (1 + 2 * n + model->nc + model->nz + model->ny + model->nload);
+}
+
+void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory)
+{
+    const lag_model *model = contacts->motion->model;
+    const size_t n = model->nq;
+    *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions};
+    modes->impulse = contacts->impulse;
+    lag_inequalities_place(&modes->rows, model, lag_take(&memory, lag_inequalities_memory(model)));
+    lag_reserve_place(&modes->reserve, frictions, lag_take(&memory, lag_reserve_memory(model)));
+    modes->w = lag_take(&memory, model->nw);
+    modes->touched = lag_take(&memory, n + model->nz);
+    modes->normal = lag_take(&memory, model->ncontact);
+    modes->loose = lag_take(&memory, model->nfriction);
+    modes->kinetic = lag_take(&memory, model->nfriction);
+    modes->began = lag_take(&memory, model->nfriction);
+    modes->heading = lag_take(&memory, model->nslip);
+    modes->force = lag_take(&memory, n);
+    modes->qdd = lag_take(&memory, n);
+    modes->jacobian = lag_take(&memory, model->nc * n);
+    modes->gamma = lag_take(&memory, model->nc);
+    modes->loads = lag_take(&memory, model->nload);
+    modes->by_load = lag_take(&memory, model->nload * (n + model->nz + model->ny + model->nload));
+    modes->by_acceleration = lag_take(&memory, model->nload * n);
+    modes->by_multiplier = memory;
+}
+
+/* ---- what is looked for ---- */
+
+static void touch(lag_modes *modes, const double *row)
+{
+    const lag_model *model = modes->motion->model;
+    for (size_t j = 0; j < model->nq && model->components != NULL; ++j) {
+        if (row[j] != 0.0) {
+            modes->touched[model->components[j]] = 1.0;
+        }
+    }
+}
+
+static const double *contact_row(const lag_modes *modes, size_t i)
+{
+    return modes->contacts->jacobian + i * modes->motion->model->nq;
+}
+
+/* 1: contact i pushes, or does nothing, by the measure of its largest forces. */
+static int pushes(const lag_modes *modes, size_t i, double most)
+{
+    const double force = lag_contacts_multiplier(modes->contacts, i);
+    const double size = modes->contacts->force[i] > 0.0 ? modes->contacts->force[i] : most;
+    return !isnan(modes->frictions->reserve[i]) || force >= -PULL * size;
+}
+
+/* 1: friction k is in a mode that its slip and its force agree with. */
+static int agrees(const lag_modes *modes, size_t k)
+{
+    const lag_frictions *frictions = modes->frictions;
+    const double *direction = lag_frictions_direction(frictions, k);
+    const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+    const int sticks = *lag_frictions_sticks(frictions, k) != 0.0;
+    if (!lag_frictions_acts(frictions, k)) {
+        return !sticks && !lag_any(lag_frictions_components(frictions, k), direction);
+    }
+    if (sticks) {
+        return !(moves && modes->jumped) && lag_frictions_guard(frictions, k) >= -NONE * frictions->force[k];
+    }
+    return moves && (lag_frictions_components(frictions, k) > 1 || lag_frictions_guard(frictions, k) > 0.0);
+}
+
+/* Touches what has to be looked for with closed contacts that were solved with all candidates closed; 1: there is something. */
+static int find_touched(lag_modes *modes, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    double most = 1e-300;
+    int any = 0;
+    lag_fill(model->nq + model->nz, 0.0, modes->touched);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        most = fmax(most, modes->normal[i] != 0.0 ? fabs(lag_contacts_multiplier(modes->contacts, i)) : 0.0);
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (modes->normal[i] != 0.0 && ((left != NULL && left[i] != 0.0) || !pushes(modes, i, most))) {
+            touch(modes, contact_row(modes, i));
+            any = 1;
+        }
+    }
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        if ((left != NULL && left[model->ncontact + k] != 0.0) || !agrees(modes, k)) {
+            touch(modes, lag_modes_slip_row(modes, k));
+            any = 1;
+        }
+    }
+    return any;
+}
+
+/* ---- what slides, and what may stick ---- */
+
+static int is_candidate(const lag_modes *modes, size_t contact)
+{
+    return contact >= modes->motion->model->ncontact || modes->normal[contact] != 0.0;
+}
+
+/* Multipliers with the largest least reserve, where there is friction. */
+static const double *force_of(const lag_modes *modes)
+{
+    return modes->motion->model->nfriction > 0 ? modes->reserve.force : modes->motion->lam;
+}
+
+/* 1: a contact, or behind them a friction, shares undetermined forces. */
+static int shares(const lag_modes *modes, size_t side)
+{
+    return !isnan(modes->frictions->reserve[side]);
+}
+
+/* 1: of those that share undetermined forces, as their group has no reserve left, this one has none. */
+static int is_exhausted(const lag_modes *modes, size_t side)
+{
+    return modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+}
+
+/* Closed contacts that open in any case leave the problem. */
+static void open_left(lag_modes *modes, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    const int any = left != NULL && lag_any(model->nfriction, left + model->ncontact);
+    for (size_t i = 0; i < model->ncontact && left != NULL; ++i) {
+        double *closed = lag_contacts_flag(modes->contacts, i);
+        if (*closed != 0.0 && (shares(modes, i) ? any && is_exhausted(modes, i) : left[i] != 0.0)) {
+            modes->normal[i] = *closed = 0.0;
+        }
+    }
+}
+
+/* Friction that slides, with its heading; friction that may stick. What is off is neither. */
+static void sort_frictions(lag_modes *modes, const double *left)
+{
+    const lag_frictions *frictions = modes->frictions;
+    const lag_model *model = modes->motion->model;
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        const int acts = is_candidate(modes, model->friction_contacts[k]) && lag_modes_is_touched(modes, lag_modes_slip_row(modes, k));
+        const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
+        const size_t side = model->ncontact + k;
+        const int gone = left != NULL && left[side] != 0.0 && !(stuck && shares(modes, side) && !is_exhausted(modes, side));
+        const double speed = lag_frictions_speed(frictions, k);
+        const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
+        double force[2] = {0.0, 0.0};
+        for (size_t a = 0; a < lag_frictions_components(frictions, k); ++a) {
+            force[a] = force_of(modes)[model->friction_rows[lag_modes_first(modes, k) + a]];
+        }
+        lag_modes_head(modes, k, force, 0.0, 0.0);
+        modes->loose[k] = 0.0;
+        if (acts && moved && !(gone && !stuck)) {
+            lag_modes_head(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
+        } else if (acts && gone && stuck) {
+            lag_modes_head(modes, k, force, hypot(force[0], force[1]), -1.0);
+        } else {
+            modes->loose[k] = acts;
+        }
+        /* what begins to slip goes on with the limit of sliding, if that solves the problem */
+        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->places.direction, k) > 0.0;
+    }
+}
+
+/* 1: some forces of the present modes are within the limits that they have with these forces. */
+static int is_consistent(const lag_modes *modes)
+{
+    const lag_frictions *frictions = modes->frictions;
+    int holds = 1;
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        const int sticks = *lag_frictions_sticks(frictions, k) != 0.0;
+        holds = holds && (!sticks || lag_frictions_guard(frictions, k) >= -NONE * frictions->force[k]);
+    }
+    return holds;
+}
+
+/* Limits and reserves with the forces of the present modes. */
+static lag_status look_at_forces(lag_modes *modes, double t, const double *x)
+{
+    lag_contacts_solve(modes->contacts, t, x);
+    const lag_status status = lag_frictions_look(modes->frictions);
+    return status == LAG_OK ? lag_reserve_look(&modes->reserve) : status;
+}
+
+/* The problem in what was touched. */
+static lag_status find_touched_modes(lag_modes *modes, double t, const double *x, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        modes->normal[i] = modes->normal[i] != 0.0 && lag_modes_is_touched(modes, contact_row(modes, i));
+    }
+    open_left(modes, left);
+    sort_frictions(modes, left);
+    lag_status status = lag_modes_solve(modes, t, x);
+    for (int k = 0; k < MOST_TIMES && status == LAG_OK && model->nfriction > 0; ++k) {
+        status = look_at_forces(modes, t, x);
+        if (status != LAG_OK || is_consistent(modes)) {
+            return status;
+        }
+        status = lag_modes_solve(modes, t, x);
+    }
+    return model->nfriction > 0 && status == LAG_OK ? LAG_NO_FORCES : status;
+}
+
+lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    int any = model->nfriction > 0;
+    int tried = 0;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        double *closed = lag_contacts_flag(modes->contacts, i);
+        modes->normal[i] = candidates[i] != 0.0 && *closed == 0.0 ? CANDIDATE : *closed;
+        any = any || modes->normal[i] != 0.0;
+        tried = tried || modes->normal[i] == CANDIDATE;
+        *closed = modes->normal[i] != 0.0;
+    }
+    if (!any) {
+        return LAG_OK;
+    }
+    lag_status status = look_at_forces(modes, t, x);
+    if (status == LAG_OK && !find_touched(modes, left)) {
+        return LAG_OK;
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        double *closed = lag_contacts_flag(modes->contacts, i);
+        *closed = modes->normal[i] == CANDIDATE ? 0.0 : *closed;
+    }
+    status = tried && status == LAG_OK ? look_at_forces(modes, t, x) : status;
+    return status == LAG_OK ? find_touched_modes(modes, t, x, left) : status;
+}
