@@ -17,6 +17,9 @@ void lag_impulse_choose(lag_impulse *impulse, const lag_inequalities *rows);
  */
 lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *rates, const double *qd);
 
+/* Newton's method from rates that were looked at; speeds of `rows` (or null) are those at impulse->rates. Statuses as the functions of lag/impulses/impulse.h. */
+lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows);
+
 /* The coordinate of which the chosen number k is. */
 static inline size_t lag_impulse_place_of(const lag_impulse *impulse, size_t k)
 {

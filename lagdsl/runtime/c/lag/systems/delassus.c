@@ -1,4 +1,4 @@
-#include "lag/equations/delassus.h"
+#include "lag/systems/delassus.h"
 
 #include <math.h>
 
