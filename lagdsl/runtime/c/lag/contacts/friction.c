@@ -18,7 +18,7 @@ static const double NO_SHARED_FORCE = 1e-10;
 
 size_t lag_frictions_memory(const lag_model *model)
 {
-    return model->ncontact + model->nfriction * (7 + 2 * model->nc) + model->nslip * (2 + model->nq);
+    return 2 * model->ncontact + model->nq + model->nz + model->nfriction * (6 + 2 * model->nc) + model->nslip * (2 + model->nq);
 }
 
 void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory)
@@ -33,20 +33,43 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
     frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
     frictions->slip = lag_take(&memory, model->nslip);
     frictions->fast = lag_take(&memory, model->nslip);
-    frictions->push = lag_take(&memory, model->nfriction);
-    frictions->compliance = lag_take(&memory, model->nfriction);
+    frictions->push = lag_take(&memory, model->nq + model->nz);
+    frictions->compliance = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->reserve = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->jacobian = lag_take(&memory, model->nslip * model->nq);
     lag_fill(model->nfriction, 0.0, frictions->force);
     lag_fill(model->ncontact + model->nfriction, (double)NAN, frictions->reserve);
     lag_fill(model->nslip, 0.0, frictions->fast);
-    lag_fill(model->nfriction, 0.0, frictions->push);
-    lag_fill(model->nfriction, 0.0, frictions->compliance);
+    lag_fill(model->nq + model->nz, 0.0, frictions->push);
+    lag_fill(model->ncontact + model->nfriction, 0.0, frictions->compliance);
     size_t next = 0;
     for (size_t k = 0; k < model->nfriction; ++k) {
         frictions->first[k] = (double)next;
         next += model->friction_slips[k];
     }
+}
+
+/* The component of the coordinates of a row (nq). */
+static size_t component_of(const lag_model *model, const double *row)
+{
+    size_t j = 0;
+    while (j + 1 < model->nq && row[j] == 0.0) {
+        ++j;
+    }
+    return model->components != NULL ? model->components[j] : 0;
+}
+
+static const double *row_of(const lag_frictions *frictions, size_t k)
+{
+    return frictions->jacobian + (size_t)frictions->first[k] * frictions->motion->model->nq;
+}
+
+/* The force of one side, a contact or behind them a friction, pushes at its component. */
+static void follow(lag_frictions *frictions, size_t side, const double *row, double force)
+{
+    const double push = frictions->compliance[side] * fabs(force);
+    double *most = frictions->push + component_of(frictions->motion->model, row);
+    *most = isfinite(push) ? fmax(*most, push) : *most;
 }
 
 lag_status lag_frictions_look(lag_frictions *frictions)
@@ -70,9 +93,11 @@ lag_status lag_frictions_look(lag_frictions *frictions)
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         const double limit = fabs(frictions->limit[k]);
-        const double push = frictions->compliance[k] * lag_frictions_force(frictions, k);
-        frictions->push[k] = isfinite(push) ? fmax(frictions->push[k], push) : frictions->push[k];
+        follow(frictions, model->ncontact + k, row_of(frictions, k), lag_frictions_force(frictions, k));
         frictions->force[k] = isfinite(limit) ? fmax(frictions->force[k], limit) : frictions->force[k];
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        follow(frictions, i, frictions->contacts->jacobian + i * n, motion->lam[model->contact_rows[i]]);
     }
     return status;
 }
@@ -97,7 +122,7 @@ double lag_frictions_speed(const lag_frictions *frictions, size_t k)
 
 double lag_frictions_slow(const lag_frictions *frictions, size_t k)
 {
-    const double crept = ROUNDING * frictions->push[k] * frictions->step;
+    const double crept = ROUNDING * frictions->push[component_of(frictions->motion->model, row_of(frictions, k))] * frictions->step;
     return SLOW * lag_frictions_length(frictions, frictions->fast, k) + crept;
 }
 

@@ -18,8 +18,8 @@ typedef struct lag_frictions {
     double *first;             /* (nfriction) the first component of the slip of each */
     double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state looked at last, */
     double *fast;              /* (nslip) the largest terms of each slip so far, */
-    double *compliance;        /* (nfriction) the acceleration of each slip for a unit force, */
-    double *push;              /* (nfriction) and the largest by forces that it balanced, whose round-off adds up in a step */
+    double *compliance;        /* (ncontact + nfriction) the acceleration of each gap and slip for a unit force of its own, */
+    double *push;              /* (nq + nz) by component: the largest by forces that balanced others, whose round-off adds up in a step */
     double step;               /* of this length [s]; */
     double *limit, *sticking;  /* (nfriction) what friction bears while it slides, and while it sticks, */
     double *gain, *sticking_gain; /* (nfriction, nc) and how that changes with multipliers */

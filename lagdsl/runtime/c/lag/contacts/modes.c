@@ -115,6 +115,12 @@ static int find_touched(lag_modes *modes, const double *left)
     return any;
 }
 
+void lag_modes_let_go(lag_modes *modes)
+{
+    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->places.sticks);
+    modes->jumped = 1;
+}
+
 /* ---- what slides, and what may stick ---- */
 
 static int is_candidate(const lag_modes *modes, size_t contact)
@@ -134,20 +140,30 @@ static int shares(const lag_modes *modes, size_t side)
     return !isnan(modes->frictions->reserve[side]);
 }
 
-/* 1: of those that share undetermined forces, as their group has no reserve left, this one has none. */
-static int is_exhausted(const lag_modes *modes, size_t side)
+/* 1: what shares undetermined forces leaves, as its group has no reserve left, and itself it has none. */
+static int leaves_group(const lag_modes *modes, size_t side, const double *left)
 {
-    return modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+    const lag_model *model = modes->motion->model;
+    int leaves = 0;
+    for (size_t other = model->ncontact; other < model->ncontact + model->nfriction; ++other) {
+        leaves = leaves || (left[other] != 0.0 && shares(modes, other) && modes->reserve.member[other] == modes->reserve.member[side]);
+    }
+    return leaves && modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+}
+
+/* 1: a contact, or behind them a friction, was found to leave its mode. */
+static int leaves_mode(const lag_modes *modes, size_t side, const double *left)
+{
+    return left != NULL && (shares(modes, side) ? leaves_group(modes, side, left) : left[side] != 0.0);
 }
 
 /* Closed contacts that open in any case leave the problem. */
 static void open_left(lag_modes *modes, const double *left)
 {
     const lag_model *model = modes->motion->model;
-    const int any = left != NULL && lag_any(model->nfriction, left + model->ncontact);
     for (size_t i = 0; i < model->ncontact && left != NULL; ++i) {
         double *closed = lag_contacts_flag(modes->contacts, i);
-        if (*closed != 0.0 && (shares(modes, i) ? any && is_exhausted(modes, i) : left[i] != 0.0)) {
+        if (*closed != 0.0 && leaves_mode(modes, i, left)) {
             modes->normal[i] = *closed = 0.0;
         }
     }
@@ -162,7 +178,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         const int acts = is_candidate(modes, model->friction_contacts[k]) && lag_modes_is_touched(modes, lag_modes_slip_row(modes, k));
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
         const size_t side = model->ncontact + k;
-        const int gone = left != NULL && left[side] != 0.0 && !(stuck && shares(modes, side) && !is_exhausted(modes, side));
+        const int gone = stuck ? leaves_mode(modes, side, left) : left != NULL && left[side] != 0.0;
         const double speed = lag_frictions_speed(frictions, k);
         const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
         double force[2] = {0.0, 0.0};

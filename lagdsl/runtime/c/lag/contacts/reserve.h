@@ -24,6 +24,8 @@ typedef struct lag_reserve {
     double *group;           /* (nc) the group of an active row; zero: it shares nothing */
     double *force;           /* (nc) multipliers with the largest least reserve, */
     double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
+    double *member;          /* (ncontact + nfriction) the group of each */
+    double *by_load, *by_acceleration, *by_multiplier, *load; /* as in lag/contacts/modes.h */
     double *work;
 } lag_reserve;
 

@@ -225,6 +225,7 @@ static void keep(lag_reserve *r, double group, double reserve)
             r->frictions->reserve[i] = reserve * size_of(r, row);
             r->slack[i] = r->force[row];
             r->size[i] = size_of(r, row);
+            r->member[i] = group;
         }
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
@@ -234,6 +235,7 @@ static void keep(lag_reserve *r, double group, double reserve)
             r->frictions->reserve[model->ncontact + k] = reserve * size_of_friction(r, k);
             r->slack[model->ncontact + k] = limit - length;
             r->size[model->ncontact + k] = size_of_friction(r, k);
+            r->member[model->ncontact + k] = group;
         }
     }
 }

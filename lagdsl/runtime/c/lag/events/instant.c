@@ -222,7 +222,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
-        instants->modes.jumped = jumped;
+        instants->modes.jumped = 1;
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
@@ -240,9 +240,8 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    status = status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
-    instants->modes.jumped = instants->modes.jumped || *jumped;
-    return status;
+    instants->modes.jumped = 1;
+    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */
@@ -342,7 +341,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
     instants->iteration.acted = instants->iteration.acted || refracted;
-    instants->modes.jumped = instants->modes.jumped || refracted;
+    instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }
