@@ -187,7 +187,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         }
         lag_modes_head(modes, k, force, 0.0, 0.0);
         modes->loose[k] = 0.0;
-        if (acts && moved && !(gone && !stuck)) {
+        if (acts && moved && (stuck || !gone || lag_frictions_turns(frictions, k))) {
             lag_modes_head(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
         } else if (acts && gone && stuck) {
             lag_modes_head(modes, k, force, hypot(force[0], force[1]), -1.0);

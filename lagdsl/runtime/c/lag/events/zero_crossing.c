@@ -241,7 +241,11 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
     memset(crossings->creep, 0, (count - contacts - frictions) * sizeof(double));
     lag_noise_follow(crossings->noise, x);
     lag_contacts_follow(crossings->contacts, x);
-    const lag_status status = lag_zero_crossing_look(crossings, t, x);
+    lag_status status = lag_zero_crossing_look(crossings, t, x);
+    if (frictions > 0 && (status == LAG_OK || status == LAG_EVENT_PENDING)) {
+        lag_frictions_begin(crossings->frictions); /* guards of slips in a plane begin with it */
+        status = lag_zero_crossing_look(crossings, t, x);
+    }
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double value = lag_zero_crossing_value(crossings, i);
         const size_t contact = i - crossings->motion->model->nindicator;
