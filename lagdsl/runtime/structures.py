@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 6
+VERSION = 7
 
 # lag_event_kind.
 WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
@@ -114,7 +114,9 @@ class Model(Structure):
         *_all(_evaluated(1), "initial_equation"),
         *_all(_evaluated(2), "constraint_tangent"),
         *_all(_evaluated(7), "elimination"),
-        *_all(_evaluated(1), "discrete_start indicator standing"),
+        *_all(_evaluated(1), "discrete_start indicator"),
+        *_all(_evaluated(2), "indicator_rate"),
+        *_all(_evaluated(1), "standing"),
         *_all(_evaluated(6), "contact"),
         *_all(_evaluated(2), "clock"),
         *_all(_evaluated(7), "event time_event"),

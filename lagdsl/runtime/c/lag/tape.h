@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 8u
+#define LAG_TAPE_VERSION 9u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {

@@ -145,6 +145,13 @@ static lag_status evaluate_indicator(const lag_model *model, const lag_arguments
     return model->indicator == NULL ? LAG_MISSING : model->indicator(at, results);
 }
 
+static lag_status evaluate_indicator_rate(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const rate = results;
+    double *const acceleration = rate + model->nindicator;
+    return model->indicator_rate == NULL ? LAG_MISSING : model->indicator_rate(at, rate, acceleration);
+}
+
 static lag_status evaluate_standing(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->standing == NULL ? LAG_MISSING : model->standing(at, results);
@@ -345,6 +352,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_discrete_start(model, at, results);
     case LAG_INDICATOR:
         return evaluate_indicator(model, at, results);
+    case LAG_INDICATOR_RATE:
+        return evaluate_indicator_rate(model, at, results);
     case LAG_STANDING:
         return evaluate_standing(model, at, results);
     case LAG_CONTACT:

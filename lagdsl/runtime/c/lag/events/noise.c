@@ -15,9 +15,27 @@ static size_t count_of(const lag_model *model)
     return model->nindicator + model->ncorner;
 }
 
+/* Values, and rates and accelerations of the indicators. */
+static size_t all_of(const lag_model *model)
+{
+    return count_of(model) + 2 * model->nindicator;
+}
+
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 3 * model->nq + 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
+    const size_t unknown = model->nu + model->nq + model->nc;
+    return count_of(model) > 0 ? 3 * model->nq + 2 * (lag_motion_size(model) + model->nu) + unknown + 5 * all_of(model) + 3 * model->nindicator : 0;
+}
+
+/* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
+static void leave_unknown(lag_noise *noise, double *unknown)
+{
+    lag_motion *motion = noise->motion;
+    const lag_model *model = motion->model;
+    lag_fill(model->nu + model->nq + model->nc, (double)NAN, unknown);
+    motion->at.du = unknown;
+    motion->at.dqdd = unknown + model->nu;
+    motion->at.dlam = unknown + model->nu + model->nq;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -31,16 +49,21 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->extra = lag_take(&memory, size > 0 ? 2 * model->nq : 0);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
-    noise->value = lag_take(&memory, count_of(model));
-    noise->other = lag_take(&memory, count_of(model));
-    noise->opposite = lag_take(&memory, count_of(model));
-    noise->kept = lag_take(&memory, count_of(model));
-    noise->sigma = lag_take(&memory, count_of(model));
+    noise->value = lag_take(&memory, all_of(model));
+    noise->other = lag_take(&memory, all_of(model));
+    noise->opposite = lag_take(&memory, all_of(model));
+    noise->kept = lag_take(&memory, all_of(model));
+    noise->sigma = lag_take(&memory, all_of(model));
+    if (size > 0) {
+        leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
+    }
+    noise->largest = lag_take(&memory, 2 * model->nindicator);
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->recent, 0, (size > 0 ? model->nq : 0) * sizeof(double));
     memset(noise->extra, 0, (size > 0 ? 2 * model->nq : 0) * sizeof(double));
-    memset(noise->sigma, 0, count_of(model) * sizeof(double));
+    memset(noise->sigma, 0, all_of(model) * sizeof(double));
+    memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
     memset(noise->least, 0, model->nindicator * sizeof(double));
 }
 
@@ -70,16 +93,41 @@ static int same_sign(size_t entry, unsigned k)
     return ((entry >> k) & 1u) == 0;
 }
 
-/* Indicators, then distances of corners, with accelerations and multipliers of x at time t. */
+/* Indicators, distances of corners, rates and accelerations of indicators, with accelerations and multipliers of x at time t. */
 static lag_status evaluate(lag_motion *motion, double t, const double *x, double *values)
 {
     const lag_model *model = motion->model;
+    double *rates = values + count_of(model);
     double solved = 0.0;
     lag_status status = lag_motion_solve(motion, t, x);
     if (status == LAG_OK && model->nindicator > 0) {
         status = model->indicator(&motion->at, values);
     }
+    if (status == LAG_OK && model->nindicator > 0) {
+        status = model->indicator_rate(&motion->at, rates, rates + model->nindicator);
+    }
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
+}
+
+lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
+{
+    const lag_model *model = noise->motion->model;
+    const double *rates = noise->value + count_of(model);
+    const lag_status status = evaluate(noise->motion, t, x, noise->value);
+    for (size_t i = 0; i < 2 * model->nindicator && status == LAG_OK; ++i) {
+        noise->largest[i] = isfinite(rates[i]) ? fmax(noise->largest[i], fabs(rates[i])) : noise->largest[i];
+    }
+    return status;
+}
+
+/* Sigma is at least this. Rates are sums of terms that may cancel: their round-off is that of the largest ones so far. */
+static double least_of(const lag_noise *noise, size_t i)
+{
+    const lag_model *model = noise->motion->model;
+    if (i >= count_of(model)) {
+        return fmax(DBL_MIN, CHANGE * noise->largest[i - count_of(model)]);
+    }
+    return i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
 }
 
 /* Number i after change k, or after the opposite one (`sign` -1). */
@@ -124,13 +172,13 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     unsigned changes = 1;
-    const lag_status status = evaluate(noise->motion, t, x, noise->value);
+    const lag_status status = lag_noise_look(noise, t, x);
     lag_noise_follow(noise, x);
     if (status != LAG_OK) {
         return;
     }
-    for (size_t i = 0; i < count_of(model); ++i) {
-        noise->sigma[i] = i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
+    for (size_t i = 0; i < all_of(model); ++i) {
+        noise->sigma[i] = least_of(noise, i);
     }
     while (changes < 32 && ((lag_motion_size(model) + model->nu) >> changes) > 0) {
         ++changes;
@@ -139,7 +187,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
         if (change(noise, t, x, k, 1.0, noise->other) != LAG_OK || change(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
             continue;
         }
-        for (size_t i = 0; i < count_of(model); ++i) { /* a jump that is near lies on one side */
+        for (size_t i = 0; i < all_of(model); ++i) { /* a jump that is near lies on one side */
             const double by = fmin(fabs(noise->other[i] - noise->value[i]), fabs(noise->opposite[i] - noise->value[i]));
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
@@ -150,7 +198,7 @@ void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, d
 {
     const size_t n = noise->motion->model->nq;
     const size_t count = count_of(noise->motion->model);
-    memcpy(noise->kept, noise->sigma, count * sizeof(double));
+    memcpy(noise->kept, noise->sigma, all_of(noise->motion->model) * sizeof(double));
     for (size_t j = 0; j < n; ++j) {
         noise->extra[n + j] = part * noise->peak[n + j] + tolerance * noise->recent[j];
         noise->extra[j] = span * noise->extra[n + j];
@@ -160,7 +208,7 @@ void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, d
     for (size_t i = 0; i < count && span > 0.0; ++i) {
         creep[i] = noise->sigma[i] / span;
     }
-    memcpy(noise->sigma, noise->kept, count * sizeof(double));
+    memcpy(noise->sigma, noise->kept, all_of(noise->motion->model) * sizeof(double));
 }
 
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)

@@ -15,8 +15,9 @@ typedef struct lag_noise {
     double *recent;       /* (nq) that of each rate since the last event */
     double *extra;        /* (2 nq) coordinates and rates change by this beside their round-off; zero but in lag_noise_creep */
     double *point, *u;    /* (2 nq + nz) (nu) */
-    double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
-    double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
+    double *value, *other, *opposite, *kept; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
+    double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
+    double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
     double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
 } lag_noise;
 
@@ -31,7 +32,10 @@ void lag_noise_follow(lag_noise *noise, const double *x);
 /* An event has changed the rates. */
 void lag_noise_begin(lag_noise *noise);
 
-/* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
+/* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
+lag_status lag_noise_look(lag_noise *noise, double t, const double *x);
+
+/* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
 
 /*
