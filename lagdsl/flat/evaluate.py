@@ -176,7 +176,8 @@ class _Instant:
         return self._discrete(name)
 
     def _discrete(self, name: str) -> complex:
-        """Relations as they stand, variables at their starts, contacts open, no clock ticking."""
+        """Relations as they stand, variables at their starts, contacts open, slips free and without a sense, no clock
+        ticking."""
         for entry in entries(self.flat.events):
             if entry.name == name:
                 item = entry.item

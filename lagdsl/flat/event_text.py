@@ -1,4 +1,4 @@
-"""Events as text (`lag flat`): discretes, contacts, relations that are located, clocks, clauses."""
+"""Events as text (`lag flat`): discretes, contacts, friction, relations that are located, clocks, clauses."""
 
 from __future__ import annotations
 
@@ -20,6 +20,8 @@ def event_sections(events: fe.Events) -> list[tuple[str, list[Line]]]:
     return [
         ("discretes", [_discrete(each) for each in events.discretes]),
         ("contacts", [_contact(each) for each in events.contacts]),
+        ("frictions", [_friction(each) for each in events.frictions]),
+        ("feedbacks", [_feedback(each) for each in events.feedbacks]),
         ("located", [(f"{each.name}: {_located(each)}", each) for each in events.relations]),
         ("timed", [(f"{each.name}: {text_of(each.value)}", each) for each in events.timed]),
         (
@@ -46,6 +48,19 @@ def _contact(item: fe.Contact) -> Line:
     options = [("restitution", item.restitution), ("v_stick", item.capture_speed), ("t_eps", item.zeno_time)]
     law = ", ".join(f"{name} = {text_of(value)}" for name, value in options if value is not None)
     return f"{item.name} [{unit_text(item.dimension)}]: {text_of(item.gap)} >= 0 with {law}", item
+
+
+def _friction(item: fe.Friction) -> Line:
+    slip = ", ".join(map(text_of, item.slips))
+    law = f"limit = {text_of(item.limit)}"
+    law += "" if item.sticking is None else f", sticking = {text_of(item.sticking)}"
+    under = "" if item.contact is None else f", under {item.contact}"
+    slip = slip if len(item.slips) == 1 else f"{{{slip}}}"
+    return f"{item.name} [{unit_text(item.dimension)}]: {slip} with {law}{under}", item
+
+
+def _feedback(item: fe.Feedback) -> Line:
+    return f"{item.name} [{unit_text(item.dimension)}]: {text_of(item.value)}", item
 
 
 def _located(item: fe.Relation) -> str:

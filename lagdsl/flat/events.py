@@ -1,4 +1,4 @@
-"""Events: relations, corners of time, discrete variables, `when` clauses, clocks, contacts.
+"""Events: relations, corners of time, discrete variables, `when` clauses, clocks, contacts, dry friction.
 
 Each of them has entries in the vector of discretes; expressions read those as variables by their names (see
 `discretes`).
@@ -89,8 +89,9 @@ class Clock(Item):
 
 @record(kw_only=True)
 class Contact(Item):
-    """`gap >= 0` with an impact law. `row` is the constraint that holds while it is closed.
+    """`gap >= 0` with an impact law. The constraint of its name holds while it is closed.
 
+    `one_way`: `gap` is a rate, linear in the rates, the constraint is of velocity level and the restitution zero.
     `capture_speed` is the rebound speed below which it closes, `zeno_time` the time left of a series of impacts
     below which it does; None: no speed, a millionth of the length that the experiment states, else of the run.
     """
@@ -101,6 +102,7 @@ class Contact(Item):
     restitution: FlatExpression
     capture_speed: FlatExpression | None
     zeno_time: FlatExpression | None
+    one_way: bool = False
 
     @property
     def closed(self) -> str:
@@ -109,6 +111,50 @@ class Contact(Item):
     @property
     def impacts(self) -> str:
         return f"impacts({self.name})"
+
+
+@record(kw_only=True)
+class Friction(Item):
+    """Dry friction along `slips`, one or two scalars of one `dimension` that are linear in the rates.
+
+    It opposes slip with the force `limit`, and holds slip at zero with forces up to `sticking` (None: `limit`), which
+    are those of the constraint of its name. `contact` names the contact under which it acts, None: always.
+    """
+
+    name: str
+    slips: tuple[FlatExpression, ...]
+    dimension: Dimension
+    limit: FlatExpression
+    sticking: FlatExpression | None
+    contact: str | None = None
+
+    @property
+    def rows(self) -> tuple[str, ...]:
+        """Names of the rows of its constraint, one for each slip."""
+        if len(self.slips) == 1:
+            return (self.name,)
+        return tuple(f"{self.name}[{place}]" for place in range(1, len(self.slips) + 1))
+
+    @property
+    def sticks(self) -> str:
+        return f"sticks({self.name})"
+
+    @property
+    def directions(self) -> tuple[str, ...]:
+        """One slip: the sign of the force's opposite, -1, 0 or 1. Two: a speed that gives slip at rest a direction."""
+        if len(self.slips) == 1:
+            return (f"direction({self.name})",)
+        return tuple(f"direction({self.name})[{place}]" for place in range(1, len(self.slips) + 1))
+
+
+@record(kw_only=True)
+class Feedback(Item):
+    """A scalar in a load that depends on the accelerations or multipliers that it causes. The load reads the entry
+    `name`, which has to be as `value` is with them."""
+
+    name: str
+    value: FlatExpression
+    dimension: Dimension
 
 
 @record(kw_only=True)
@@ -197,6 +243,8 @@ class Events:
 
     discretes: tuple[Discrete, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    frictions: tuple[Friction, ...] = ()
+    feedbacks: tuple[Feedback, ...] = ()
     relations: tuple[Relation, ...] = ()
     timed: tuple[Timed, ...] = ()
     corners: tuple[Corner, ...] = ()
@@ -208,7 +256,19 @@ class Events:
     limits: tuple[Limit, ...] = ()
 
 
-Kind: TypeAlias = Literal["variable", "contact", "impacts", "relation", "timed", "condition", "clock", "instant"]
+Kind: TypeAlias = Literal[
+    "variable",
+    "contact",
+    "impacts",
+    "sticks",
+    "direction",
+    "relation",
+    "timed",
+    "condition",
+    "clock",
+    "instant",
+    "load",
+]
 
 
 @record()
@@ -227,10 +287,13 @@ def entries(events: Events) -> tuple[Entry, ...]:
         *(Entry(each.name, "variable", each) for each in events.discretes),
         *(Entry(each.closed, "contact", each) for each in events.contacts),
         *(Entry(each.impacts, "impacts", each) for each in events.contacts),
+        *(Entry(each.sticks, "sticks", each) for each in events.frictions),
+        *(Entry(name, "direction", each) for each in events.frictions for name in each.directions),
         *(Entry(each.name, "relation", each) for each in events.relations),
         *(Entry(each.name, "timed", each) for each in events.timed),
         *(Entry(name, "condition", branch) for branch in branches for name in branch.memories),
         *(Entry(each.name, "condition", each) for each in events.memories),
         *(Entry(each.name, "clock", each) for each in events.clocks),
         *(Entry(name, "instant") for name in events.instants),
+        *(Entry(each.name, "load", each) for each in events.feedbacks),
     )

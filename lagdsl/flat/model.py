@@ -11,6 +11,7 @@ from dataclasses import field
 from typing import Literal, TypeAlias
 
 from lagdsl.flat.events import Events
+from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Item, Quantity, Variability
 from lagdsl.record import record
@@ -279,7 +280,16 @@ class GeneralizedForce(Item):
     origin: FlatExpression | None
 
 
-Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce"
+@record(kw_only=True)
+class RateForce(Item):
+    """Q_j = value * d(rate)/dqd_j; `rate` is any scalar that is linear in the rates, such as the slip of friction."""
+
+    label: str | None
+    value: FlatExpression
+    rate: FlatExpression
+
+
+Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce | RateForce"
 
 
 @record(kw_only=True)
@@ -298,8 +308,9 @@ class Constraint(Item):
 
     `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
-    `contact`: it is there while the contact of that name is closed, and identically satisfied else. `switched`: it
-    depends on discretes in another way, so that it may be there at some times only. `factors` are the powers of two by
+    `contact`: it is there while the contact of that name is closed, and identically satisfied else; `friction`: while
+    the friction of that name sticks. `switched`: it depends on discretes in another way, so that it may be there at
+    some times only. `factors` are the powers of two by
     which the equations multiply the rows; none where all are one.
     """
 
@@ -313,7 +324,13 @@ class Constraint(Item):
     closure: Closure | None = None
     node: bool = False
     contact: bool = False
+    friction: bool = False
     switched: bool = False
+
+    @property
+    def of_law(self) -> bool:
+        """True if the law of a contact or of dry friction says when it is there."""
+        return self.contact or self.friction
 
 
 @record(kw_only=True)
@@ -350,15 +367,6 @@ class Drawing(Item):
     arguments: tuple[tuple[str, FlatExpression | str], ...]
     place: Literal["at", "on", "between"]
     anchors: tuple[FlatExpression | str, ...]
-
-
-@record(kw_only=True)
-class Experiment:
-    start_time: float = 0.0
-    stop_time: float = 10.0
-    tolerance: float = 1e-8
-    interval: float | None = None
-    stop_time_explicit: bool = False
 
 
 @record(kw_only=True)

@@ -14,6 +14,7 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.display import display
 from lagdsl.flat.event_text import event_sections
+from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression_text import flat_expression_text as text_of
 from lagdsl.flat.expression_text import number_text
 from lagdsl.flat.quantity import Item, Quantity
@@ -132,6 +133,8 @@ def _load(load: fm.Load) -> _Line:
         case fm.GeneralizedForce():
             text = f"{load.keyword}{label} {text_of(load.value)} on {text_of(load.target)}"
             text += f" from {text_of(load.origin)}" if load.origin is not None else ""
+        case fm.RateForce():
+            text = f"force{label} {text_of(load.value)} along {text_of(load.rate)}"
         case _:
             assert_never(load)
     return _Line(text, load)
@@ -253,7 +256,7 @@ def _shown(value: fx.FlatExpression | str) -> str:
     return value if isinstance(value, str) else text_of(value)
 
 
-def _experiment(experiment: fm.Experiment) -> _Line:
+def _experiment(experiment: Experiment) -> _Line:
     parts = [f"{number_text(experiment.start_time)} to {number_text(experiment.stop_time)} s"]
     parts.append(f"tolerance {number_text(experiment.tolerance)}")
     parts += [f"interval {number_text(experiment.interval)} s"] if experiment.interval is not None else []

@@ -89,9 +89,9 @@ def _values(variable: Variable) -> str:
 def _statements(flat: FlatModel) -> Iterator[tuple[Inline, ...]]:
     """In the order of the text within each kind; statements that the compiler wrote have none."""
     groups: list[Sequence[Item]] = [getattr(flat, name) for name in _STATEMENTS]
-    groups += [flat.events.contacts, flat.events.whens]
+    groups += [flat.events.contacts, flat.events.frictions, flat.events.whens]
+    seen: set[tuple[str, str]] = set()
     for group in groups:
-        seen: set[tuple[str, str]] = set()
         for item in group:
             if not item.spans or not item.spans[0].text:
                 continue

@@ -11,6 +11,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.events import corner_functions, event_functions, way_functions
+from lagdsl.mechanics.friction import friction_functions, load_functions
 from lagdsl.mechanics.lagrange import energies, lagrange
 from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering.acceleration import as_coordinate, needs_accelerations, refuse_accelerations
@@ -72,6 +73,8 @@ def with_events(equations: Equations, program: Program) -> Program:
     flat, lowering = equations.flat, equations.lowering
     added = (
         *event_functions(lowering, flat),
+        *friction_functions(lowering, flat),
+        *load_functions(lowering, flat),
         *corner_functions(lowering, flat),
         *way_functions(lowering, flat),
         *turn_functions(lowering, flat),

@@ -14,8 +14,9 @@ from typing import assert_never
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
+from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Experiment, FlatModel
+from lagdsl.flat.model import FlatModel
 from lagdsl.flat.ways import differentiated, positions
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
@@ -196,10 +197,13 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     found = impacts(flat)
     factors = [lowering.symbols.rows[each.name][1] for each in flat.events.contacts]  # gaps are as their rows are
     plain = [lowering.scalar(each.gap) for each in found]
-    gaps = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
-    speeds = [lowering.rate.of(gap) for gap in gaps]
-    rows = jacobian(graph, gaps, graph.symbols(Group.Q, len(flat.coordinates)))
+    told = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
     contacts = flat.events.contacts
+    one_way = {place for place, each in enumerate(contacts) if each.one_way}
+    gaps = [graph.zero if place in one_way else gap for place, gap in enumerate(told)]
+    speeds = [rate if place in one_way else lowering.rate.of(rate) for place, rate in enumerate(told)]
+    moved, driven = (jacobian(graph, told, graph.symbols(by, len(flat.coordinates))) for by in (Group.Q, Group.QD))
+    rows = [driven[place] if place in one_way else row for place, row in enumerate(moved)]
     unknown = graph.constant(-1.0)
     capture_speed = [
         unknown if each.capture_speed is None else graph.multiply(by, lowering.scalar(each.capture_speed))
@@ -278,7 +282,7 @@ class Pass:
                 return self._symbols.by_name[entry.name]
             case "condition":
                 return self._memories[entry.name]
-            case "contact" | "impacts" | "relation" | "timed" | "clock" | "instant":
+            case "contact" | "impacts" | "sticks" | "direction" | "relation" | "timed" | "clock" | "instant" | "load":
                 return self._symbols.previous[entry.name]
             case _:
                 assert_never(entry.kind)

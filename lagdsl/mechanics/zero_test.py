@@ -60,9 +60,10 @@ def _random_points(equations: Equations) -> dict[Group, np.ndarray]:
 
 
 def _discretes(flat: FlatModel, random: np.random.Generator) -> np.ndarray:
-    """Discrete variables of any value, truths of both."""
+    """Discrete variables, senses of slips and loads of any value, truths of both."""
+    numbers = ("variable", "direction", "load")
     columns = [
-        random.uniform(-1.0, 1.0, _POINTS) if entry.kind == "variable" else random.integers(0, 2, _POINTS).astype(float)
+        random.uniform(-1.0, 1.0, _POINTS) if entry.kind in numbers else random.integers(0, 2, _POINTS).astype(float)
         for entry in entries(flat.events)
     ]
     return np.stack(columns, axis=-1) if columns else np.zeros((_POINTS, 0))

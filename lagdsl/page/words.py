@@ -17,6 +17,7 @@ WORDS = {
     Status.POSITION_JUMP: "A constraint that an event switches on asks for other positions than there are.",
     Status.WAY_JUMP: "The position of a mass would jump.",
     Status.VALLEY: "A contact whose gap has two sides holds the motion on one of them only.",
+    Status.NO_FORCES: "No forces satisfy the law of friction: it wedges.",
     Status.MOMENTUM_UNREACHABLE: "No rates have the momentum or the energy that an event leaves.",
     Status.BRANCH_POINT: "Branches of the motion meet here; the equations do not tell which one it takes.",
     Status.BAD_CLOCK: "A clock has no positive period.",

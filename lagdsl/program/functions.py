@@ -24,9 +24,10 @@ constraints, for M change - J' lam = 0, J change = -residual: the residuals of t
 Directions `dp` hold one entry per independent parameter.
 
 Models with discretes: an indicator is positive (or, for relations that allow it, zero) where its relation holds. Gaps
-are those of the contacts, then those that clauses let collide. A pass over the clauses gives w after it and, action by
-action, whether it acts: resets with their values, collisions with their restitutions, ends and failures
-(`docs/adr/0030-events.md`). Programs that tell every variable of their model have named values
+are those of the contacts, then those that clauses let collide; contacts that are one way have the gap zero and a rate
+that is no derivative of it, with its derivatives by qd in place of the Jacobian. A pass over the clauses gives w after
+it and, action by action, whether it acts: resets with their values, collisions with their restitutions, ends and
+failures (`docs/adr/0030-events.md`). Programs that tell every variable of their model have named values
 (`mechanics/named.py`).
 
 Programs that tell their terms and how frames move (`mechanics/by_name.py`): ninertial inertial parameters, ten of a
@@ -54,6 +55,8 @@ class Presence(Enum):
     BY_COLUMNS = "Only where M is not written out"
     ELIMINATED = "Only where the equations are solved while they are expressions"
     DISCRETES = "Only in models with discretes"
+    FRICTION = "Only in models with dry friction"
+    FEEDBACK = "Only in models with loads that depend on accelerations or multipliers"
     CORNERS = "Only in models with corners"
     TURNS = "Only in models with outputs that are known up to whole turns"
     WAYS = "Only in models in which ways of masses depend on discretes"
@@ -214,6 +217,22 @@ FUNCTIONS: tuple[Signature, ...] = (
         "its sign: their values near the start, their rates, and which of the outputs they are",
         Presence.TURNS,
     ),
+    _function(
+        "friction",
+        SOLVED,
+        "slip[nslip] jacobian[nslip,nq] limit[nfriction] sticking[nfriction] gain[nfriction,nc] "
+        "sticking_gain[nfriction,nc]",
+        "slips of dry friction and their derivatives by qd, as the rows that hold them are; the forces while it "
+        "slides, the largest ones while it sticks, and how both change with lam",
+        Presence.FRICTION,
+    ),
+    _function(
+        "load",
+        SOLVED,
+        "load[nload] by_acceleration[nload,nq] by_multiplier[nload,nc]",
+        "what the entries of w that stand for loads have to be, and how that changes with qdd and lam",
+        Presence.FEEDBACK,
+    ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
     _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
     _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
@@ -288,7 +307,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 # Lengths that a program tells by its results only.
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
-    *("ntimed", "ndistance", "ncorner", "nway", "nturn"),
+    *("ntimed", "ndistance", "ncorner", "nway", "nturn", "nslip", "nfriction", "nload"),
     *("ninertial", "nplace", "naxes", "ntwist"),
 )
 

@@ -48,17 +48,35 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
     resets = [action for action in actions if isinstance(action, Reset)]
     places = {f"der({c.name})": len(flat.coordinates) + index for index, c in enumerate(flat.coordinates)}
     places |= {state.name: 2 * len(flat.coordinates) + index for index, state in enumerate(flat.states)}
+    contacts = {contact.name: index for index, contact in enumerate(flat.events.contacts)}
+    one_way = tuple(contact.one_way for contact in flat.events.contacts)
     names = tuple(f"der({reset.name})" if reset.rate else reset.name for reset in resets)
     return Instants(
         strict=tuple(relation.strict for relation in flat.events.relations),
         whole_inputs=whole if any(whole) else (),
         contact_rows=tuple(named.index(contact.name) for contact in flat.events.contacts),
+        one_way=one_way if any(one_way) else (),
+        frictions=tuple(each.name for each in flat.events.frictions),
+        friction_rows=_friction_rows(flat, rows),
+        friction_slips=tuple(len(each.slips) for each in flat.events.frictions),
+        friction_contacts=tuple(
+            len(contacts) if each.contact is None else contacts[each.contact] for each in flat.events.frictions
+        ),
         switched_rows=_switched_rows(flat, rows),
         resets=names,
         reset_places=tuple(places[name] for name in names),
         stops=tuple(action.message for action in actions if isinstance(action, Terminate)),
         failures=tuple(action.message for action in actions if isinstance(action, Check)),
     )
+
+
+def _friction_rows(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> tuple[int, ...]:
+    """In the order of the frictions, which need not be that of the constraints."""
+    held: dict[str, list[int]] = {}
+    for index, (_, constraint) in enumerate(rows):
+        if constraint.friction:
+            held.setdefault(constraint.name, []).append(index)
+    return tuple(index for each in flat.events.frictions for index in held[each.name])
 
 
 def _switched_rows(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> tuple[int, ...]:

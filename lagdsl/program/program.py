@@ -28,13 +28,21 @@ class Instants:
     """Events, in the order of the results of `indicator`, `contact` and `event`.
 
     `strict` flags relations that do not hold at zero, `whole_inputs` inputs that are no Reals, empty where all are.
-    `contact_rows` are rows of constraints, `switched_rows` those of position level that discretes switch. `resets` are
-    as results call them, `reset_places` their entries in (q, qd, z); `stops` and `failures` are messages.
+    `contact_rows` are rows of constraints; `one_way` flags contacts of rates, empty where none is. `frictions` are
+    names, `friction_rows` rows of constraints, one or two of each friction as `friction_slips` tells;
+    `friction_contacts` are the contacts under which they act, the number of contacts where there is none.
+    `switched_rows` are rows of position level that discretes switch. `resets` are as results call them, `reset_places`
+    their entries in (q, qd, z); `stops` and `failures` are messages.
     """
 
     strict: tuple[bool, ...] = ()
     whole_inputs: tuple[bool, ...] = ()
     contact_rows: tuple[int, ...] = ()
+    one_way: tuple[bool, ...] = ()
+    frictions: tuple[str, ...] = ()
+    friction_rows: tuple[int, ...] = ()
+    friction_slips: tuple[int, ...] = ()
+    friction_contacts: tuple[int, ...] = ()
     switched_rows: tuple[int, ...] = ()
     resets: tuple[str, ...] = ()
     reset_places: tuple[int, ...] = ()

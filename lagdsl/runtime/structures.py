@@ -26,7 +26,22 @@ def _evaluated(results: int) -> Any:
 VERSION = 7
 
 # lag_event_kind.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
+WHAT = (
+    "before",
+    "tick",
+    "true",
+    "false",
+    "opened",
+    "closed",
+    "impact",
+    "reinit",
+    "terminate",
+    "after",
+    "jump",
+    "slips",
+    "sticks",
+    "reverses",
+)
 
 
 class Status(IntEnum):
@@ -55,6 +70,7 @@ class Status(IntEnum):
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
     VALLEY = 22
+    NO_FORCES = 23
 
 
 class InitialFault(IntEnum):
@@ -123,6 +139,8 @@ class Model(Structure):
         *_all(_evaluated(2), "corner"),
         *_all(_evaluated(1), "way"),
         *_all(_evaluated(4), "turn"),
+        *_all(_evaluated(6), "friction"),
+        *_all(_evaluated(3), "load"),
         *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),
@@ -134,8 +152,9 @@ class Model(Structure):
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
-        *_all(c_size_t, "ncorner nway nturn"),
-        *_all(c_void_p, "kinds strict whole_inputs contact_rows"),
+        *_all(c_size_t, "ncorner nway nturn nslip nfriction nload"),
+        *_all(c_void_p, "kinds strict whole_inputs contact_rows one_way frictions friction_rows"),
+        *_all(c_void_p, "friction_slips friction_contacts"),
         *_all(c_size_t, "nswitched"),
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),
         *_all(c_size_t, "nd"),

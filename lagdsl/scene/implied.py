@@ -190,7 +190,7 @@ def grounds(machine: Machine) -> Iterator[Shape]:
     flat, columns = machine.flat, machine.columns
     origins = (fx.FrameOrigin(body.frame) for body in flat.bodies)
     places = [(place, _movers(machine, place)) for place in (*(mass.position for mass in flat.masses), *origins)]
-    for contact in flat.events.contacts:
+    for contact in (each for each in flat.events.contacts if not each.one_way):
         own = _movers(machine, contact.gap)
         for place, movers in places:
             normal = _normal(flat, contact.gap, place, movers) if own and own <= movers else None
@@ -259,6 +259,8 @@ def loads(machine: Machine) -> Iterator[Shape]:
                 yield Shape(kind="torque", name=load.label or "torque", numbers=numbers, spans=load.spans)
             case fm.GeneralizedForce():
                 pass  # it acts on a coordinate, which is no place
+            case fm.RateForce():
+                pass
 
 
 def frames(machine: Machine) -> Iterator[Shape]:

@@ -45,6 +45,7 @@ from lagdsl.semantics.wellformed.corners import (
     over_which_velocities_jump,
     with_corners,
 )
+from lagdsl.semantics.wellformed.feedback import with_feedback
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.recursion import deep_recursion
@@ -237,6 +238,7 @@ def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
     """Checks that need a model without errors."""
     dependence = Dependence(flat)
+    flat = with_feedback(ctx.product.solved, flat, dependence)
     flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)

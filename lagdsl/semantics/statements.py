@@ -11,7 +11,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.record import mutable_record
 from lagdsl.semantics.events.whens import elaborate_when
-from lagdsl.semantics.items import constraints, contacts, drawings, labels, loads
+from lagdsl.semantics.items import constraints, contacts, drawings, frictions, labels, loads
 from lagdsl.semantics.items.bodies import rigid_body
 from lagdsl.semantics.operators.arithmetic import Operand, boolean
 from lagdsl.semantics.operators.conditions import condition_of, structural_condition, where_active
@@ -56,6 +56,8 @@ def elaborate_item(ctx: Context, physics: Physics, placed: Placed) -> None:
         elaborate_when(ctx, placed)
     elif isinstance(node, nodes.Contact):
         _contact(ctx, placed, node)
+    elif isinstance(node, nodes.Friction):
+        _friction(ctx, placed, node)
     elif condition_of(ctx, scope, _condition(node)) not in (False, None):
         _conditional_item(ctx, physics, placed)
 
@@ -86,7 +88,7 @@ def _conditional_item(ctx: Context, physics: Physics, placed: Placed) -> None:
             drawing = drawings.drawing(ctx, scope, node)
             if drawing is not None:
                 physics.drawings.append(drawing)
-        case nodes.Gravity() | nodes.Constraint() | nodes.Contact():
+        case nodes.Gravity() | nodes.Constraint() | nodes.Contact() | nodes.Friction():
             raise AssertionError(f"{placed.node!r} has no condition")
         case (
             nodes.Import()
@@ -108,8 +110,7 @@ def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:
     if placed.symbol is not None:
         made = ctx.resolver.constraint(ctx, placed.symbol, placed.scope.path)
     else:
-        ctx.product.unlabelled += 1
-        made = constraints.make(ctx, placed.scope, node, f"constraint_{ctx.product.unlabelled}")
+        made = constraints.make(ctx, placed.scope, node, ctx.product.number("constraint"))
     if made is not None:
         ctx.product.constraints.append(made)
 
@@ -117,9 +118,18 @@ def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:
 def _contact(ctx: Context, placed: Placed, node: nodes.Contact) -> None:
     if placed.symbol is not None:
         ctx.resolver.contact(ctx, placed.symbol, placed.scope.path)
+        ctx.resolver.friction(ctx, placed.symbol, placed.scope.path, node.span)
+        return
+    made = contacts.make(ctx, placed.scope, node, ctx.product.number("contact"))
+    if made is not None:
+        frictions.under(ctx, placed.scope, node, made)
+
+
+def _friction(ctx: Context, placed: Placed, node: nodes.Friction) -> None:
+    if placed.symbol is not None:
+        ctx.resolver.friction(ctx, placed.symbol, placed.scope.path, node.span)
     else:
-        ctx.product.unlabelled_contacts += 1
-        contacts.make(ctx, placed.scope, node, f"contact_{ctx.product.unlabelled_contacts}")
+        frictions.make(ctx, placed.scope, node, ctx.product.number("friction"))
 
 
 def _energy(ctx: Context, physics: Physics, placed: Placed, node: nodes.Energy) -> None:

@@ -147,7 +147,7 @@ def report_endless(flat: FlatModel, layout: Layout, run: Run, t: float, found: F
     slopes = np.linalg.norm(values[count:].reshape(count, n) * natural * moved, axis=1)
     for item in located(flat):
         endless = [r for r in item.rows if layout.position_level[r] and abs(values[r]) > _LONG_STEP * slopes[r] > 0.0]
-        if endless and not item.constraint.contact:
+        if endless and not item.constraint.of_law:
             residual = f"{abs(values[endless[0]]):.3g}{unit_suffix(item.constraint)}"
             name = seat(item.constraint) if item.constraint.closure else layout.constraints[endless[0]].name
             notes = (f"configuration reached: {configuration(flat, found.x[:n])}", ENDLESS)

@@ -66,6 +66,8 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
         case Status.MOMENTUM_UNREACHABLE:
             coordinate = flat.coordinates[fault.which]
             return _told(course, "E0840", fault, coordinate, sink, name=coordinate.name)
+        case Status.NO_FORCES:
+            return _report_no_forces(course, fault, sink)
         case Status.NOT_FINITE:
             return _report_not_finite(course, fault, u, sink)
         case Status.STEP_TOO_SMALL:
@@ -194,6 +196,13 @@ def _cancelling_note(course: Course, fault: Fault) -> tuple[str, ...]:
         return ()
     names = [f"`{slot.name}`" for slot, part in zip(coordinates, motions[:, 0], strict=True) if abs(part) > 0.1]
     return (f"the inertias of {', '.join(names)} cancel in a common motion, but for a part of {sizes[0]:.1g}",)
+
+
+def _report_no_forces(course: Course, fault: Fault, sink: Sink) -> str | None:
+    """The frictions that act, which leave no forces."""
+    frictions = course.flat.events.frictions
+    named = ", ".join(f"`{each.name}`" for each in frictions)
+    return _told(course, "E0843", fault, frictions[0] if frictions else None, sink, text=named)
 
 
 def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> tuple[str, Item, str]:

@@ -76,6 +76,8 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
         case "true" | "false" | "jump":
             known = len(flat.events.relations)
             return flat.events.relations[which].name if which < known else flat.events.timed[which - known].name
+        case "slips" | "sticks" | "reverses":
+            return flat.events.frictions[which].name
         case "reinit":
             return layout.instants.resets[which]
         case "terminate":

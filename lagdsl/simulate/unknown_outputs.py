@@ -42,7 +42,7 @@ class UnknownOutputs:
         held = bool(flat.constraints or flat.events.contacts)
         self._solved = np.array([held and reads for reads in _reading(flat)], dtype=np.bool_)
         self.left: list[tuple[int, int]] = []
-        self._changing = bool(flat.events.contacts) or any(each.switched for each in flat.constraints)
+        self._changing = any(each.of_law or each.switched for each in flat.constraints)
 
     def first(self, values: Floats, times: Floats, state: Callable[[int], State]) -> tuple[int, int] | None:
         """Row and column of the first one in `values` (rows, outputs) at `times` (rows,); `state` of a row."""

@@ -86,7 +86,7 @@ def report_impossible(flat: FlatModel, space: Geometry, sink: Sink) -> bool:
         _explain(flat, space, items, columns, _more(others), sink)
     endless = [] if len(wrong) else _endless(space, together, rows)
     for item in position:
-        if not item.constraint.contact and any(row in endless for row in item.rows):
+        if not item.constraint.of_law and any(row in endless for row in item.rows):
             _report_endless(flat, space, item, together, sink)
     return len(wrong) > 0 or len(endless) > 0
 

@@ -37,7 +37,7 @@ def contact_rows(flat: FlatModel) -> frozenset[int]:
 
 
 def comes_and_goes(constraint: Constraint) -> bool:
-    return constraint.contact or constraint.switched
+    return constraint.of_law or constraint.switched
 
 
 def place(constraint: Constraint) -> Span | None:

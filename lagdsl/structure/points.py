@@ -193,11 +193,13 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         sizes,
         plain.components,
     )
-    pattern = found.pattern
+    pattern, factors = found.pattern, found.factors
     for item in located(flat):
+        if item.constraint.friction:  # lengths of slips are compared with one force
+            factors[list(item.rows)] = np.min(factors[list(item.rows)])
         if item.constraint.switched:  # which coordinates it ties is not seen while it is off
             pattern[list(item.rows)] = True
-    return replace(plain, w=open_, row_sizes=found.natural, row_factors=found.factors, pattern=pattern)
+    return replace(plain, w=open_, row_sizes=found.natural, row_factors=factors, pattern=pattern)
 
 
 def _look(space: Geometry, q: Floats) -> Look:
@@ -232,15 +234,15 @@ def _branches(flat: FlatModel, space: Geometry) -> list[Geometry]:
 def _discretes(
     functions: Functions, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, p: Floats
 ) -> tuple[Floats, Floats]:
-    """The discretes of the start, relations as they stand: with contacts open, and with contacts closed, whose rows
-    have their size then."""
+    """The discretes of the start, relations as they stand: with contacts open and slips free, and with contacts closed
+    and slips held, whose rows have their size then."""
     layout = functions.layout
     if not layout.discretes:
         return np.zeros(0), np.zeros(0)
     (started,) = functions.evaluate("discrete_start", t, p)
     still, free = np.zeros(len(q)), np.zeros(len(layout.constraints))
     (open_,) = functions.evaluate("standing", t, q, qd, z, u, started, p, still, free)
-    closed = np.where(np.array(layout.kinds) == "contact", 1.0, open_)
+    closed = np.where(np.isin(layout.kinds, ("contact", "sticks")), 1.0, open_)
     return open_, closed
 
 

@@ -24,6 +24,7 @@ Leaf: TypeAlias = (
     | nodes.Load
     | nodes.Constraint
     | nodes.Contact
+    | nodes.Friction
     | nodes.Invariant
     | nodes.Draw
     | nodes.Connect
@@ -176,6 +177,7 @@ class _StatementWriter(ExpressionWriter):
         | nodes.Load
         | nodes.Constraint
         | nodes.Contact
+        | nodes.Friction
         | nodes.Invariant
         | nodes.Draw,
     ) -> None:
@@ -202,8 +204,8 @@ class _StatementWriter(ExpressionWriter):
             case nodes.Constraint():
                 self._labeled("constraint", node.label, node.left)
                 self.binding(node.right)
-            case nodes.Contact() | nodes.Invariant():
-                self._labeled("contact" if isinstance(node, nodes.Contact) else "invariant", node.label, node.value)
+            case nodes.Contact() | nodes.Friction() | nodes.Invariant():
+                self._labeled(_KEYWORDS[type(node)], node.label, node.value)
                 self._options(node.options)
             case nodes.Draw():
                 self._draw(node)
@@ -270,6 +272,9 @@ class _StatementWriter(ExpressionWriter):
         if text is not None:
             self.place(1)
             self.text(quoted(text))
+
+
+_KEYWORDS: dict[type, str] = {nodes.Contact: "contact", nodes.Friction: "friction", nodes.Invariant: "invariant"}
 
 
 def dotted(name: nodes.Name) -> str:

@@ -8,7 +8,16 @@ from typing import TypeAlias, assert_never
 
 from sympy import Add, Expr, Integer, Rational, Symbol
 
-from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, PointMass, RigidBody
+from lagdsl.flat.model import (
+    FlatModel,
+    FrameTorque,
+    GeneralizedForce,
+    Load,
+    PointForce,
+    PointMass,
+    RateForce,
+    RigidBody,
+)
 from lagdsl.flat.row_factors import row_factors
 from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
@@ -62,7 +71,15 @@ class AppliedGeneralizedForce:
     target: Expr
 
 
-Applied: TypeAlias = AppliedForce | AppliedTorque | AppliedGeneralizedForce
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AppliedRateForce:
+    """`value` on the scalar `rate`, which is linear in the rates."""
+
+    value: Expr
+    rate: Expr
+
+
+Applied: TypeAlias = AppliedForce | AppliedTorque | AppliedGeneralizedForce | AppliedRateForce
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,12 +196,15 @@ def _applied(load: Load, places: Converter, values: Converter) -> list[Applied]:
             if opposite is not None:
                 actions.append(AppliedGeneralizedForce(value=-scalar, target=places.scalar(opposite)))
             return actions
+        case RateForce(value=value, rate=rate):
+            return [AppliedRateForce(value=values.scalar(value), rate=places.scalar(rate))]
         case _:
             assert_never(load)
 
 
 def admissible_variation(action: Applied, converter: Converter, q: Symbol, qd: Symbol) -> Vector | Expr:
-    """dr/dq of the place of a force, domega/dqd of a torque, d(target)/dq of a generalized force."""
+    """dr/dq of the place of a force, domega/dqd of a torque, d(target)/dq of a generalized force,
+    d(rate)/dqd of one on a rate."""
     match action:
         case AppliedForce(position=position, frame=None):
             return geometry.each(lambda x: partial(x, q), position)
@@ -198,6 +218,8 @@ def admissible_variation(action: Applied, converter: Converter, q: Symbol, qd: S
             return geometry.each(lambda x: partial(x, qd), converter.kinematics.angular_velocity(frame))
         case AppliedGeneralizedForce(target=target):
             return partial(target, q)
+        case AppliedRateForce(rate=rate):
+            return partial(rate, qd)
         case _:
             assert_never(action)
 
@@ -208,7 +230,7 @@ def work(action: Applied, variation: Vector | Expr) -> Expr:
         case AppliedForce(force=vector) | AppliedTorque(torque=vector):
             assert isinstance(variation, tuple)
             return geometry.dot(vector, variation)
-        case AppliedGeneralizedForce(value=value):
+        case AppliedGeneralizedForce(value=value) | AppliedRateForce(value=value):
             return value * variation
         case _:
             assert_never(action)

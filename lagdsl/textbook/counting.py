@@ -71,11 +71,11 @@ def count(
     residuals: Sequence[Expr],
     velocities: Sequence[Expr],
 ) -> Count:
-    """`residuals` of the position rows and `velocities` (J qd + b) of all rows but those of contacts, in the symbols of
+    """`residuals` of the position rows and `velocities` (J qd + b) of all rows that always hold, in the symbols of
     the model and in `constants`, each defined by those before it."""
     moving = frozenset().union(*(x.free_symbols for item in parts.inertials for x in (*item.position, *item.spin)))
     placing = sum(1 for q, qd in zip(table.q, table.qd, strict=True) if q in moving or qd in moving)
-    levels = [constraint.level for constraint in flat.constraints if not constraint.contact for _ in constraint.rows]
+    levels = [constraint.level for constraint in flat.constraints if not constraint.of_law for _ in constraint.rows]
     position = [velocity for velocity, level in zip(velocities, levels, strict=True) if level == "position"]
     ranks = _Ranks(flat, table, constants)
     return Count(

@@ -17,12 +17,13 @@ from typing import assert_never
 from sympy import Add, Expr, Symbol, cos, sin
 
 from lagdsl.flat.listing import computed_outputs
-from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.flat.model import Constraint, Definition, FlatModel, Output
 from lagdsl.flat.row_factors import without_row_factors
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     AppliedForce,
     AppliedGeneralizedForce,
+    AppliedRateForce,
     AppliedTorque,
     Contributions,
     HeldRates,
@@ -61,7 +62,7 @@ class CoordinateStep:
 class ConstraintRow:
     """`residual` = 0, on position or velocity level; `forces` are its multiplier's factors in the equations, per
     coordinate; `acceleration` is the row differentiated until accelerations appear. Of a contact the residual is the
-    gap, and all that holds while it is closed."""
+    gap, and all that holds while it is closed; of dry friction it is the slip, and all that holds while it sticks."""
 
     name: str
     level: str
@@ -70,6 +71,12 @@ class ConstraintRow:
     forces: tuple[Expr, ...]
     acceleration: Expr
     contact: bool = False
+    friction: bool = False
+
+    @property
+    def is_lasting(self) -> bool:
+        """False for a row that is there while a contact is closed, or while dry friction sticks."""
+        return not (self.contact or self.friction)
 
     @property
     def restricts(self) -> bool:
@@ -157,7 +164,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         [s.momentum for s in steps],
     )
     constants = _definitions(reading, reading.constants)
-    lasting = [row for row in rows if not row.contact]
+    lasting = [row for row in rows if row.is_lasting]
     position = [row.residual for row in lasting if row.level == "position"]
     velocities = [_velocity(reading, row) for row in lasting]
     free = [
@@ -263,7 +270,8 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
     rows = []
     for (name, constraint), multiplier, raw in zip(named, table.lam, reading.parts.residuals, strict=True):
         level = constraint.level
-        residual = tidy(partial(raw, Symbol(f"closed({name})")) if constraint.contact else raw)
+        present = _presence(constraint)
+        residual = tidy(raw if present is None else partial(raw, present))
         by = table.q if level == "position" else table.qd
         velocity = converter.rate(residual) if level == "position" else residual
         rows.append(
@@ -275,9 +283,17 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
                 forces=tuple(tidy(partial(residual, symbol)) for symbol in by),
                 acceleration=_by_accelerations(reading, converter.rate(velocity)),
                 contact=constraint.contact,
+                friction=constraint.friction,
             )
         )
     return tuple(rows)
+
+
+def _presence(constraint: Constraint) -> Symbol | None:
+    """The symbol that is 1 while the rows are there, 0 else; None where they always are."""
+    if constraint.contact:
+        return Symbol(f"closed({constraint.name})")
+    return Symbol(f"sticks({constraint.name})") if constraint.friction else None
 
 
 def _velocity(reading: Reading, row: ConstraintRow) -> Expr:
@@ -312,6 +328,8 @@ def _printed(parts: Contributions, actions: Sequence[ActionStep], rows: Sequence
                 yield from action.torque
             case AppliedGeneralizedForce():
                 yield from (action.value, action.target)
+            case AppliedRateForce():
+                yield from (action.value, action.rate)
             case _:
                 assert_never(action)
     yield from (row.residual for row in rows)

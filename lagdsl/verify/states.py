@@ -98,7 +98,8 @@ def _widely(values: Floats, least: int, random: np.random.Generator) -> Floats:
 
 
 def random_discretes(flat: FlatModel, program: Program, t: Any, p: Floats, random: np.random.Generator) -> Floats:
-    """(..., nw): contacts open and closed, relations true and false, numbers about their start; for each t and p.
+    """(..., nw): contacts open and closed, slips free and held, relations true and false, numbers about their start;
+    for each t and p.
 
     Entries that follow from the time alone are those of t: others stand for no instant.
     """
@@ -112,7 +113,9 @@ def random_discretes(flat: FlatModel, program: Program, t: Any, p: Floats, rando
             continue
         if kind == "impacts" or whole.get(slot.name):
             w[..., k] += random.integers(0, 4, np.shape(t))
-        elif slot.name in whole:
+        elif kind == "direction":
+            w[..., k] = random.integers(-1, 2, np.shape(t))
+        elif kind == "load" or slot.name in whole:
             w[..., k] = about(w[..., k : k + 1], random)[..., 0]
         else:
             w[..., k] = random.integers(0, 2, np.shape(t))

@@ -9,6 +9,7 @@ import numpy as np
 from derived_programs import derive
 
 from lagdsl.flat import expression as flat
+from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import (
     Assertion,
@@ -16,7 +17,6 @@ from lagdsl.flat.model import (
     Coordinate,
     Definition,
     EnergyTerm,
-    Experiment,
     FlatModel,
     Frame,
     FrameStep,

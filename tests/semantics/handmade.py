@@ -6,6 +6,7 @@ from typing import Any
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
+from lagdsl.flat.experiment import Experiment
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY
 
@@ -127,6 +128,6 @@ def model(**parts: Any) -> fm.FlatModel:
         "doc": None,
         "gravity": None,
         "gravity_span": at_line(8)[0],
-        "experiment": fm.Experiment(),
+        "experiment": Experiment(),
     }
     return fm.FlatModel(**{**empty, **given, **parts})

@@ -15,8 +15,14 @@ def report_inexpressible(flat: FlatModel, sink: Sink) -> None:
     single states only."""
     for contact in flat.events.contacts:
         _report(contact, f"contact `{contact.name}`", "an impact over the whole mechanism", sink)
+    for friction in flat.events.frictions:
+        _report(
+            friction, f"friction `{friction.name}`", "slips of the whole mechanism that begin and end together", sink
+        )
+    for feedback in flat.events.feedbacks:
+        _report(feedback, f"load `{feedback.name}`", "forces that depend on the accelerations that they cause", sink)
     for constraint in flat.constraints:
-        if constraint.switched and not constraint.contact:
+        if constraint.switched and not constraint.of_law:
             _report(constraint, f"constraint `{constraint.name}`", "constraints that come and go", sink)
     for branch in branches(flat):
         for action in branch.actions:

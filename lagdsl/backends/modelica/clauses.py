@@ -96,7 +96,7 @@ def is_truth(entry: Entry, flat: FlatModel) -> bool:
             return any(each.name == entry.name and each.kind == "relation" for each in flat.events.timed)
         case "condition":
             return not isinstance(entry.item, Memory) or entry.item.truth
-        case "contact" | "relation" | "clock" | "instant":
+        case "contact" | "sticks" | "relation" | "clock" | "instant":
             return True
-        case "impacts":
+        case "impacts" | "direction" | "load":
             return False

@@ -23,7 +23,10 @@ from lagdsl.program.program import Layout, Program, Slot
 VERSION: Final = 9
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
-_KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
+_KINDS: Final = (
+    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
+    *("initial", "terminal", "load"),
+)
 
 # Functions by number, as lag_function counts them.
 FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if function.single)
@@ -43,6 +46,9 @@ SIZES: Final = (
         "ncorner",
         "nway",
         "nturn",
+        "nslip",
+        "nfriction",
+        "nload",
         "nswitched",
     ),
     *("ninertial", "nplace", "naxes", "ntwist"),
@@ -181,8 +187,12 @@ def _tables(program: Program) -> list[bytes]:
         bytes(kinds),
         bytes(instants.strict),
         bytes(instants.whole_inputs),
+        bytes(instants.one_way),
         _words(program.kept_rows),
         _words(instants.contact_rows),
+        _words(instants.friction_rows),
+        _words(instants.friction_slips),
+        _words(instants.friction_contacts),
         _words(instants.switched_rows),
         _words(instants.reset_places),
         *map(_words, jacobian_pattern(program)),
@@ -192,9 +202,10 @@ def _tables(program: Program) -> list[bytes]:
 
 def kind_number(layout: Layout, index: int) -> int:
     """The lag_kind of an entry of w."""
-    if layout.kinds[index] == "instant":
-        return len(_KINDS) + (layout.discretes[index].name != INITIAL)
-    return _KINDS.index(layout.kinds[index])
+    kind = layout.kinds[index]
+    if kind == "instant":
+        return _KINDS.index("initial" if layout.discretes[index].name == INITIAL else "terminal")
+    return _KINDS.index(kind)
 
 
 def _start(start: Start | None) -> list[bytes]:
@@ -220,7 +231,7 @@ def _slots(layout: Layout) -> list[Slot]:
 
 def _messages(layout: Layout) -> Sequence[str]:
     instants = layout.instants
-    return [*layout.assertions, *instants.resets, *instants.stops, *instants.failures]
+    return [*layout.assertions, *instants.frictions, *instants.resets, *instants.stops, *instants.failures]
 
 
 class _Texts:

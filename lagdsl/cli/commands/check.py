@@ -87,7 +87,10 @@ def _first(names: list[str]) -> list[str]:
 
 def _events(events: Events) -> str:
     """`2 contacts (ground, wall); 1 clock (sample(0, 5 ms)); 2 when clauses`; empty without any."""
-    named = (("contact", events.contacts), ("discrete variable", events.discretes), ("clock", events.clocks))
+    named = (
+        *(("contact", events.contacts), ("dry friction", events.frictions)),
+        *(("discrete variable", events.discretes), ("clock", events.clocks)),
+    )
     parts = [f"{_counted(len(items), noun)} {_listed([item.name for item in items])}" for noun, items in named if items]
     numbers = ((len(events.whens), "when clause"), (len(events.relations), "located relation"))
     return "; ".join([*parts, *(_counted(number, noun) for number, noun in numbers if number)])

@@ -64,9 +64,9 @@ ROWS: dict[str, Row] = {
         help="write `contact name: gap >= 0 with restitution = 0.5;`",
     ),
     "E0382": error(
-        "a gap depends on positions only",
+        "a contact is a gap that depends on positions only, or a rate that is linear in the rates of coordinates",
         label="depends on more, or on nothing that moves",
-        help="name a distance made of coordinates, points and frames",
+        help="name a distance made of coordinates, points and frames; for one way, a difference of rates",
     ),
     "E0383": error(
         "a contact has either a restitution or a compliance",
@@ -88,5 +88,16 @@ ROWS: dict[str, Row] = {
         "`{name}` has no value {where}",
         label="given here only",
         help="give values to the same quantities in every branch of the `if`, including the `else`",
+    ),
+    "E0387": error(
+        "a slip is a scalar that is linear in the rates of coordinates, or two of these in braces",
+        label="{found}",
+        help="name the rate along which friction acts: `der(s)`, `der(a) - der(b)`, `{{der(x), der(y)}}`",
+    ),
+    "E0388": error("{what} lacks {lacks}", label="incomplete"),
+    "E0389": error(
+        "a contact of rates has no options",
+        label="`{name}` is an option of gaps",
+        help="write `contact name: rate >= 0;`: rates do not bounce",
     ),
 }

@@ -112,7 +112,7 @@ _WORDS = {
     "from": "write `import Package.*;`",
     "spring": "a spring is an energy: `potential 1/2*k*s^2;` of its extension; or a component: `lag explain Spring`",
     "damper": "a damper is a dissipation: `dissipation 1/2*d*der(s)^2;`; or a component: `lag explain Damper`",
-    **dict.fromkeys(("friction", "damping"), "viscous friction is a dissipation: `dissipation 1/2*d*der(s)^2;`"),
+    "damping": "viscous friction is a dissipation: `dissipation 1/2*d*der(s)^2;`",
     **dict.fromkeys(("moment", "couple"), "write `torque`: `torque value on angle;`"),
     "load": "write `force` or `torque`: `force vector at point;`",
     "energy": "write `kinetic` or `potential`: `kinetic T = 1/2*m*v^2;`",

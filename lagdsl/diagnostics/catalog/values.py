@@ -96,7 +96,7 @@ ROWS: dict[str, Row] = {
     "E0324": error(
         "{what} cannot depend on reactions, multipliers, momenta or energies of the solved motion",
         label="known only after the equations are solved",
-        help="use them in outputs, invariants and assertions",
+        help="use them in loads, limits of friction, outputs, invariants and assertions",
     ),
     "E0325": error("gravity is given twice", label="a second time here", help="keep one `gravity` statement"),
     "E0326": error("{what} is too large", label="at most {most}", help="use a smaller size"),

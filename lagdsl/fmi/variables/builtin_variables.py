@@ -25,9 +25,10 @@ def multipliers(flat: FlatModel) -> Iterator[Scalar]:
     rows = [(row, constraint) for constraint in flat.constraints for row in constraint.rows]
     for index, (row, constraint) in enumerate(rows):
         work = ENERGY if constraint.level == "position" else POWER
-        attributes = Attributes(
-            role=Role.MULTIPLIER, unit=unit_text(work / constraint.dimension), doc=f"multiplier of {constraint.name}"
-        )
+        doc = f"multiplier of {constraint.name}"
+        if constraint.friction:
+            doc = f"force of {constraint.name} while it sticks, zero while it slides"
+        attributes = Attributes(role=Role.MULTIPLIER, unit=unit_text(work / constraint.dimension), doc=doc)
         yield Scalar(
             name=belonging(row, "multiplier"), first=index, attributes=attributes, initial="calculated", key=attributes
         )

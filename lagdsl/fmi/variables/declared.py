@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from lagdsl.flat import quantity as fq
-from lagdsl.flat.events import Contact, Discrete, entries
+from lagdsl.flat.events import Contact, Discrete, Friction, entries
 from lagdsl.flat.listing import discrete_outputs
 from lagdsl.flat.model import Definition, FlatModel, Output
 from lagdsl.fmi.variables.attributes import attributes_of, bounds
@@ -137,6 +137,16 @@ def contacts(flat: FlatModel) -> Iterator[Scalar]:
                 initial="calculated",
                 key=attributes,
             )
+
+
+def frictions(flat: FlatModel) -> Iterator[Scalar]:
+    """A variable of each dry friction: whether it holds its slip at zero."""
+    doc = "whether the friction sticks"
+    attributes = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc=doc)
+    for index, entry in enumerate(entries(flat.events)):
+        if isinstance(entry.item, Friction) and entry.kind == "sticks":
+            name = belonging(entry.item.name, "sticks")
+            yield Scalar(name=name, first=index, attributes=attributes, initial="calculated", key=attributes)
 
 
 def _computed(

@@ -101,7 +101,7 @@ class _Search:
                 assert_never(group)
 
     def found(self) -> Dependencies:
-        moving = self._unknowns()
+        moving = {entry: self._of_loads(influence) for entry, influence in self._unknowns().items()}
         starts = self._starts()
         initial = {entry: self._from_starts(influence, starts) for entry, influence in moving.items()}
         initial |= {entry: self._from_starts(self._own(entry), starts) for entry in starts}
@@ -109,6 +109,16 @@ class _Search:
             moving={entry: self._row(influence) for entry, influence in moving.items()},
             initial={entry: self._row(influence) for entry, influence in initial.items()},
         )
+
+    def _of_loads(self, influence: Influence) -> Influence:
+        """With everything in the place of loads that depend on the accelerations that they cause."""
+        kinds = self._program.layout.kinds
+        loads = self._bits_of((Role.DISCRETE, index) for index, kind in enumerate(kinds) if kind == "load")
+        if not influence[0] & loads:
+            return influence
+        known = (Role.STATE, Role.INPUT, Role.PARAMETER, Role.TIME, Role.DISCRETE)
+        every = self._bits_of(entry for entry in self._entries if entry[0] in known) & ~loads
+        return raised((influence[0] & ~loads | every, 0, 0, 0), Kind.DEPENDENT)
 
     def _own(self, entry: Entry) -> Influence:
         return (self._bit[entry], 0, 0, 0)

@@ -122,6 +122,7 @@ def _scalars(
     added = list(
         chain(
             declared.contacts(flat),
+            declared.frictions(flat),
             builtin_variables.multipliers(flat),
             builtin_variables.indicators(flat, program, taken) if version == 3 else (),
             builtin_variables.balance(flat, taken),

@@ -1,6 +1,7 @@
-"""Generalized forces of all loads by virtual work: Q_j = sum F.dr/dq_j + M.domega/dqd_j + value*ds/dq_j.
+"""Generalized forces of all loads by virtual work and power: Q_j = sum F.dr/dq_j + M.domega/dqd_j + value*ds/dq_j +
+value*dg/dqd_j.
 
-One reverse sweep over positions and one over angular velocities, whatever the number of loads and coordinates; forces
+One reverse sweep over positions and one over rates, whatever the number of loads and coordinates; forces
 enter as weights and are not differentiated. Points with prescribed motion contribute nothing.
 """
 
@@ -10,7 +11,7 @@ from dataclasses import field
 from typing import assert_never
 
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce
+from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, RateForce
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.kinematics import vectors
@@ -23,17 +24,21 @@ from lagdsl.record import mutable_record
 
 @mutable_record()
 class VirtualWork:
-    """Weights of virtual displacements: of positions and targets, and of turnings (by their angular velocities)."""
+    """Weights of virtual displacements: of positions and targets; and of virtual velocities: of angular velocities and
+    of scalars of the rates."""
 
     graph: Graph
     displacements: dict[int, int] = field(default_factory=dict)
-    turnings: dict[int, int] = field(default_factory=dict)
+    velocities: dict[int, int] = field(default_factory=dict)
 
     def displace(self, positions: tuple[int, ...], forces: tuple[int, ...]) -> None:
         _accumulate(self.graph, self.displacements, positions, forces)
 
     def turn(self, velocity: Vector, moment: Vector) -> None:
-        _accumulate(self.graph, self.turnings, velocity, moment)
+        _accumulate(self.graph, self.velocities, velocity, moment)
+
+    def drive(self, rate: int, force: int) -> None:
+        _accumulate(self.graph, self.velocities, (rate,), (force,))
 
 
 def _accumulate(graph: Graph, weights: dict[int, int], nodes: tuple[int, ...], added: tuple[int, ...]) -> None:
@@ -54,9 +59,9 @@ def generalized_forces(work: VirtualWork, directions: Directions) -> list[int]:
     """Q for each of `directions` [J per unit of the coordinate]."""
     graph = work.graph
     moved = adjoints(graph, work.displacements, (directions.position_group,))
-    turned = adjoints(graph, work.turnings, (directions.rate_group,))
+    driven = adjoints(graph, work.velocities, (directions.rate_group,))
     return [
-        graph.add(moved.get(position, graph.zero), turned.get(rate, graph.zero))
+        graph.add(moved.get(position, graph.zero), driven.get(rate, graph.zero))
         for position, rate in zip(directions.positions, directions.rates, strict=True)
     ]
 
@@ -83,6 +88,10 @@ def add_load(lowering: Lowering, load: Load, work: VirtualWork) -> tuple[int, ..
             work.displace((lowering.scalar(load.target),), (value,))
             if load.origin is not None:
                 work.displace((lowering.scalar(load.origin),), (graph.negate(value),))
+            return (value,)
+        case RateForce():
+            value = lowering.scalar(load.value)
+            work.drive(lowering.scalar(load.rate), value)
             return (value,)
     assert_never(load)
 

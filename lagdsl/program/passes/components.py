@@ -9,7 +9,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.program.program import Program
 
 # Entries of w that belong to time alone, or to the whole model, couple nothing.
-_COUPLING = frozenset({"variable", "contact", "impacts", "relation", "condition"})
+_COUPLING = frozenset({"variable", "contact", "impacts", "sticks", "direction", "relation", "condition", "load"})
 
 
 def with_components(program: Program) -> Program:
@@ -31,8 +31,12 @@ def components(program: Program) -> tuple[int, ...]:
     coordinates, states = range(nq), range(nq, nq + nz)
     multipliers = range(found.first[Group.LAMBDA], found.first[Group.LAMBDA] + len(layout.constraints))
     discretes = range(found.first[Group.W], found.first[Group.W] + len(layout.discretes))
-    relations = [place for place, kind in zip(discretes, layout.kinds, strict=False) if kind == "relation"]
-    contacts = [place for place, kind in zip(discretes, layout.kinds, strict=False) if kind == "contact"]
+    relations, contacts, frictions, loads = (
+        [place for place, kind in zip(discretes, layout.kinds, strict=False) if kind == wanted]
+        for wanted in ("relation", "contact", "sticks", "load")
+    )
+    counts = layout.instants.friction_slips
+    slips = [place for place, count in zip(frictions, counts, strict=True) for _ in range(count)]
     resets = [place % nq if place < 2 * nq else place - nq for place in layout.instants.reset_places]
     ties: list[tuple[str, int, Sequence[int]]] = [
         ("residual", 0, coordinates),
@@ -42,6 +46,11 @@ def components(program: Program) -> tuple[int, ...]:
         ("initial_equation", 0, ()),
         ("indicator", 0, relations),
         ("contact", 0, contacts),
+        ("contact", 1, contacts),
+        ("friction", 0, slips),
+        ("friction", 2, frictions),
+        ("friction", 3, frictions),
+        ("load", 0, loads),
         ("event", 0, discretes),
         ("event", 1, resets),
         ("event", 2, resets),

@@ -10,7 +10,17 @@ from lagdsl.graph.operation import Group
 from lagdsl.program.program import Program
 
 # Functions that would miss the jump of a value whose derivative they read.
-_READING = ("power", "energies", "momenta", "velocity_constraint", "state_derivative", "indicator", "contact")
+_READING = (
+    "power",
+    "energies",
+    "momenta",
+    "velocity_constraint",
+    "state_derivative",
+    "indicator",
+    "contact",
+    "friction",
+    "load",
+)
 
 
 def speeds(flat: FlatModel, program: Program) -> tuple[bool, ...]:

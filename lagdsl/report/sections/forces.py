@@ -26,7 +26,13 @@ from lagdsl.report.names import owned_statement
 from lagdsl.report.page import Page, added, partial, vector_lines
 from lagdsl.report.sections.places import Place, places_of
 from lagdsl.report.unicode_math import line
-from lagdsl.textbook.contributions import Applied, AppliedForce, AppliedGeneralizedForce, AppliedTorque
+from lagdsl.textbook.contributions import (
+    Applied,
+    AppliedForce,
+    AppliedGeneralizedForce,
+    AppliedRateForce,
+    AppliedTorque,
+)
 from lagdsl.textbook.steps.actions import ActionStep, Contribution
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
@@ -99,6 +105,8 @@ def _place(page: Page, step: ActionStep, place: Place, below: list[Equation]) ->
             return (Text(f"frame {frame}, which turns with "), Math(place.name))
         case AppliedGeneralizedForce(target=target):
             return _named(place, page.typeset(target), below)
+        case AppliedRateForce(rate=rate):
+            return (Text("speed "), *_named(place, page.typeset(rate), below))
 
 
 def _named(place: Place, value: Box, below: list[Equation]) -> Inline:
@@ -114,7 +122,7 @@ def _amount(page: Page, step: ActionStep) -> Box:
     match step.action:
         case AppliedForce(force=vector) | AppliedTorque(torque=vector):
             return page.vector(vector)
-        case AppliedGeneralizedForce(value=value):
+        case AppliedGeneralizedForce(value=value) | AppliedRateForce(value=value):
             return page.typeset(value)
 
 
@@ -136,7 +144,8 @@ def _variations(page: Page) -> list[Block]:
 
 
 def _variation_name(page: Page, step: ActionStep, place: Place, q: Symbol) -> Box:
-    return partial(place.name, page.rate(q) if isinstance(step.action, AppliedTorque) else page.notation.of(q))
+    by_rate = isinstance(step.action, AppliedTorque | AppliedRateForce)
+    return partial(place.name, page.rate(q) if by_rate else page.notation.of(q))
 
 
 def _variation_unit(units: Units, action: Applied, j: int) -> str | None:
@@ -146,7 +155,7 @@ def _variation_unit(units: Units, action: Applied, j: int) -> str | None:
             return units.per_coordinate(LENGTH, j)
         case AppliedTorque():
             return units.per_coordinate(DIMENSIONLESS, j)
-        case AppliedGeneralizedForce():
+        case AppliedGeneralizedForce() | AppliedRateForce():
             return None
         case _:
             assert_never(action)
@@ -190,6 +199,6 @@ def _load_name(page: Page, step: ActionStep, number: int) -> Box:
 def _work_of(page: Page, step: ActionStep, number: int, variation: Box) -> Box:
     """F . dr/dq, a plain product where the load is a scalar."""
     name = _load_name(page, step, number)
-    if isinstance(step.action, AppliedGeneralizedForce):
+    if isinstance(step.action, AppliedGeneralizedForce | AppliedRateForce):
         return Row((name, variation))
     return Row((name, Operator("·"), variation))

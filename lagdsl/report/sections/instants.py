@@ -1,9 +1,9 @@
-"""Section of the report on events: contacts with the law of impact, clocks, located relations, clauses."""
+"""Sections of the report on events: contacts and their impacts, dry friction, clocks, located relations, clauses."""
 
 from __future__ import annotations
 
 from lagdsl.flat.event_text import action_text
-from lagdsl.flat.events import Branch, Clock, Contact, When
+from lagdsl.flat.events import Branch, Clock, Contact, Friction, When
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import FlatModel
 from lagdsl.report.boxes import Box, Bracket, Dotted, Number, Operator, Power, Row, Subscript, Sum, Upright, row
@@ -31,6 +31,12 @@ _MOST = 12
 _OPEN = (
     "A contact is a gap that cannot become negative. While it is open its multiplier is 0 and its row is not there; "
     "closed, the row holds like a constraint, and it opens where its multiplier would become negative."
+)
+_FRICTION = (
+    "Dry friction sticks or slides. While it sticks the slip is zero, its row holds like a constraint, and the "
+    "multiplier is the force, at most as large as the limit at rest. While it slides the multiplier is 0, and the "
+    "force is as large as the limit and opposes the slip. In the equations `sticks` is 1 or 0, and `direction` is the "
+    "sense of the slip."
 )
 _LAW = (
     "Where a gap closes, the rates jump and the impulses p push only; the constraints, with impulses P, hold before "
@@ -66,6 +72,27 @@ def _contact(page: Page, found: ConstraintRow, contact: Contact) -> tuple[Inline
     restitution = text(flat_expression_text(contact.restitution))
     gap = page.typeset(found.residual)
     return (Code(found.name),), (Math(gap),), restitution, (Math(page.notation.of(found.multiplier)),)
+
+
+def frictions(page: Page) -> list[Block]:
+    """Slips with their limits and the multipliers of their rows."""
+    rows = [each for each in page.derivation.constraints if each.friction]
+    if not rows:
+        return []
+    known = {name: each for each in page.flat.events.frictions for name in each.rows}
+    table = tuple(_friction(page, each, known[each.name]) for each in rows)
+    return [
+        Heading("Dry friction"),
+        Paragraph(text(_FRICTION)),
+        Table(("friction", "slip", "limit", "limit at rest", "multiplier"), table),
+    ]
+
+
+def _friction(page: Page, found: ConstraintRow, friction: Friction) -> tuple[Inline, ...]:
+    limit = flat_expression_text(friction.limit)
+    at_rest = limit if friction.sticking is None else flat_expression_text(friction.sticking)
+    slip, force = page.typeset(found.residual), page.notation.of(found.multiplier)
+    return (Code(found.name),), (Math(slip),), text(limit), text(at_rest), (Math(force),)
 
 
 def _impacts(page: Page) -> list[Block]:

@@ -13,7 +13,7 @@ from lagdsl.report.boxes import Box, Number, Subscript
 from lagdsl.report.names import indexed
 from lagdsl.report.notation import name_box
 from lagdsl.report.page import Page
-from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce, AppliedTorque
+from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce, AppliedRateForce, AppliedTorque
 from lagdsl.textbook.steps.actions import ActionStep
 
 
@@ -43,6 +43,8 @@ def places_of(page: Page) -> list[Place]:
                 letter, what = "ω", (frame,)
             case AppliedGeneralizedForce(target=target):
                 letter, what = "x", (target,)
+            case AppliedRateForce(rate=rate):
+                letter, what = "v", (rate,)
         if step.carrier is not None:
             found.append(Place(letters[letter][step.carrier], True))
             continue

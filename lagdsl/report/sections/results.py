@@ -102,7 +102,7 @@ def _matrix_form(page: Page) -> list[Block]:
 
 
 def constraints(page: Page) -> list[Block]:
-    rows = tuple(row for row in page.derivation.constraints if not row.contact)
+    rows = tuple(row for row in page.derivation.constraints if row.is_lasting)
     if not rows:
         return []
     idle = [row.name for row in rows if not row.restricts]

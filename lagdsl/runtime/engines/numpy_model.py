@@ -89,10 +89,14 @@ class Callbacks:
             "kinds": (np.uint8, [kind_number(layout, index) for index in range(len(layout.kinds))]),
             "strict": (np.uint8, instants.strict),
             "contact_rows": (np.uintp, instants.contact_rows),
+            "friction_rows": (np.uintp, instants.friction_rows),
+            "friction_slips": (np.uintp, instants.friction_slips),
+            "friction_contacts": (np.uintp, instants.friction_contacts),
             "switched_rows": (np.uintp, instants.switched_rows),
             "reset_places": (np.uintp, instants.reset_places),
             "kept_rows": (np.uintp, kept_rows),
             **({"whole_inputs": (np.uint8, instants.whole_inputs)} if instants.whole_inputs else {}),
+            **({"one_way": (np.uint8, instants.one_way)} if instants.one_way else {}),
             **({"components": (np.uintp, layout.components)} if layout.components else {}),
         }
         for name, (kind, values) in numbers.items():

@@ -14,7 +14,18 @@ from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
 
 SECTIONS = ("equation", "initial equation")
-_VARYING = ("parameter", "coordinate", "state", "input", "discrete", "algebraic", "output", "contact", "constraint")
+_VARYING = (
+    "parameter",
+    "coordinate",
+    "state",
+    "input",
+    "discrete",
+    "algebraic",
+    "output",
+    "contact",
+    "friction",
+    "constraint",
+)
 _NAMES = (nodes.Reference, nodes.Member, nodes.Index)
 
 

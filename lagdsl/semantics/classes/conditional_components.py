@@ -14,6 +14,7 @@ _ITEMS: dict[type, str] = {
     nodes.Invariant: "an invariant",
     nodes.CallEquation: "an assertion",
     nodes.Contact: "a contact",
+    nodes.Friction: "friction",
     nodes.When: "a `when`",
 }
 

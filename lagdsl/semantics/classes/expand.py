@@ -31,12 +31,15 @@ from lagdsl.semantics.types.declarations import enter, type_text
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
-Labelled = nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.RigidBody | nodes.Invariant
+Labelled = (
+    nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.Friction | nodes.RigidBody | nodes.Invariant
+)
 _LABEL_KINDS: dict[type, SymbolKind] = {
     nodes.Energy: "energy",
     nodes.Load: "load",
     nodes.Constraint: "constraint",
     nodes.Contact: "contact",
+    nodes.Friction: "friction",
     nodes.RigidBody: "body",
     nodes.Invariant: "invariant",
 }
@@ -92,6 +95,7 @@ class Expander:
                 | nodes.Load()
                 | nodes.Constraint()
                 | nodes.Contact()
+                | nodes.Friction()
                 | nodes.RigidBody()
                 | nodes.Invariant()
             ):
@@ -308,6 +312,8 @@ def _keyword(item: Labelled) -> str:
             return "constraint"
         case nodes.Contact():
             return "contact"
+        case nodes.Friction():
+            return "friction"
         case nodes.RigidBody():
             return "body"
         case nodes.Invariant():

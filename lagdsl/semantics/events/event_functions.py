@@ -1,4 +1,5 @@
-"""Functions of events: `pre`, `edge`, `change`, `sample`, `initial`, `terminal`, `closed`, `impacts`."""
+"""Functions of events: `pre`, `edge`, `change`, `sample`, `initial`, `terminal`, `closed`, `impacts`,
+`sticks`."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from lagdsl.flat.events import INITIAL, TERMINAL
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.operators.arguments import labelled, named_element, positional
 from lagdsl.semantics.operators.event_limits import require
+from lagdsl.semantics.operators.frictions import friction_named
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of
 from lagdsl.semantics.scope.occurrences import Mode
@@ -134,6 +136,15 @@ def of_contact(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     return Scalar(flat.Variable(contact.impacts), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Integer")
 
 
+def sticks(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`sticks(f)`: whether friction holds; of the friction under the contact `sticks(c)`."""
+    arguments = positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    friction = friction_named(ctx, scope, arguments[0])
+    return _truth(friction.sticks) if friction is not None else POISON
+
+
 def action(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """`reinit`, `terminate`, `impact` as a value: they are equations of a `when`."""
     ctx.sink.report("E0377", node.span, name=node.function.span.text)
@@ -149,6 +160,7 @@ OF_EVENTS: dict[str, Callable[[Context, Scope, nodes.Call], Value]] = {
     "terminal": instant,
     "closed": of_contact,
     "impacts": of_contact,
+    "sticks": sticks,
     "reinit": action,
     "terminate": action,
     "impact": action,

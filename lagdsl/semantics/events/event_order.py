@@ -41,7 +41,7 @@ def with_switches(flat: FlatModel, dependence: Dependence) -> FlatModel:
         return flat
     constraints = tuple(
         replace(each, switched=True)
-        if not each.contact and not discretes.isdisjoint(dependence.of_all(each.residuals))
+        if not each.of_law and not discretes.isdisjoint(dependence.of_all(each.residuals))
         else each
         for each in flat.constraints
     )
@@ -130,5 +130,7 @@ def _check_gaps(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
     actions = (action for branch in branches(flat) for action in branch.actions)
     gaps: list[Contact | Impact] = [*flat.events.contacts, *(each for each in actions if isinstance(each, Impact))]
     for item in gaps:
+        if isinstance(item, Contact) and item.one_way:
+            continue  # a rate is looked at where rates are
         if coordinates.isdisjoint(dependence.of(item.gap)):
             sink.report("E0382", item.spans[0])

@@ -11,6 +11,7 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.operators.arguments import labelled, named, named_element, positional
 from lagdsl.semantics.operators.arrays import select, subscript_indices
 from lagdsl.semantics.operators.conditions import condition_of
+from lagdsl.semantics.operators.frictions import friction_named, names_friction
 from lagdsl.semantics.operators.geometry import (
     ANGULAR_MOMENTUM,
     MOMENTUM,
@@ -173,16 +174,18 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 
 def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row; an array for a vector constraint, of
-    which `multiplier(c[2])` is one."""
+    """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row and for friction; an array for a vector
+    constraint, of which `multiplier(c[2])` is one, and for friction in a plane."""
     arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
     label, rows = _rows_apart(ctx, scope, arguments[0])
-    found = labelled(ctx, scope, label, "constraint", "contact")
-    if found is None:
-        return POISON
-    value = _multiplier_of(ctx, *found)
+    if names_friction(ctx, scope, label):
+        friction = friction_named(ctx, scope, label)
+        value: Value = friction.multiplier if friction is not None else POISON
+    else:
+        found = labelled(ctx, scope, label, "constraint", "contact", "friction")
+        value = _multiplier_of(ctx, *found) if found is not None else POISON
     if not rows or isinstance(value, Poison):
         return value
     if not isinstance(value, Array):
@@ -200,8 +203,10 @@ def _rows_apart(
     """`c[i, k]` as the label `c[i]` of a loop and the rows `k` of its vector."""
     if not isinstance(node, nodes.Index):
         return node, ()
+    if isinstance(node.target, nodes.Member) and names_friction(ctx, scope, node.target):
+        return node.target, node.subscripts  # `c.friction[1]`
     symbol = designated(ctx, scope, node.target)
-    if not isinstance(symbol, Symbol) or symbol.kind != "constraint":
+    if not isinstance(symbol, Symbol) or symbol.kind not in ("constraint", "friction"):
         return node, ()
     rank = len(ctx.resolver.shape(ctx, symbol) or ())
     if len(node.subscripts) <= rank:

@@ -1,4 +1,5 @@
-"""Contacts: `contact name: gap >= 0 with restitution = e`, or with a stiffness and a damping in its place.
+"""Contacts: `contact name: gap >= 0 with restitution = e`, or with a stiffness and a damping in its place; one-way
+contacts `contact name: rate >= 0`.
 
 The compliant one is the force of Hunt and Crossley, *Coefficient of restitution interpreted as damping in vibroimpact*,
 J. Appl. Mech. 42 (1975): k d^n (1 + c d') at the penetration d, never pulling.
@@ -6,33 +7,31 @@ J. Appl. Mech. 42 (1975): k d^n (1 + c d') at the penetration d, never pulling.
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 
-from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import events
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.items.frictions import UNDER_CONTACT
+from lagdsl.semantics.items.options import option_value, options_of
 from lagdsl.semantics.operators.angles import check_beside
 from lagdsl.semantics.operators.arithmetic import Operand, added
 from lagdsl.semantics.operators.conditions import structural_condition
-from lagdsl.semantics.operators.event_limits import require
 from lagdsl.semantics.operators.geometry import operand, time_derivative
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, name_span
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import ContactValue, Order, Poison, Scalar, rank
-from lagdsl.semantics.types.bindings import Expected, conform
+from lagdsl.semantics.scope.values import ContactValue, Order, Poison, Scalar
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
-from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, TIME
+from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, POWER, TIME
 
 _RIGID = ("restitution", "v_stick", "t_eps")
 _COMPLIANT = ("compliance", "damping", "exponent")
-OPTIONS = (*_RIGID, *_COMPLIANT)
+OPTIONS = (*_RIGID, *_COMPLIANT, *UNDER_CONTACT)
 
 
 def make(ctx: Context, scope: Scope, node: nodes.Contact, name: str) -> ContactValue | None:
@@ -40,9 +39,11 @@ def make(ctx: Context, scope: Scope, node: nodes.Contact, name: str) -> ContactV
     if not structural_condition(ctx, scope, node.condition, "a contact"):
         return None
     gap = _gap(ctx, scope, node)
-    options = _options(ctx, node)
+    options = _options(ctx, node, one_way=gap is not None and gap.order == Order.RATE)
     if gap is None or options is None:
         return None
+    if gap.order == Order.RATE:
+        return _one_way(ctx, scope, node, name, gap)
     if "compliance" in options:
         return _compliant(ctx, scope, node, name, gap, options)
     return _rigid(ctx, scope, node, name, gap, options)
@@ -70,61 +71,41 @@ def _gap(ctx: Context, scope: Scope, node: nodes.Contact) -> Scalar | None:
     gap = added(ctx, scope, "-", left, right, relation)
     if not isinstance(gap, Scalar):
         return None
-    if gap.order != Order.CONFIGURATION:
+    if gap.order not in (Order.CONFIGURATION, Order.RATE):
         ctx.sink.report("E0382", node.value.span)
         return None
     return gap
 
 
-def _options(ctx: Context, node: nodes.Contact) -> dict[str, nodes.Named] | None:
-    """The options by name, of one of the two laws."""
-    found: dict[str, nodes.Named] = {}
-    known = OPTIONS
-    for option in node.options:
-        if option.name not in known:
-            hint = did_you_mean(option.name, known)
-            listed = ", ".join(known)
-            ctx.sink.report("E0202", name_span(option), name=option.name, type="contact", attributes=listed, help=hint)
+def _options(ctx: Context, node: nodes.Contact, *, one_way: bool) -> dict[str, nodes.Named] | None:
+    """The options by name: those of one of the two laws with those of friction, none for a contact of a rate."""
+    found = options_of(ctx, node, "contact", OPTIONS)
+    if found is None:
+        return None
+    if one_way:
+        for option in found.values():
+            ctx.sink.report("E0389", name_span(option), name=option.name)
             return None
-        if option.name in found:
-            ctx.sink.report("E0212", name_span(option), name=option.name)
-            return None
-        found[option.name] = option
+        return found
     law = _COMPLIANT if "compliance" in found else _RIGID
-    odd = next((option for name, option in found.items() if name not in law), None)
+    odd = next((option for name, option in found.items() if name not in (*law, *UNDER_CONTACT)), None)
     if odd is not None or law[0] not in found:
         span = name_span(odd) if odd is not None else node.span
         ctx.sink.report("E0383", span)
         return None
-    return found
+    return found if _complete(ctx, found) else None
 
 
-def _option(
-    ctx: Context,
-    scope: Scope,
-    option: nodes.Named | None,
-    what: str,
-    dimension: Dimension,
-    latest: Variability,
-    *,
-    most: float = math.inf,
-    strict: bool = False,
-) -> FlatExpression | None:
-    """The value of an option, of the dimension, that varies no more than `latest`; it is not negative."""
-    if option is None:
-        return None
-    value = ctx.elaborate(ctx, scope, option.value, True)
-    found = conform(ctx, scope, option.value, value, Expected(what, dimension, (), code="E0415"))
-    if not isinstance(found, Scalar):
-        return None
-    if rank(found.variability) > rank(latest):
-        allowed = "parameters and constants" if latest == Variability.PARAMETER else "what is known at an event"
-        ctx.sink.report("E0317", option.value.span, what=what, allowed=allowed)
-        return None
-    known = rank(found.variability) <= rank(Variability.PARAMETER)
-    if known and not require(ctx, scope, option.value, what, found, most=most, strict=strict):
-        return None
-    return found.expression
+def _complete(ctx: Context, options: dict[str, nodes.Named]) -> bool:
+    """True if friction has a coefficient and a slip; False after E0388."""
+    first = next((option for name, option in options.items() if name in UNDER_CONTACT), None)
+    lacking = next((name for name in ("friction", "slip") if name not in options), None)
+    if first is None or lacking is None:
+        return True
+    lacks = "a slip" if lacking == "slip" else "a coefficient"
+    hint = "write `slip = der(s)`, the rate" if lacking == "slip" else "write `friction = mu`"
+    ctx.sink.report("E0388", name_span(first), what="friction under a contact", lacks=lacks, help=hint)
+    return False
 
 
 # ---- rigid -----------------------------------------------------------------------------------------------------------
@@ -135,11 +116,11 @@ def _rigid(
 ) -> ContactValue | None:
     dimension = gap.dimension or DIMENSIONLESS
     known = Variability.PARAMETER
-    restitution = _option(ctx, scope, options["restitution"], "the restitution", DIMENSIONLESS, known, most=1.0)
-    capture_speed = _option(
+    restitution = option_value(ctx, scope, options["restitution"], "the restitution", DIMENSIONLESS, known, most=1.0)
+    capture_speed = option_value(
         ctx, scope, options.get("v_stick"), "`v_stick`", dimension / ctx.conventions.dimension(TIME), known
     )
-    zeno_time = _option(ctx, scope, options.get("t_eps"), "`t_eps`", ctx.conventions.dimension(TIME), known)
+    zeno_time = option_value(ctx, scope, options.get("t_eps"), "`t_eps`", ctx.conventions.dimension(TIME), known)
     if (
         restitution is None
         or (capture_speed is None) != ("v_stick" not in options)
@@ -152,25 +133,45 @@ def _rigid(
         name=name,
         gap=gap.expression,
         dimension=dimension,
-        restitution=restitution,
-        capture_speed=capture_speed,
-        zeno_time=zeno_time,
+        restitution=restitution.expression,
+        capture_speed=capture_speed.expression if capture_speed is not None else None,
+        zeno_time=zeno_time.expression if zeno_time is not None else None,
     )
+    return _present(ctx, contact, _force(ctx, dimension))
+
+
+def _one_way(ctx: Context, scope: Scope, node: nodes.Contact, name: str, rate: Scalar) -> ContactValue:
+    """A freewheel or a ratchet: the rate is never negative. It does not bounce."""
+    contact = events.Contact(
+        spans=(node.span, *scope.spans),
+        name=name,
+        gap=rate.expression,
+        dimension=rate.dimension or DIMENSIONLESS,
+        restitution=flat.ZERO,
+        capture_speed=None,
+        zeno_time=None,
+        one_way=True,
+    )
+    return _present(ctx, contact, ctx.conventions.dimension(POWER) / contact.dimension)
+
+
+def _present(ctx: Context, contact: events.Contact, force: Dimension) -> ContactValue:
+    """Adds the contact and the row that holds while it is closed."""
     ctx.product.occurrences.contacts.append(contact)
-    residual = flat.Binary("*", flat.Variable(contact.closed), gap.expression)
+    residual = flat.Binary("*", flat.Variable(contact.closed), contact.gap)
     ctx.product.constraints.append(
         flat_model.Constraint(
-            spans=spans,
-            name=name,
-            rows=(name,),
+            spans=contact.spans,
+            name=contact.name,
+            rows=(contact.name,),
             residuals=(residual,),
-            dimension=dimension,
-            level="position",
+            dimension=contact.dimension,
+            level="velocity" if contact.one_way else "position",
             contact=True,
         )
     )
-    force = Scalar(flat.Multiplier(name), _force(ctx, dimension), Variability.CONTINUOUS, Order.SOLUTION)
-    return ContactValue(name, contact.closed, contact.impacts, force)
+    multiplier = Scalar(flat.Multiplier(contact.name), force, Variability.CONTINUOUS, Order.SOLUTION)
+    return ContactValue(contact.name, contact.closed, contact.impacts, multiplier)
 
 
 def _force(ctx: Context, gap: Dimension) -> Dimension:
@@ -189,11 +190,11 @@ def _compliant(
         return None
     continuous = Variability.CONTINUOUS
     stiffness_dimension = _force(ctx, dimension) / dimension ** Fraction(power).limit_denominator(12)
-    stiffness = _option(
+    stiffness = option_value(
         ctx, scope, options["compliance"], "the stiffness", stiffness_dimension, continuous, strict=True
     )
     slow = ctx.conventions.dimension(TIME) / dimension
-    damping = _option(ctx, scope, options.get("damping"), "the damping", slow, continuous)
+    damping = option_value(ctx, scope, options.get("damping"), "the damping", slow, continuous)
     if stiffness is None or (damping is None) != ("damping" not in options):
         return None
     spans = (node.span, *scope.spans)
@@ -202,11 +203,11 @@ def _compliant(
     force: FlatExpression = depth
     if power != 1.0:  # where the event is located the penetration may be a negative round-off, which has no such power
         force = flat.Binary("^", flat.Function("max", (depth, flat.ZERO)), flat.Number(power))
-    force = flat.Binary("*", stiffness, force)
+    force = flat.Binary("*", stiffness.expression, force)
     if damping is not None:
         speed = time_derivative(ctx, gap)
         assert isinstance(speed, Scalar)
-        loss = flat.Binary("-", flat.ONE, flat.Binary("*", damping, speed.expression))
+        loss = flat.Binary("-", flat.ONE, flat.Binary("*", damping.expression, speed.expression))
         force = flat.Binary("*", force, flat.Function("max", (loss, flat.ZERO)))
     force = flat.Conditional(touching, force, flat.ZERO)
     load = flat_model.GeneralizedForce(

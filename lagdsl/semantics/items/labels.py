@@ -35,15 +35,20 @@ def value(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
     else:
         assert isinstance(node, nodes.Load)
         found = load_value(ctx, instance.scope, node)
-    if isinstance(found, Scalar) and found.order <= Order.RATE:
-        return _definition(ctx, instance, node, found)
-    return found or POISON
+    if not isinstance(found, Scalar):
+        return found or POISON
+    definition = _definition(instance, node, found)
+    if found.order >= Order.ACCELERATION:
+        ctx.product.observed.append(definition)
+        return found
+    ctx.product.named.append(definition)
+    return Scalar(flat.Variable(instance.name), found.dimension or DIMENSIONLESS, definition.variability, found.order)
 
 
-def _definition(ctx: Context, instance: LabelInstance, node: nodes.Energy | nodes.Load, found: Scalar) -> Scalar:
+def _definition(instance: LabelInstance, node: nodes.Energy | nodes.Load, found: Scalar) -> flat_model.Definition:
     dimension = found.dimension or DIMENSIONLESS
     variability = max(found.variability, Variability.PARAMETER, key=rank)
-    definition = flat_model.Definition(
+    return flat_model.Definition(
         spans=(node.span, *instance.scope.spans),
         name=instance.name,
         dimension=dimension,
@@ -53,8 +58,6 @@ def _definition(ctx: Context, instance: LabelInstance, node: nodes.Energy | node
         value=found.expression,
         variability=variability,
     )
-    ctx.product.named.append(definition)
-    return Scalar(flat.Variable(instance.name), dimension, variability, found.order)
 
 
 # ---- energies --------------------------------------------------------------------------------------------------------
@@ -96,10 +99,6 @@ def load_value(ctx: Context, scope: Scope, node: nodes.Load) -> Scalar | Vector 
     """The checked value of a force or torque: a vector at a point or on a frame, a scalar on a scalar."""
     found = operand(ctx, ctx.elaborate(ctx, scope, node.value, False), node.value.span)
     if isinstance(found, Poison):
-        return None
-    if isinstance(found, Scalar | Vector | Array) and found.order >= Order.ACCELERATION:
-        code = "E0308" if found.order == Order.ACCELERATION else "E0324"
-        ctx.sink.report(code, node.value.span, what=f"this {node.keyword}")
         return None
     if node.at is None and isinstance(found, Scalar) and found.kind != "Boolean":
         return where_active(ctx, scope, node.condition, found)

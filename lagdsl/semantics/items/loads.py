@@ -13,7 +13,7 @@ from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, quantity
 from lagdsl.semantics.scope.scope import Scope, Symbol
-from lagdsl.semantics.scope.values import AnyDimension, FrameValue, Poison, Scalar, Value, Vector
+from lagdsl.semantics.scope.values import AnyDimension, FrameValue, Order, Poison, Scalar, Value, Vector
 from lagdsl.semantics.types.dimensions import bare_number, fits, hidden_variables, quotient, report_unequal
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -23,8 +23,15 @@ from lagdsl.units.naming import describe, unit_text
 
 def load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.Load | None:
     """The load; None after a diagnostic, or for one of a component whose value is the zero of an input left unbound."""
-    made = _load(ctx, scope, node, symbol)
-    return None if made is not None and scope.spans and _is_nothing(_expression(made)) else made
+    found = _load(ctx, scope, node, symbol)
+    if found is None:
+        return None
+    made, value = found
+    if scope.spans and _is_nothing(_expression(made)):
+        return None
+    if value.order >= Order.ACCELERATION:
+        ctx.product.solved.append((made, value.dimension or DIMENSIONLESS))
+    return made
 
 
 def _expression(made: flat_model.Load) -> flat.FlatExpression:
@@ -33,7 +40,7 @@ def _expression(made: flat_model.Load) -> flat.FlatExpression:
             return made.force
         case flat_model.FrameTorque():
             return made.torque
-        case flat_model.GeneralizedForce():
+        case flat_model.GeneralizedForce() | flat_model.RateForce():
             return made.value
 
 
@@ -60,7 +67,11 @@ def _is_nothing(value: flat.FlatExpression) -> bool:
             assert_never(value.operator)
 
 
-def _load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.Load | None:
+_Made = tuple[flat_model.Load, Scalar | Vector]
+"""A load and its value."""
+
+
+def _load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> _Made | None:
     if node.at is not None:
         if node.keyword == "torque":
             ctx.sink.report("E0416", node.at.span)
@@ -92,7 +103,7 @@ def _value(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) 
     return value if isinstance(value, Scalar | Vector) else None
 
 
-def _point_force(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.PointForce | None:
+def _point_force(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> _Made | None:
     assert node.at is not None
     value = _value(ctx, scope, node, symbol)
     point = as_point(ctx, scope, node.at, ctx.elaborate(ctx, scope, node.at, False))
@@ -108,7 +119,7 @@ def _point_force(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | 
     )
     if not isinstance(value, Vector) or point is None or missing:
         return None
-    return flat_model.PointForce(
+    made = flat_model.PointForce(
         spans=(node.span, *scope.spans),
         label=_label(scope, symbol),
         force=value.expression,
@@ -117,15 +128,14 @@ def _point_force(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | 
         origin=origin.expression if origin is not None else None,
         origin_frame=origin_frame.name if origin_frame is not None else None,
     )
+    return made, value
 
 
 def _optional_frame(ctx: Context, scope: Scope, node: nodes.Expression | None) -> FrameValue | None:
     return as_frame(ctx, node, ctx.elaborate(ctx, scope, node, False)) if node is not None else None
 
 
-def _torque(
-    ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None, target: FrameValue
-) -> flat_model.FrameTorque | None:
+def _torque(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None, target: FrameValue) -> _Made | None:
     assert node.on is not None
     if node.keyword == "force":
         ctx.sink.report("E0417", node.on.span, frame=node.on.span.text)
@@ -142,21 +152,20 @@ def _torque(
         hint = f"give it an axis: `{node.value.span.text}*{node.on.span.text}.z`"
         ctx.sink.report("E0312", node.value.span, expected="a moment vector", found=kind_of(value), help=hint)
         return None
-    return flat_model.FrameTorque(
+    made = flat_model.FrameTorque(
         spans=(node.span, *scope.spans),
         label=_label(scope, symbol),
         torque=value.expression,
         frame=frame.name,
         origin=origin.name if origin is not None else None,
     )
+    return made, value
 
 
 # ---- generalized forces ----------------------------------------------------------------------------------------------
 
 
-def _generalized(
-    ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None, target: Scalar
-) -> flat_model.GeneralizedForce | None:
+def _generalized(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None, target: Scalar) -> _Made | None:
     """Q_j = F ds/dq_j: the value times the target is an energy."""
     assert node.on is not None
     value = _value(ctx, scope, node, symbol)
@@ -170,7 +179,7 @@ def _generalized(
     if not _noun_fits(ctx, scope, node, value, target):
         return None
     keyword: Literal["force", "torque"] = "torque" if node.keyword == "torque" else "force"
-    return flat_model.GeneralizedForce(
+    made = flat_model.GeneralizedForce(
         spans=(node.span, *scope.spans),
         label=_label(scope, symbol),
         keyword=keyword,
@@ -178,6 +187,7 @@ def _generalized(
         target=target.expression,
         origin=origin,
     )
+    return made, value
 
 
 def _origin(ctx: Context, scope: Scope, node: nodes.Load, target: Scalar) -> flat.FlatExpression | None:

@@ -65,7 +65,7 @@ def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[S
 
 
 def labelled(
-    ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Literal["constraint", "body", "contact"]
+    ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Literal["constraint", "body", "contact", "friction"]
 ) -> tuple[Symbol, Indices] | None:
     """The label of something of one of `kinds` in an argument; a label in a loop may stand without indices for all."""
     target = node.target if isinstance(node, nodes.Index) else node

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import math
 
+from lagdsl.flat import expression as flat
 from lagdsl.flat.events import Limit
 from lagdsl.flat.limits import found_wrong
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import Scalar, is_structural
+from lagdsl.semantics.scope.values import Scalar, is_structural, latest, rank
 from lagdsl.syntax import nodes
 
 
@@ -34,5 +36,32 @@ def require(
         if wrong is not None:
             ctx.sink.report("E0334", node.span, what=what, expected=wrong, found=node.span.text)
             return False
+    ctx.product.occurrences.limits.append(limit)
+    return True
+
+
+def require_least(
+    ctx: Context,
+    scope: Scope,
+    node: nodes.Expression,
+    what: str,
+    value: Scalar,
+    least: Scalar,
+    *,
+    than: str = "`limit`",
+) -> bool:
+    """True if value >= least, as far as it is known; False after E0334."""
+    if rank(latest(value, least)) > rank(Variability.PARAMETER):
+        return True
+    if is_structural(value) and is_structural(least):
+        try:
+            fits = evaluate(value.expression) >= evaluate(least.expression)
+        except NoValue:
+            fits = True
+        if not fits:
+            ctx.sink.report("E0334", node.span, what=what, expected=f"at least {than}", found=node.span.text)
+        return fits
+    difference = flat.Binary("-", value.expression, least.expression)
+    limit = Limit(spans=(node.span, *scope.spans), what=f"{what} minus {than}", value=difference)
     ctx.product.occurrences.limits.append(limit)
     return True

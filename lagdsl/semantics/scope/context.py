@@ -13,7 +13,7 @@ from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.product import Product
 from lagdsl.semantics.scope.scope import Indices, Instance, Scope, Symbol
-from lagdsl.semantics.scope.values import AnyDimension, ContactValue, Value
+from lagdsl.semantics.scope.values import AnyDimension, ContactValue, FrictionValue, Value
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -34,6 +34,8 @@ class Resolver(Protocol):
     def constraint(self, ctx: Context, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
 
     def contact(self, ctx: Context, symbol: Symbol, indices: Indices) -> ContactValue | None: ...
+
+    def friction(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None: ...
 
 
 class Places(Protocol):

@@ -7,8 +7,22 @@ from dataclasses import field
 from enum import Enum
 from itertools import count
 
-from lagdsl.flat.events import INITIAL, TERMINAL, Clock, Contact, Discrete, Events, Limit, Memory, Relation, Timed, When
-from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.events import (
+    INITIAL,
+    TERMINAL,
+    Clock,
+    Contact,
+    Discrete,
+    Events,
+    Feedback,
+    Friction,
+    Limit,
+    Memory,
+    Relation,
+    Timed,
+    When,
+)
+from lagdsl.flat.expression import FlatExpression, Variable
 from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record
 from lagdsl.units import Dimension
@@ -31,6 +45,8 @@ class Occurrences:
 
     discretes: list[Discrete] = field(default_factory=list)
     contacts: list[Contact] = field(default_factory=list)
+    frictions: list[Friction] = field(default_factory=list)
+    feedbacks: dict[str, Feedback] = field(default_factory=dict)
     relations: dict[str, Relation] = field(default_factory=dict)
     timed: dict[str, tuple[FlatExpression, Timed]] = field(default_factory=dict)
     whens: list[When] = field(default_factory=list)
@@ -81,6 +97,14 @@ class Occurrences:
                 return name
         raise AssertionError("there is always one more name")
 
+    def feedback(self, text: str, spans: Spans, value: FlatExpression, dimension: Dimension) -> Variable:
+        """The entry in place of a value in a load that depends on the motion that it causes."""
+        for name in _names(text):
+            if name not in self.feedbacks:
+                self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
+                return Variable(name)
+        raise AssertionError("there is always one more name")
+
     def condition(self, text: str) -> str:
         """A name for what a condition of a clause was before."""
         self.conditions += 1
@@ -101,6 +125,8 @@ class Occurrences:
         return Events(
             discretes=tuple(self.discretes),
             contacts=tuple(self.contacts),
+            frictions=tuple(self.frictions),
+            feedbacks=tuple(self.feedbacks.values()),
             relations=tuple(self.relations.values()),
             timed=tuple(timed for _, timed in self.timed.values()),
             whens=tuple(self.whens),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import field
 
 from lagdsl.flat import model as flat_model
@@ -10,6 +11,7 @@ from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.occurrences import Occurrences
 from lagdsl.semantics.scope.values import Order
+from lagdsl.units import Dimension
 
 
 @record()
@@ -29,21 +31,26 @@ class Met:
 class Product:
     """`named` is sorted by its order of completion: what a definition uses was complete before it.
 
-    `forces` are those of compliant contacts. `corners` are the expressions that have one along the
-    motion. `names` are taken; `unlabelled` and `unlabelled_contacts` count the constraints and contacts that get a
-    number for a name.
+    `forces` are those of compliant contacts and of friction. `solved` are the loads that depend on the motion that
+    they cause, each with the dimension of its value. `corners` are the expressions that have one along the motion.
+    `names` are taken; `unlabelled` counts the constraints, contacts and frictions that get a number for a name.
     """
 
     parameters: list[flat_model.Parameter] = field(default_factory=list)
     named: list[flat_model.Named] = field(default_factory=list)
     observed: list[flat_model.Definition] = field(default_factory=list)
     constraints: list[flat_model.Constraint] = field(default_factory=list)
-    forces: list[flat_model.GeneralizedForce] = field(default_factory=list)
+    forces: list[flat_model.GeneralizedForce | flat_model.RateForce] = field(default_factory=list)
+    solved: list[tuple[flat_model.Load, Dimension]] = field(default_factory=list)
     occurrences: Occurrences = field(default_factory=Occurrences)
     corners: list[Met] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
-    unlabelled: int = 0
-    unlabelled_contacts: int = 0
+    unlabelled: Counter[str] = field(default_factory=Counter)
+
+    def number(self, what: str) -> str:
+        """The name of the next `what` without a label: `contact_2`."""
+        self.unlabelled[what] += 1
+        return f"{what}_{self.unlabelled[what]}"
 
     def unique(self, name: str) -> str:
         """A name for something the user did not name."""

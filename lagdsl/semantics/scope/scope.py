@@ -36,13 +36,14 @@ SymbolKind: TypeAlias = Literal[
     "load",
     "constraint",
     "contact",
+    "friction",
     "body",
     "invariant",
     "unknown",
 ]
 Indices: TypeAlias = "tuple[int, ...]"
 
-LABELS = ("energy", "load", "constraint", "contact", "body", "invariant")
+LABELS = ("energy", "load", "constraint", "contact", "friction", "body", "invariant")
 
 
 @record()
@@ -83,11 +84,16 @@ def bindings_of(kind: SymbolKind, value: Binding, *, array: bool) -> dict[Indice
     return {() if kind in ("point", "frame") and not array else None: value}
 
 
+Labelled: TypeAlias = (
+    "nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.Friction | nodes.RigidBody | nodes.Invariant"
+)
+
+
 @mutable_record()
 class LabelInstance:
     """One labelled item; inside loops there is one for each set of indices."""
 
-    node: nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.RigidBody | nodes.Invariant
+    node: Labelled
     scope: Scope
     name: str
 

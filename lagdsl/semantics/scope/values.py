@@ -120,6 +120,15 @@ class ContactValue:
     multiplier: Scalar
 
 
+@record()
+class FrictionValue:
+    """Quantities of dry friction: the name of `sticks(f)`, its force, an array where it acts in a plane."""
+
+    name: str
+    sticks: str
+    multiplier: Scalar | Array
+
+
 class Declared(Protocol):
     """Entry of a component or an array of components in a scope."""
 

@@ -15,9 +15,27 @@ from lagdsl.semantics.wellformed.effect import load_expressions
 
 
 def check_linear(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
-    """Velocity constraints are linear in the rates; what cancels is not seen."""
+    """E0604 for velocity constraints, E0382 for contacts of rates and E0387 for slips that are not linear in the rates,
+    or have none; what cancels is not seen."""
     degree = RateDegree(dependence)
+    coordinates = {coordinate.name for coordinate in flat.coordinates}
+
+    def wrong(rate: FlatExpression) -> str | None:
+        if degree.of(rate) > 1:
+            return "not linear in the rates"
+        still = coordinates.isdisjoint(dependence.of(rate).differentiated())
+        return "no rate of a coordinate" if still else None
+
+    for contact in flat.events.contacts:
+        if contact.one_way and wrong(contact.gap) is not None:
+            sink.report("E0382", place(contact), *around(contact))
+    for friction in flat.events.frictions:
+        faults = [found for found in map(wrong, friction.slips) if found is not None]
+        if faults:
+            sink.report("E0387", place(friction), *around(friction), found=faults[0])
     for constraint in flat.constraints:
+        if constraint.of_law:
+            continue
         if constraint.level == "velocity" and any(degree.of(row) > 1 for row in constraint.residuals):
             sink.report("E0604", constraint.spans[0], *around(constraint), name=constraint.name)
 
@@ -65,6 +83,11 @@ def _values(flat: FlatModel) -> Iterator[tuple[FlatExpression, Item, str]]:
     for load in flat.loads:
         for value in load_expressions(load):
             yield value, load, "occurs in a load"
+    for feedback in flat.events.feedbacks:
+        yield feedback.value, feedback, "occurs in a load"
+    for friction in flat.events.frictions:
+        for value in (friction.limit, *(() if friction.sticking is None else (friction.sticking,))):
+            yield value, friction, "occurs in a limit of friction"
     for state in flat.states:
         yield state.derivative, state, f"drives `{state.name}`"
     for output in flat.outputs:

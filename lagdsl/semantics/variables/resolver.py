@@ -17,7 +17,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.items import constraints, contacts, labels
+from lagdsl.semantics.items import constraints, contacts, frictions, labels
 from lagdsl.semantics.operators.geometry import as_point
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
@@ -25,12 +25,13 @@ from lagdsl.semantics.scope.instance_diagnostics import report_missing
 from lagdsl.semantics.scope.limits import shape_fits
 from lagdsl.semantics.scope.naming import element_name, kind_of
 from lagdsl.semantics.scope.occurrences import Mode
-from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, Symbol
+from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, LabelInstance, Symbol
 from lagdsl.semantics.scope.values import (
     POISON,
     Array,
     ContactValue,
     FrameValue,
+    FrictionValue,
     Order,
     Poison,
     Scalar,
@@ -59,6 +60,7 @@ class Definitions:
     def __init__(self) -> None:
         self._constraints: dict[tuple[Symbol, Indices], flat_model.Constraint | None] = {}
         self._contacts: dict[tuple[Symbol, Indices], ContactValue | None] = {}
+        self._frictions: dict[tuple[Symbol, Indices], FrictionValue | None] = {}
 
     # ---- shapes ------------------------------------------------------------------------------------------------------
 
@@ -122,7 +124,7 @@ class Definitions:
 
     def whole(self, ctx: Context, symbol: Symbol, span: Span) -> Value:
         """The value of the plain name."""
-        if symbol.kind in ("constraint", "contact", "body"):
+        if symbol.kind in ("constraint", "contact", "friction", "body"):
             hint = _BODY if symbol.kind == "body" else f"its force is `multiplier({span.text})`"
             ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
             return POISON
@@ -251,7 +253,7 @@ class Definitions:
                 symbol.made.cells[indices] = self._frame(ctx, symbol, indices)
             case "energy" | "load" | "invariant":
                 symbol.made.cells[indices] = labels.value(ctx, symbol, indices)
-            case "state" | "discrete" | "coordinate" | "constraint" | "contact" | "body" | "unknown":
+            case "state" | "discrete" | "coordinate" | "constraint" | "contact" | "friction" | "body" | "unknown":
                 symbol.made.cells[indices] = POISON
             case _:
                 assert_never(symbol.kind)
@@ -384,6 +386,26 @@ class Definitions:
                 with ctx.current.standing(Mode.ALWAYS):
                     self._contacts[key] = contacts.make(ctx, instance.scope, instance.node, instance.name)
         return self._contacts[key]
+
+    def friction(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None:
+        """Value of the label of a friction, or of the friction under the contact of that label; None if there is none,
+        or after a diagnostic."""
+        key = (symbol, indices)
+        if key in self._frictions:
+            return self._frictions[key]
+        with self._entered(ctx, symbol, indices, span) as free:
+            instance = symbol.made.labels.get(indices)
+            if free and instance is not None:
+                with ctx.current.standing(Mode.ALWAYS):
+                    self._frictions[key] = self._friction(ctx, symbol, indices, instance)
+        return self._frictions.setdefault(key, None)
+
+    def _friction(self, ctx: Context, symbol: Symbol, indices: Indices, label: LabelInstance) -> FrictionValue | None:
+        if isinstance(label.node, nodes.Contact):
+            contact = self.contact(ctx, symbol, indices)
+            return frictions.under(ctx, label.scope, label.node, contact) if contact is not None else None
+        assert isinstance(label.node, nodes.Friction)
+        return frictions.make(ctx, label.scope, label.node, label.name)
 
 
 def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Scalar:

@@ -27,7 +27,7 @@ def check_constraints(flat: fm.FlatModel, sink: Sink) -> None:
     changing = coordinates | {"time"} | {item.name for item in (*flat.states, *flat.inputs, *events.discretes)}
     changing |= {each.name for each in events.relations} | {each.name for each in events.timed}
     for constraint in flat.constraints:
-        if constraint.contact or constraint.closure is not None:
+        if constraint.of_law or constraint.closure is not None:
             continue
         for row, residual in zip(constraint.rows, constraint.residuals, strict=True):
             if not _tied(flat, residual, coordinates):

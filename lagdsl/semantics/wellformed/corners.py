@@ -65,11 +65,14 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
             case fm.GeneralizedForce():
                 yield from (load.value, load.target)
                 yield from () if load.origin is None else (load.origin,)
+            case fm.RateForce():
+                yield from (load.value, load.rate)
             case _:
                 assert_never(load)
     for constraint in flat.constraints:
         yield from constraint.residuals
     yield from (contact.gap for contact in flat.events.contacts)
+    yield from (feedback.value for feedback in flat.events.feedbacks)
     yield from (state.derivative for state in flat.states)
 
 
@@ -79,11 +82,12 @@ def over_which_velocities_jump(corners: Sequence[Met], flat: fm.FlatModel) -> fr
     corners = [each for each in corners if each.located]
     if not corners:
         return frozenset()
-    bending = {id(x) for x in reached(flat, [*ways(flat), *(c.gap for c in flat.events.contacts)])}
+    gaps = [contact.gap for contact in flat.events.contacts if not contact.one_way]
+    bending = {id(x) for x in reached(flat, [*ways(flat), *gaps])}
     bending |= {id(each.expression) for row in _held(flat) for each in corners if _bends_row(flat, row, each)}
     energies = [term.value for term in flat.energies if term.kind != "dissipation"]
     rows = [x for each in flat.constraints for x in each.residuals]
-    deciding = [*ways(flat), *(c.gap for c in flat.events.contacts), *energies, *rows]
+    deciding = [*ways(flat), *gaps, *energies, *rows]
     names = {x.name for x in reached(flat, deciding) if isinstance(x, fx.Variable)}
     deciding += [each.difference for each in flat.events.relations if each.name in names]
     jumping = {id(x) for x in reached(flat, deciding)}

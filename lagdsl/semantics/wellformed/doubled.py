@@ -164,6 +164,8 @@ def _loads(flat: fm.FlatModel, dependence: Dependence) -> Iterable[_Term]:
     """Terms of the loads that do not depend on rates, states and inputs, as weights do not."""
     given = {item.name for item in (*flat.states, *flat.inputs)}
     for load in flat.loads:
+        if isinstance(load, fm.RateForce):
+            continue
         value = load.value if isinstance(load, fm.GeneralizedForce) else None
         if isinstance(load, fm.PointForce):
             value = load.force

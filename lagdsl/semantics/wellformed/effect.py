@@ -38,6 +38,8 @@ def physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
     for load in flat.loads:
         yield dependence.of_all(load_expressions(load))
         yield from (dependence.of_frame(frame) for frame in load_frames(load))
+    for feedback in flat.events.feedbacks:
+        yield dependence.of(feedback.value)
 
 
 def load_expressions(load: fm.Load) -> list[fx.FlatExpression]:
@@ -49,6 +51,8 @@ def load_expressions(load: fm.Load) -> list[fx.FlatExpression]:
             return [load.torque]
         case fm.GeneralizedForce():
             return [load.value, load.target] + ([load.origin] if load.origin is not None else [])
+        case fm.RateForce():
+            return [load.value, load.rate]
 
 
 def load_frames(load: fm.Load) -> list[str]:
@@ -58,7 +62,7 @@ def load_frames(load: fm.Load) -> list[str]:
             return [frame for frame in (load.frame, load.origin_frame) if frame is not None]
         case fm.FrameTorque():
             return [frame for frame in (load.frame, load.origin) if frame is not None]
-        case fm.GeneralizedForce():
+        case fm.GeneralizedForce() | fm.RateForce():
             return []
 
 
@@ -121,6 +125,8 @@ def load_keyword(load: fm.Load) -> str:
             return "torque"
         case fm.GeneralizedForce():
             return load.keyword
+        case fm.RateForce():
+            return "friction"
 
 
 def displaced(load: fm.Load, dependence: Dependence) -> Orders:
@@ -140,6 +146,8 @@ def displaced(load: fm.Load, dependence: Dependence) -> Orders:
         case fm.GeneralizedForce():
             scalars = [load.target] + ([load.origin] if load.origin is not None else [])
             return dependence.of_all(scalars)
+        case fm.RateForce():
+            return dependence.of(load.rate)
 
 
 def _check_place(
@@ -152,6 +160,11 @@ def _check_place(
 ) -> None:
     orders = where.orders(dependence)
     rates = set(orders.differentiated())
+    if isinstance(item, fm.RateForce):
+        if rates.isdisjoint(coordinate.name for coordinate in flat.coordinates):
+            reason = "no coordinate changes the rate on which it acts"
+            sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
+        return
     rate = next((coordinate.name for coordinate in flat.coordinates if coordinate.name in rates), None)
     if rate is not None:
         sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rate})", base=rate)

@@ -74,6 +74,8 @@ def power_of(load: fm.Load, value: fx.FlatExpression) -> Callable[[Evaluator], f
                 if load.origin is not None:
                     rate -= evaluator.scalar(fx.Derivative(load.origin))
                 return evaluator.scalar(value) * rate
+            case fm.RateForce():
+                return evaluator.scalar(value) * evaluator.scalar(load.rate)
             case _:
                 assert_never(load)
 

@@ -205,6 +205,17 @@ class Contact(Physics):
 
 
 @record(kw_only=True)
+class Friction(Physics):
+    """`friction brake: der(q) with limit = r;`."""
+
+    label: str | None
+    value: Expression
+    options: tuple[Named, ...]
+    condition: Expression | None
+    doc: str | None
+
+
+@record(kw_only=True)
 class Invariant(Physics):
     label: str | None
     value: Expression
@@ -375,8 +386,8 @@ class Import(Node):
 
 Item: TypeAlias = (
     "Import | Class | ShortClass | TypeDefinition | Function | Component | Coordinate | Geometry | Energy "
-    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Invariant | Draw | Connect | "
-    "Extends | Annotation | Equation | CallEquation | For | If | When"
+    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Friction | Invariant | Draw "
+    "| Connect | Extends | Annotation | Equation | CallEquation | For | If | When"
 )
 
 

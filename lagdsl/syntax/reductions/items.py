@@ -48,6 +48,7 @@ ITEMS: dict[str, Action] = {
     "origin": lambda c, span: _Place(*c),
     "constraint": maker(nodes.Constraint, "label", "left", "right", "condition", "doc"),
     "contact": maker(nodes.Contact, "label", "value", "options", "condition", "doc"),
+    "friction": maker(nodes.Friction, "label", "value", "options", "condition", "doc"),
     "invariant": maker(nodes.Invariant, "label", "value", "options", "condition", "doc"),
     "draw": _draw,
     "place_at": lambda c, span: _Anchors("at", tuple(c)),

@@ -27,7 +27,8 @@ class Balance:
     """Equations of motion as residuals, left-hand side less right-hand side, one per coordinate, then the constraint
     rows as accelerations; `unknowns` are the accelerations, then the multipliers of these rows.
 
-    Contacts that are not in `closed` are open, so that their multipliers are zero; `rows` are the other constraints'.
+    Contacts that are not in `closed` are open, and friction slides, so that their multipliers are zero; `rows` are the
+    other constraints'.
     `numbers` are the values of all that is constant; inputs with a default are held at it.
     """
 
@@ -52,7 +53,7 @@ class Balance:
 def balance(flat: FlatModel, derivation: Derivation, closed: frozenset[str] = frozenset()) -> Balance:
     """With the contacts of the names `closed`."""
     table = derivation.symbols
-    present = (row for row in derivation.constraints if not row.contact or row.name in closed)
+    present = (row for row in derivation.constraints if row.is_lasting or row.name in closed)
     lasting = tuple(row for row in present if row.restricts)
     open_ = {row.multiplier: Integer(0) for row in derivation.constraints if row not in lasting}
     equations = [s.left - right for s, right in zip(derivation.coordinates, derivation.rights, strict=True)]

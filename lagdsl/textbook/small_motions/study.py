@@ -38,6 +38,9 @@ _ROLLING = (
 _STATES = "First-order states occur in the equations: `lag trim` and `lag modes` look at both together."
 _TIME = "Time occurs in the equations, so that no equilibrium lasts."
 _SWITCHES = "Relations, corners or discrete variables occur in the equations; `lag modes` looks at one side of them."
+_FRICTION = (
+    "Dry friction holds the system at rest in whole ranges of positions; `lag trim` finds one of them in numbers."
+)
 _OTHERS = "There may be other equilibria, without short roots; `lag trim` finds one in numbers."
 _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` finds an equilibrium in numbers."
 
@@ -143,6 +146,8 @@ def _at_rest(balance: Balance, residuals: Sequence[Expr]) -> tuple[Expr, ...]:
 def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     """None where the form of the equations lets equilibria be looked for."""
     table = balance.derivation.symbols
+    if any(row.friction for row in balance.derivation.constraints):
+        return _FRICTION
     if any(row.level != "position" for row in balance.rows):
         return _ROLLING
     if any(size(each, LONGEST_LIKELY) >= LONGEST_LIKELY for each in residuals):

@@ -14,6 +14,7 @@ from lagdsl.textbook.contributions import (
     Applied,
     AppliedForce,
     AppliedGeneralizedForce,
+    AppliedRateForce,
     AppliedTorque,
     admissible_variation,
     work,
@@ -95,7 +96,7 @@ def _carrier(reading: Reading, action: Applied, variations: Sequence[Vector | Ex
             return next((k for k, each in enumerate(inertials) if _same(reading, each.position, position)), None)
         case AppliedTorque(frame=frame):
             return next((k for k, each in enumerate(inertials) if each.frame == frame), None)
-        case AppliedGeneralizedForce():
+        case AppliedGeneralizedForce() | AppliedRateForce():
             return None
         case _:
             assert_never(action)

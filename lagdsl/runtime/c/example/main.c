@@ -171,6 +171,8 @@ static const char *reason(lag_status status)
         return "the position of a mass would jump";
     case LAG_VALLEY:
         return "the motion comes to rest between two sides of one gap";
+    case LAG_NO_FORCES:
+        return "no forces satisfy the law of friction";
     case LAG_BAD_CLOCK:
         return "a clock has no positive period";
     default:

@@ -37,6 +37,8 @@ typedef enum lag_function {
     LAG_CORNER,
     LAG_WAY,
     LAG_TURN,
+    LAG_FRICTION,
+    LAG_LOAD,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

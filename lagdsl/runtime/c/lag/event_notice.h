@@ -15,7 +15,10 @@ typedef enum lag_event_kind {
     LAG_REINIT,    /* a reset, */
     LAG_TERMINATE, /* a `terminate` */
     LAG_AFTER,     /* the event is over: the state after it */
-    LAG_JUMP       /* a whole number that time changes, of `floor` and its kind */
+    LAG_JUMP,      /* a whole number that time changes, of `floor` and its kind */
+    LAG_SLIPS,     /* a friction: slip begins, */
+    LAG_STICKS,    /* it ends, */
+    LAG_REVERSES   /* it changes its sense without rest */
 } lag_event_kind;
 
 typedef struct lag_event_notice {

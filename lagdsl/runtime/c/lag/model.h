@@ -52,12 +52,15 @@ typedef enum lag_kind {
     LAG_KIND_VARIABLE,  /* a discrete variable; Booleans are 0 and 1 */
     LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
     LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
+    LAG_KIND_STICKS,    /* 1 dry friction holds its slip at zero, 0 it slides; one for each friction */
+    LAG_KIND_DIRECTION, /* the sense of a slip, -1, 0 or 1; of two components the speed [as slip] that gives slip at rest a direction */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
     LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
     LAG_KIND_CONDITION, /* the truth of a condition, or a value that `pre` reads, when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
-    LAG_KIND_TERMINAL   /* 1 in the first pass at the end */
+    LAG_KIND_TERMINAL,  /* 1 in the first pass at the end */
+    LAG_KIND_LOAD       /* a load that depends on the accelerations and multipliers that it causes: load() tells what it has to be */
 } lag_kind;
 
 /* Arguments of functions; arrays that a function does not read may be null. */
@@ -221,6 +224,20 @@ typedef struct lag_model {
      * outputs they are. Only in models with outputs that are known up to whole turns
      */
     lag_status (*turn)(const lag_arguments *at, double *value, double *rate, double *turn, double *entry);
+    /*
+     * t q qd z u w p qdd lam -> slip (nslip), jacobian (nslip, nq), limit (nfriction), sticking (nfriction), gain (nfriction, nc),
+     * sticking_gain (nfriction, nc): slips of dry friction and their derivatives by qd, as the rows that hold them are; the forces
+     * while it slides, the largest ones while it sticks, and how both change with lam. Only in models with dry friction
+     */
+    lag_status (*friction)(
+        const lag_arguments *at, double *slip, double *jacobian, double *limit, double *sticking, double *gain,
+        double *sticking_gain);
+    /*
+     * t q qd z u w p qdd lam -> load (nload), by_acceleration (nload, nq), by_multiplier (nload, nc): what the entries of w that
+     * stand for loads have to be, and how that changes with qdd and lam. Only in models with loads that depend on accelerations or
+     * multipliers
+     */
+    lag_status (*load)(const lag_arguments *at, double *load, double *by_acceleration, double *by_multiplier);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -289,10 +306,17 @@ typedef struct lag_model {
     size_t ncorner; /* of models with corners along the motion */
     size_t nway;    /* of models in which ways of masses depend on discretes */
     size_t nturn;   /* of models with outputs that are known up to whole turns */
+    size_t nslip, nfriction; /* of models with dry friction: components of slips, frictions */
+    size_t nload;   /* of models with loads that depend on accelerations or multipliers */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const unsigned char *whole_inputs; /* (nu) 1: Integer, Boolean or enumerated, without round-off; null: none is */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */
+    const unsigned char *one_way;    /* (ncontact) 1: of a rate in place of a gap; null: none is */
+    const char *const *frictions;    /* (nfriction) names */
+    const size_t *friction_rows;     /* (nslip) rows of constraints that hold while it sticks */
+    const size_t *friction_slips;    /* (nfriction) 1 or 2 components */
+    const size_t *friction_contacts; /* (nfriction) the contact under which it acts; ncontact: always */
     size_t nswitched;            /* rows of constraints, of position level, that discretes switch */
     const size_t *switched_rows; /* (nswitched) */
     const size_t *reset_places;  /* (nreset) entries of (q, qd, z) */

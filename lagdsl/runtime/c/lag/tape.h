@@ -27,8 +27,12 @@ typedef enum lag_tape_section {
     LAG_TAPE_KINDS,          /* bytes (nw) */
     LAG_TAPE_STRICT,         /* bytes (nindicator) */
     LAG_TAPE_WHOLE_INPUTS,   /* bytes (nu), or nothing */
+    LAG_TAPE_ONE_WAY,        /* bytes (ncontact), or nothing */
     LAG_TAPE_KEPT_ROWS,      /* uint32 (nk) */
     LAG_TAPE_CONTACT_ROWS,   /* uint32 (ncontact) */
+    LAG_TAPE_FRICTION_ROWS,  /* uint32 (nslip) */
+    LAG_TAPE_FRICTION_SLIPS, /* uint32 (nfriction) */
+    LAG_TAPE_FRICTION_CONTACTS, /* uint32 (nfriction) */
     LAG_TAPE_SWITCHED_ROWS,  /* uint32 (nswitched) */
     LAG_TAPE_RESET_PLACES,   /* uint32 (nreset) */
     LAG_TAPE_JACOBIAN_ROWS,  /* uint32: where J can be nonzero; or nothing */
@@ -45,7 +49,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_START_PARAMETER_MINIMUM, /* double (np) */
     LAG_TAPE_START_PARAMETER_MAXIMUM, /* double (np) */
     LAG_TAPE_SLOTS,          /* uint32 (slots, 3): name, unit and place as first bytes of texts; the place may be 2^32 - 1: none */
-    LAG_TAPE_MESSAGES,       /* uint32: assertions (na), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
+    LAG_TAPE_MESSAGES,       /* uint32: assertions (na), frictions (nfriction), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
     LAG_TAPE_TEXTS,          /* bytes, every text ended by a zero */
     /* uint32 (functions, 2): first word and number of words, which is zero where there is none: prepare(), those of lag_function,
      * then twice the members of lag_tangents, primal() or motion() first */
@@ -82,6 +86,9 @@ typedef enum lag_tape_size {
     LAG_TAPE_NCORNER,
     LAG_TAPE_NWAY,
     LAG_TAPE_NTURN,
+    LAG_TAPE_NSLIP,
+    LAG_TAPE_NFRICTION,
+    LAG_TAPE_NLOAD,
     LAG_TAPE_NSWITCHED,
     LAG_TAPE_NINERTIAL,
     LAG_TAPE_NPLACE,

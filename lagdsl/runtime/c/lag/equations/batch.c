@@ -267,7 +267,7 @@ lag_status lag_batch_forward_dynamics(
     double *lam,
     size_t *coordinate)
 {
-    if (states == NULL || states->lanes == 0 || (states->elimination == NULL && states->dynamics == NULL)) {
+    if (model->nload > 0 || states == NULL || states->lanes == 0 || (states->elimination == NULL && states->dynamics == NULL)) {
         return solve_singly(model, batch, qdd, lam, coordinate);
     }
     const size_t lanes = states->lanes;

@@ -95,13 +95,16 @@ static lag_status form(lag_derivatives *d)
     return status;
 }
 
-/* Independent rows: those of open contacts are zero, and another one that depends on the rest must not take their place. */
+/* Independent rows: those of open contacts and of slips are zero, and another one that depends on the rest must not take their place. */
 static size_t independent(const lag_derivatives *d)
 {
     const lag_model *model = d->model;
     size_t count = model->rank;
     for (size_t i = 0; i < model->ncontact; ++i) {
         count -= count > 0 && !lag_any(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
+    }
+    for (size_t i = 0; i < model->nslip; ++i) {
+        count -= count > 0 && !lag_any(model->nq, d->jacobian + model->friction_rows[i] * model->nq);
     }
     return count;
 }

@@ -10,27 +10,33 @@ static size_t first(const lag_model *model, lag_kind kind)
     return i;
 }
 
+/* The one entry of a kind; nw where the model has none. */
+static size_t only(const lag_model *model, lag_kind kind)
+{
+    const size_t i = first(model, kind);
+    return i < model->nw && model->kinds[i] == (unsigned char)kind ? i : model->nw;
+}
+
 lag_places lag_places_of(const lag_model *model)
 {
-    lag_places places = {
+    return (lag_places){
         .contact = first(model, LAG_KIND_CONTACT),
         .impacts = first(model, LAG_KIND_IMPACTS),
+        .sticks = first(model, LAG_KIND_STICKS),
+        .direction = first(model, LAG_KIND_DIRECTION),
         .relation = first(model, LAG_KIND_RELATION),
         .timed = first(model, LAG_KIND_TIMED),
         .condition = first(model, LAG_KIND_CONDITION),
         .clock = first(model, LAG_KIND_CLOCK),
-        .initial = first(model, LAG_KIND_INITIAL),
-        .terminal = first(model, LAG_KIND_TERMINAL),
+        .initial = only(model, LAG_KIND_INITIAL),
+        .terminal = only(model, LAG_KIND_TERMINAL),
+        .load = first(model, LAG_KIND_LOAD),
     };
-    if (places.initial == places.terminal) {
-        places.initial = model->nw;
-    }
-    return places;
 }
 
-void lag_places_clear(const lag_model *model, const lag_places *places, double *w)
+void lag_places_clear(const lag_places *places, double *w)
 {
-    for (size_t i = places->clock; i < model->nw; ++i) {
+    for (size_t i = places->clock; i < places->load; ++i) {
         w[i] = 0.0;
     }
 }

@@ -6,15 +6,17 @@
 
 typedef struct lag_places {
     size_t contact, impacts; /* (ncontact) each */
+    size_t sticks, direction; /* (nfriction) (nslip) */
     size_t relation;         /* (nindicator) */
     size_t timed;            /* (ntimed) */
     size_t condition, clock; /* up to `clock`; (nclock) */
     size_t initial, terminal; /* one entry each; nw where the model has none */
+    size_t load;             /* (nload) up to the end */
 } lag_places;
 
 lag_places lag_places_of(const lag_model *model);
 
 /* Clears what lasts for one pass only: clocks and instants. */
-void lag_places_clear(const lag_model *model, const lag_places *places, double *w);
+void lag_places_clear(const lag_places *places, double *w);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "lag/equations/delassus.h"
+#include "lag/equations/feedback.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
@@ -38,7 +39,7 @@ size_t lag_dynamics_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
-    return n * n + n + m * n + m + kept + lag_system_memory(n, m);
+    return n * n + n + m * n + m + kept + lag_system_memory(n, m) + lag_feedback_memory(model);
 }
 
 static int solved(const lag_model *model, const double *qdd, const double *lam)
@@ -206,7 +207,7 @@ static lag_status eliminate_all(const lag_model *model, const lag_arguments *at,
     return usable && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
 }
 
-lag_status lag_forward_dynamics(
+static lag_status solve_with_loads(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
     if (model->elimination != NULL && model->nk == 0 && eliminate_all(model, at, qdd, lam) == LAG_OK) {
@@ -218,4 +219,11 @@ lag_status lag_forward_dynamics(
     }
     lag_system system;
     return solve(model, at, &to, &system, qdd, lam, coordinate);
+}
+
+lag_status lag_forward_dynamics(
+    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
+{
+    return model->nload > 0 ? lag_feedback_solve(model, at, solve_with_loads, memory, qdd, lam, coordinate)
+                            : solve_with_loads(model, at, memory, qdd, lam, coordinate);
 }

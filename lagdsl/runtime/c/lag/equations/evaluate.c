@@ -220,6 +220,25 @@ static lag_status evaluate_turn(const lag_model *model, const lag_arguments *at,
     return model->turn == NULL ? LAG_MISSING : model->turn(at, value, rate, turn, entry);
 }
 
+static lag_status evaluate_friction(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const slip = results;
+    double *const jacobian = slip + model->nslip;
+    double *const limit = jacobian + model->nslip * model->nq;
+    double *const sticking = limit + model->nfriction;
+    double *const gain = sticking + model->nfriction;
+    double *const sticking_gain = gain + model->nfriction * model->nc;
+    return model->friction == NULL ? LAG_MISSING : model->friction(at, slip, jacobian, limit, sticking, gain, sticking_gain);
+}
+
+static lag_status evaluate_load(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const load = results;
+    double *const by_acceleration = load + model->nload;
+    double *const by_multiplier = by_acceleration + model->nload * model->nq;
+    return model->load == NULL ? LAG_MISSING : model->load(at, load, by_acceleration, by_multiplier);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -370,6 +389,10 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_way(model, at, results);
     case LAG_TURN:
         return evaluate_turn(model, at, results);
+    case LAG_FRICTION:
+        return evaluate_friction(model, at, results);
+    case LAG_LOAD:
+        return evaluate_load(model, at, results);
     case LAG_MOMENTUM_TANGENT:
         return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:

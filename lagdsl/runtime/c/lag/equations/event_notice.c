@@ -17,6 +17,10 @@ const char *lag_event_notice_name(const lag_model *model, const lag_event_notice
     case LAG_CLOSED:
     case LAG_IMPACT:
         return model->constraints[model->contact_rows[which]].name;
+    case LAG_SLIPS:
+    case LAG_STICKS:
+    case LAG_REVERSES:
+        return model->frictions[which];
     case LAG_REINIT:
         return model->resets[which];
     case LAG_TERMINATE:
@@ -32,6 +36,7 @@ const char *lag_event_kind_name(lag_event_kind what)
 {
     static const char *const names[] = {
         "before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump",
+        "slips", "sticks", "reverses",
     };
     return (size_t)what < sizeof names / sizeof names[0] ? names[what] : "";
 }

@@ -3,12 +3,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/discretes.h"
 #include "lag/equations/jacobian.h"
+#include "lag/linalg/arena.h"
+
+/* Loads with their derivatives, and three states for differences, where there are loads. */
+static size_t loads_memory(const lag_model *model)
+{
+    return model->nload > 0 ? model->nload * (model->nq + model->nc) + 3 * lag_motion_size(model) : 0;
+}
 
 size_t lag_motion_memory(const lag_model *model)
 {
-    return model->workspace + lag_jacobian_memory(model, NULL) + model->nu + model->nw + model->nq + model->nc + 1;
+    return model->workspace + lag_jacobian_memory(model, NULL) + model->nu + model->nw + model->nq + model->nc + 1 + loads_memory(model);
 }
+
+/* Of a state, for a difference. */
+static const double DIFFERENCE = 1e-8;
 
 static lag_status rates(void *context, double t, const double *x, double *xd)
 {
@@ -23,9 +34,33 @@ static lag_status rates(void *context, double t, const double *x, double *xd)
     return motion->model->nz > 0 ? motion->model->state_derivative(&motion->at, xd + 2 * n) : LAG_OK;
 }
 
+/* By differences: derivatives at fixed loads are not those of the motion. */
+static lag_status jacobian_with_loads(lag_motion *motion, double t, const double *x, double *matrix)
+{
+    const size_t size = lag_motion_size(motion->model);
+    double *moved = motion->loads + motion->model->nload * (motion->model->nq + motion->model->nc);
+    double *here = moved + size;
+    double *there = here + size;
+    lag_status status = rates(motion, t, x, here);
+    memcpy(moved, x, size * sizeof(double));
+    for (size_t j = 0; j < size && status == LAG_OK; ++j) {
+        const double by = DIFFERENCE * fmax(fabs(x[j]), 1.0);
+        moved[j] = x[j] + by;
+        status = rates(motion, t, moved, there);
+        moved[j] = x[j];
+        for (size_t i = 0; i < size; ++i) {
+            matrix[i * size + j] = (there[i] - here[i]) / by;
+        }
+    }
+    return status;
+}
+
 static lag_status jacobian(void *context, double t, const double *x, double *matrix)
 {
     lag_motion *motion = context;
+    if (motion->model->nload > 0) {
+        return jacobian_with_loads(motion, t, x, matrix);
+    }
     lag_motion_look(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
     return lag_jacobian(motion->model, NULL, &motion->at, state, motion->memory, matrix, NULL, &motion->coordinate);
@@ -46,6 +81,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
     motion->lam = motion->qdd + model->nq;
+    motion->loads = motion->lam + model->nc + 1;
     motion->at.u = motion->u;
     motion->at.w = motion->w;
     motion->at.qdd = motion->qdd;
@@ -83,7 +119,12 @@ void lag_motion_look(lag_motion *motion, double t, const double *x)
 
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
 {
+    const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    return lag_forward_dynamics(
-        motion->model, &motion->at, motion->memory, motion->qdd, motion->lam, &motion->coordinate);
+    const lag_status status = lag_forward_dynamics(model, &motion->at, motion->memory, motion->qdd, motion->lam, &motion->coordinate);
+    if (status != LAG_OK || model->nload == 0) {
+        return status;
+    }
+    double *slopes = motion->loads;
+    return model->load(&motion->at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq);
 }

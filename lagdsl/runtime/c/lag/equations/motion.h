@@ -14,6 +14,7 @@ typedef struct lag_motion {
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */
+    double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
     const double *sizes, *row_sizes; /* (nq) (nc) natural sizes, or both null: not known */

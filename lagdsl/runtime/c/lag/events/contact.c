@@ -9,12 +9,9 @@
 /* A gap that is negative by this part of its size after a jump is pierced. */
 static const double INSIDE = 1e-6;
 
-/* A force below this part of the others is none: what only touches hands a blow on, what carries takes part as it is. */
-static const double NOTHING = 1e-9;
-
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 15 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 9 * model->nq + model->nz;
+    return 15 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -23,9 +20,7 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
     contacts->speed = lag_take(memory, model->ngap);
     contacts->jacobian = lag_take(memory, model->ngap * model->nq);
     contacts->part = lag_take(memory, model->ngap);
-    contacts->rows = lag_take(memory, model->ngap * model->nq);
-    contacts->speeds = lag_take(memory, model->ngap);
-    contacts->factor = lag_take(memory, model->ngap);
+    lag_inequalities_place(&contacts->blow, model, lag_take(memory, lag_inequalities_memory(model)));
 }
 
 static void place_each(lag_contacts *contacts, size_t count, double **memory)
@@ -89,13 +84,6 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     }
 }
 
-/* Force that pushes, positive; a force that is not a number counts as one that pulls. */
-static double push(const lag_contacts *contacts, size_t i)
-{
-    const double force = lag_contacts_multiplier(contacts, i);
-    return force == force ? force : -(double)INFINITY;
-}
-
 int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags)
 {
     const size_t count = contacts->motion->model->ncontact;
@@ -110,92 +98,15 @@ int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, doub
     return any;
 }
 
-lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing)
 {
     const size_t count = contacts->motion->model->ncontact;
-    lag_status status = count > 0 ? lag_contacts_look(contacts, t, x) : LAG_OK;
-    if (status != LAG_OK || count == 0) {
-        return status;
-    }
-    status = lag_contacts_weigh(contacts, t, x);
-    for (size_t i = 0; i < count; ++i) {
+    const lag_status status = count > 0 ? lag_contacts_look(contacts, t, x) : LAG_OK;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const int touches = fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
-        contacts->closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
-    }
-    if (status == LAG_OK) {
-        lag_contacts_press(contacts, t, x, contacts->closing);
+        closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
     }
     return status;
-}
-
-static int pulls(const lag_contacts *contacts, size_t i)
-{
-    return -push(contacts, i) > NOTHING * fmax(contacts->force[i], 1e-300);
-}
-
-/* The closed contact, of those listed in `part`, that pulls most by its own measure; `closed` where none does. */
-static size_t find_pulling(const lag_contacts *contacts, size_t closed)
-{
-    size_t worst = closed;
-    double most = NOTHING;
-    for (size_t k = 0; k < closed; ++k) {
-        const size_t i = (size_t)contacts->part[k];
-        const double pull = -push(contacts, i);
-        const double measure = fmax(contacts->force[i], 1e-300);
-        if (pull > most * measure) {
-            most = pull / measure;
-            worst = k;
-        }
-    }
-    return worst;
-}
-
-/*
- * Takes the worst out of the closed contacts in `part` until none pulls; so many are left. Candidates that opened come
- * behind them.
- */
-static size_t open_those_that_pull(lag_contacts *contacts, double t, const double *x, size_t closed)
-{
-    int weighed = 0;
-    while (closed > 0) {
-        lag_contacts_solve(contacts, t, x);
-        size_t worst = find_pulling(contacts, closed);
-        if (worst < closed && !weighed) { /* forces may have begun to act since its measure was taken */
-            weighed = 1;
-            if (lag_contacts_weigh(contacts, t, x) == LAG_OK) {
-                lag_contacts_solve(contacts, t, x);
-                worst = find_pulling(contacts, closed);
-            }
-        }
-        if (worst == closed) {
-            break;
-        }
-        const double opened = contacts->part[worst];
-        *lag_contacts_flag(contacts, (size_t)opened) = 0.0;
-        --closed;
-        memmove(contacts->part + worst, contacts->part + worst + 1, (closed - worst) * sizeof(double));
-        contacts->part[closed] = opened;
-    }
-    return closed;
-}
-
-void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
-{
-    const size_t count = contacts->motion->model->ncontact;
-    size_t all = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (candidates[i] != 0.0) {
-            contacts->part[all++] = (double)i;
-            *lag_contacts_flag(contacts, i) = 1.0;
-        }
-    }
-    const size_t closed = open_those_that_pull(contacts, t, x, all);
-    for (size_t k = closed; k < all && all - closed > 1; ++k) { /* without the others it may not pull */
-        const size_t i = (size_t)contacts->part[k];
-        *lag_contacts_flag(contacts, i) = 1.0;
-        lag_contacts_solve(contacts, t, x);
-        *lag_contacts_flag(contacts, i) = pulls(contacts, i) ? 0.0 : 1.0;
-    }
 }
 
 double lag_contacts_next(const lag_contacts *contacts)

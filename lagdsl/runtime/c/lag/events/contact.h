@@ -13,10 +13,15 @@
 
 #include "lag/impulses/impulse.h"
 
+struct lag_frictions;
+
 typedef struct lag_contacts {
     lag_motion *motion;      /* its w tells which contacts are closed */
     lag_places places;
     lag_impulse *impulse;    /* its arrays are used */
+    struct lag_frictions *frictions; /* under them */
+    lag_inequalities blow;   /* rows of one impact, */
+    double *part;            /* (ngap) the contacts, or collisions behind them, of its normals */
     double length;           /* of the experiment [s] */
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
     double lookahead;           /* gaps that close so soon at their present speed close now [s] */
@@ -35,7 +40,6 @@ typedef struct lag_contacts {
     double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
     double *closing;         /* (ncontact) */
     double *back;            /* (ncontact) accelerations of gaps while they are open */
-    double *part, *rows, *speeds, *factor; /* (ngap) (ngap, nq) (ngap) (ngap) of one impact */
     double *hit;             /* (nq + nz) by component: one impact takes place in it */
     double *tau, *zero, *moved, *other, *forces; /* (nq) each */
 } lag_contacts;
@@ -58,14 +62,8 @@ double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
 /* True if any gap is negative; `flags` (ncontact) marks these. */
 int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
 
-/* At the start: contacts that touch and do not move apart are closed unless they pull. */
-lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x);
-
-/*
- * Closes those of the candidates (ncontact flags) that do not pull: the one that pulls most opens until none does. Of those that opened so,
- * what does not pull without the others stays closed.
- */
-void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
+/* Flags (ncontact) in `closing` of contacts that touch and do not move apart, as at the start. */
+lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing);
 
 /* Opens closed contacts that do not touch or do not stay. */
 lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
@@ -75,8 +73,9 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 
 /*
  * Impacts until nothing closes any more, first with those of contacts flagged in `met` and those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
- * Closed contacts that are driven in take part without restitution, those that move apart afterwards, or would pull, open. Changes the rates in x and,
- * in w, contacts and their counts. LAG_EVENT_ITERATION_FAILED: impacts without end.
+ * Closed contacts that are driven in take part without restitution, those that move apart afterwards open. Changes the rates in x and,
+ * in w, contacts that are closed unless they pull, and their counts. LAG_EVENT_ITERATION_FAILED: impacts without end. LAG_NO_FORCES: no impulses satisfy the
+ * law of friction.
  */
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
@@ -105,6 +104,13 @@ double lag_contacts_creep(const lag_contacts *contacts, size_t i);
 static inline double *lag_contacts_flag(const lag_contacts *contacts, size_t i)
 {
     return contacts->motion->w + contacts->places.contact + i;
+}
+
+/* 1: contact i holds a rate on one side, as a freewheel does; its gap is zero. */
+static inline int lag_contacts_is_one_way(const lag_contacts *contacts, size_t i)
+{
+    const unsigned char *one_way = contacts->motion->model->one_way;
+    return one_way != NULL && one_way[i] != 0;
 }
 
 static inline double lag_contacts_multiplier(const lag_contacts *contacts, size_t i)

@@ -60,7 +60,7 @@ void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
 
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i)
 {
-    return ROUNDING * contacts->scale[i];
+    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->scale[i];
 }
 
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/events/contact.h"
+#include "lag/events/friction.h"
 #include "lag/linalg/arena.h"
 
 enum { MOST_IMPACTS = 10000 };
@@ -40,13 +40,10 @@ static lag_status release(lag_contacts *contacts, double t, const double *x)
     return status;
 }
 
-static void add(lag_contacts *contacts, lag_blow *blow, size_t i, double factor)
+static void add(lag_contacts *contacts, size_t i, double restitution)
 {
     const size_t n = contacts->motion->model->nq;
-    memcpy(contacts->rows + blow->count * n, contacts->jacobian + i * n, n * sizeof(double));
-    contacts->speeds[blow->count] = contacts->speed[i];
-    contacts->factor[blow->count] = factor;
-    ++blow->count;
+    lag_inequalities_add_normal(&contacts->blow, n, contacts->jacobian + i * n, contacts->speed[i], restitution);
 }
 
 /* True if contact i touches: it was located so at this instant, or its gap is zero. */
@@ -95,11 +92,12 @@ static size_t component_of(const lag_contacts *contacts, size_t i)
 }
 
 /* Contacts that close. */
-static void add_closing(lag_contacts *contacts, lag_blow *blow)
+static void add_closing(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         if (contacts->closing[i] != 0.0) {
-            add(contacts, blow, i, contacts->restitution[i]);
+            contacts->part[contacts->blow.normals] = (double)i;
+            add(contacts, i, contacts->restitution[i]);
             contacts->hit[component_of(contacts, i)] = 1.0;
             if (contacts->approach[i] == 0.0) {
                 contacts->approach[i] = contacts->speed[i];
@@ -110,18 +108,75 @@ static void add_closing(lag_contacts *contacts, lag_blow *blow)
 }
 
 /*
- * Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of the components in which
- * something strikes or drives.
+ * Rows of the constraints that contacts are while they are closed, by their gaps: powers of two. Into `factors` (ncontact), zero for a contact without
+ * a gradient.
  */
-static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
+static lag_status find_factors(const lag_contacts *contacts, double *factors)
+{
+    lag_motion *motion = contacts->motion;
+    lag_impulse *impulse = contacts->impulse;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    memcpy(impulse->w, motion->w, model->nw * sizeof(double));
+    lag_fill(model->ncontact, 1.0, impulse->w + contacts->places.contact);
+    motion->at.w = impulse->w;
+    const lag_status status = model->velocity_constraint(&motion->at, impulse->residual, impulse->jacobian);
+    motion->at.w = motion->w;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        const double *gap = contacts->jacobian + i * n;
+        size_t most = 0;
+        for (size_t j = 1; j < n; ++j) {
+            most = fabs(gap[j]) > fabs(gap[most]) ? j : most;
+        }
+        factors[i] = gap[most] != 0.0 ? impulse->jacobian[model->contact_rows[i] * n + most] / gap[most] : 0.0;
+    }
+    return status;
+}
+
+/* Friction under the participants, by what it gains with their impulses. */
+static lag_status add_frictions(lag_contacts *contacts)
+{
+    lag_frictions *frictions = contacts->frictions;
+    const lag_model *model = contacts->motion->model;
+    double *factors = contacts->back;
+    lag_status status = lag_frictions_look(frictions);
+    status = status == LAG_OK ? find_factors(contacts, factors) : status;
+    for (size_t k = 0; k < model->nfriction && status == LAG_OK; ++k) {
+        const double *gain = frictions->gain + k * model->nc;
+        const size_t first = (size_t)frictions->first[k];
+        int any = 0;
+        for (size_t i = 0; i < contacts->blow.normals; ++i) {
+            const size_t contact = (size_t)contacts->part[i];
+            any = any || (contact < model->ncontact && gain[model->contact_rows[contact]] != 0.0);
+        }
+        if (any) {
+            const size_t number = lag_inequalities_add_friction(
+                &contacts->blow, model->nq, lag_frictions_components(frictions, k), frictions->jacobian + first * model->nq, frictions->slip + first);
+            double *coefficients = contacts->blow.coefficients + number * contacts->blow.normals;
+            for (size_t i = 0; i < contacts->blow.normals; ++i) {
+                const size_t contact = (size_t)contacts->part[i];
+                const int acts = contact < model->ncontact && factors[contact] != 0.0;
+                coefficients[i] = acts ? gain[model->contact_rows[contact]] / factors[contact] : 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+/*
+ * Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of the components in which
+ * something strikes or drives; friction under them.
+ */
+static lag_status gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
-    lag_blow blow = {0, contacts->rows, contacts->speeds, contacts->factor};
     memset(contacts->hit, 0, (model->nq + model->nz) * sizeof(double));
-    add_closing(contacts, &blow);
+    lag_inequalities_clear(&contacts->blow);
+    add_closing(contacts);
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
-            add(contacts, &blow, model->ncontact + i, restitution[i]);
+            contacts->part[contacts->blow.normals] = (double)(model->ncontact + i);
+            add(contacts, model->ncontact + i, restitution[i]);
             contacts->hit[component_of(contacts, model->ncontact + i)] = 1.0;
         }
     }
@@ -132,10 +187,11 @@ static lag_blow gather(lag_contacts *contacts, const double *collision, const do
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
         if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0 && contacts->hit[component_of(contacts, i)] != 0.0) {
-            add(contacts, &blow, i, 0.0);
+            contacts->part[contacts->blow.normals] = (double)i;
+            add(contacts, i, 0.0);
         }
     }
-    return blow;
+    return model->nfriction > 0 ? add_frictions(contacts) : LAG_OK;
 }
 
 /* Blows until nothing closes any more. */
@@ -154,8 +210,8 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
         if (!lag_any(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts)) {
             return LAG_OK;
         }
-        const lag_blow blow = gather(contacts, struck ? collision : NULL, restitution);
-        status = lag_impulse_strike(contacts->impulse, t, x, &blow);
+        status = gather(contacts, struck ? collision : NULL, restitution);
+        status = status == LAG_OK ? lag_impulse_strike(contacts->impulse, t, x, &contacts->blow) : status;
         if (status != LAG_OK) {
             return status;
         }
@@ -274,7 +330,7 @@ static lag_status keep(lag_contacts *contacts, double t, const double *x)
     return status;
 }
 
-/* Contacts closed after impacts: those that were closed and those that struck, if they stay and do not pull. */
+/* Contacts closed after impacts: those that were closed and those that struck, if they stay. */
 static lag_status conclude(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
@@ -299,11 +355,7 @@ static lag_status conclude(lag_contacts *contacts, double t, const double *x)
         const size_t i = (size_t)contacts->order[k];
         *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
     }
-    status = status == LAG_OK ? keep(contacts, t, x) : status;
-    if (status == LAG_OK) {
-        lag_contacts_press(contacts, t, x, flag(contacts, 0));
-    }
-    return status;
+    return status == LAG_OK ? keep(contacts, t, x) : status;
 }
 
 lag_status lag_contacts_strike(

@@ -25,11 +25,27 @@ static lag_status tell_mode(const lag_event_iteration *iteration, double t, cons
     return before == now || bounces ? LAG_OK : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
 }
 
+/* Modes of contacts that are closed, or have met without approach speed, and of friction. */
+static lag_status find_modes(lag_event_iteration *iteration, double t, const double *x)
+{
+    lag_contacts *contacts = iteration->contacts;
+    for (size_t i = 0; i < iteration->motion->model->ncontact; ++i) {
+        contacts->closing[i] = contacts->met[i] != 0.0 && contacts->approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
+    }
+    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->closing, iteration->left);
+    iteration->left = NULL;
+    return status;
+}
+
 lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted)
 {
     const lag_contacts *contacts = iteration->contacts;
+    const size_t frictions = iteration->motion->model->nfriction + iteration->motion->model->nslip;
+    const double *modes = iteration->motion->w + iteration->places.sticks;
+    memcpy(iteration->frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
-    int any = contacts->struck > 0;
+    status = status == LAG_OK ? find_modes(iteration, t, x) : status;
+    int any = contacts->struck > 0 || !lag_same(frictions, iteration->frictions, modes);
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
         const size_t i = (size_t)contacts->order[k];
         status = lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i);
@@ -79,14 +95,14 @@ static lag_status find_bent(lag_event_iteration *iteration, double t, const doub
     const size_t count = iteration->motion->model->ncontact;
     double *truth = iteration->motion->w + iteration->places.relation + which;
     lag_status status = lag_contacts_look(contacts, t, x);
-    memcpy(contacts->rows, contacts->jacobian, count * n * sizeof(double));
+    memcpy(contacts->blow.rows, contacts->jacobian, count * n * sizeof(double));
     *truth = 1.0 - *truth;
     status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
     *truth = 1.0 - *truth;
     *bent = count;
     for (size_t i = 0; i < count * n && *bent == count; ++i) {
-        const double change = fabs(contacts->rows[i] - contacts->jacobian[i]);
-        const int bends = change > BENT * (fabs(contacts->rows[i]) + fabs(contacts->jacobian[i]));
+        const double change = fabs(contacts->blow.rows[i] - contacts->jacobian[i]);
+        const int bends = change > BENT * (fabs(contacts->blow.rows[i]) + fabs(contacts->jacobian[i]));
         *bent = bends && *lag_contacts_flag(contacts, i / n) != 0.0 ? i / n : *bent;
     }
     return status;
@@ -170,94 +186,24 @@ void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t,
     }
 }
 
-/* The contact that pulls most of those flagged in `pulling`; their number where none pulls clearly and none has to. */
-static size_t find_pulling(const lag_event_iteration *iteration, int one)
-{
-    const size_t count = iteration->motion->model->ncontact;
-    size_t worst = count;
-    for (size_t i = 0; i < count; ++i) {
-        const int pulls = iteration->pulling[i] != 0.0 && (one || push(iteration, i) < -1.0);
-        if (pulls && (worst == count || push(iteration, i) < push(iteration, worst))) {
-            worst = i;
-        }
-    }
-    return worst;
-}
-
-/*
- * Opens contacts that were found to pull, the one that pulls most first, as far as they still do a moment later: one that opens may leave
- * nothing that pulls at the others, and what turned with them may have taken the pull away. Flags of those that opened, in `pulling`.
- */
-static void open_pulling(lag_event_iteration *iteration, double t, const double *x)
-{
-    const size_t count = iteration->motion->model->ncontact;
-    double *closed = iteration->motion->w + iteration->places.contact;
-    double *opened = iteration->closed;
-    size_t number = 0;
-    memset(opened, 0, count * sizeof(double));
-    while (lag_any(count, iteration->pulling)) {
-        look_ahead(iteration, t, x);
-        const size_t worst = find_pulling(iteration, number == 0 && !iteration->turned);
-        if (worst == count) {
-            break;
-        }
-        iteration->pulling[worst] = closed[worst] = 0.0;
-        opened[worst] = 1.0;
-        ++number;
-    }
-    for (size_t i = 0; i < count && number > 1; ++i) { /* without the others it may not have pulled */
-        closed[i] = opened[i] != 0.0 ? 1.0 : closed[i];
-        if (opened[i] != 0.0) {
-            look_ahead(iteration, t, x);
-            opened[i] = push(iteration, i) < -1.0;
-            closed[i] = 1.0 - opened[i];
-        }
-    }
-    memcpy(iteration->pulling, opened, count * sizeof(double));
-}
-
-/* Contacts that have met without approach speed close, as far as they do not pull and are not on their way apart. */
-static lag_status close_met(lag_event_iteration *iteration, double t, double *x)
-{
-    lag_contacts *contacts = iteration->contacts;
-    const size_t count = iteration->motion->model->ncontact;
-    const double *closed = iteration->motion->w + iteration->places.contact;
-    lag_status status = LAG_OK;
-    double *closing = contacts->closing;
-    for (size_t i = 0; i < count; ++i) {
-        closing[i] = contacts->met[i] != 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
-    }
-    lag_contacts_press(contacts, t, x, closing);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = closing[i] != 0.0 && closed[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
-    }
-    return status;
-}
-
-lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
+lag_status lag_event_iteration_change_contacts(
+    lag_event_iteration *iteration, double t, double *x, const double *changed, const double *frictions)
 {
     const size_t count = iteration->motion->model->ncontact;
     double *closed = iteration->motion->w + iteration->places.contact;
     double *met = iteration->contacts->met;
-    double *pulling = iteration->pulling;
     lag_status status = LAG_OK;
     int acted = 0;
-    for (size_t i = 0; i < count; ++i) {
-        met[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
-    }
-    open_pulling(iteration, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = pulling[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+        met[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        if (changed[i] != 0.0 && closed[i] != 0.0 && !iteration->turned) {
+            closed[i] = 0.0;
+            status = lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i);
+        }
     }
-    const int any = lag_any(count, met) || lag_any(count, pulling);
-    if (any && status == LAG_OK) {
-        status = lag_event_iteration_collide(iteration, t, x, NULL, &acted);
-    }
-    if (any && !acted && status == LAG_OK) {
-        status = close_met(iteration, t, x);
-    }
-    return status;
+    iteration->left = iteration->turned ? NULL : frictions;
+    const int any = lag_any(count, changed) || lag_any(iteration->motion->model->nfriction, frictions);
+    return any && status == LAG_OK ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : status;
 }
 
 /* ---- steps of energy in place ---- */

@@ -13,7 +13,8 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact + lag_position_maps_memory(model);
+           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 2 * model->ncontact + model->nfriction + model->nslip +
+           lag_position_maps_memory(model);
 }
 
 void lag_event_iteration_place(
@@ -57,6 +58,7 @@ void lag_event_iteration_place(
     iteration->sides = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->pulling = lag_take(&memory, model->ncontact);
+    iteration->frictions = lag_take(&memory, model->nfriction + model->nslip);
     lag_position_maps_place(&iteration->maps, iteration->motion, memory);
 }
 
@@ -67,6 +69,12 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
 }
 
 /* ---- one pass ---- */
+
+/* 1: no discretes changed since the pass began; loads follow the state. */
+static int rests(const lag_event_iteration *iteration)
+{
+    return lag_same(iteration->places.load, iteration->before, iteration->motion->w);
+}
 
 void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
 {
@@ -103,7 +111,7 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
         for (size_t i = places->condition; i < places->clock; ++i) {
             w[i] = iteration->next[i];
         }
-        if (lag_same(model->nw, iteration->before, w)) {
+        if (rests(iteration)) {
             break;
         }
     }
@@ -127,7 +135,7 @@ static lag_status strike(lag_event_iteration *iteration, double t, double *x, in
 {
     const lag_model *model = iteration->motion->model;
     const int any = lag_any(model->ncollision, iteration->collision);
-    if (!any && model->ncontact == 0) {
+    if (!any && model->ncontact == 0 && model->nfriction == 0) {
         return LAG_OK;
     }
     *acted = *acted || any;
@@ -289,7 +297,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     }
     memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
     memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
-    lag_places_clear(motion->model, &iteration->places, motion->w);
+    lag_places_clear(&iteration->places, motion->w);
     if (!lag_same(iteration->places.contact, motion->w, iteration->before)) {
         status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
     }
@@ -317,18 +325,37 @@ static int positions_jump(const lag_event_iteration *iteration, double t, const 
     return 0;
 }
 
-lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts)
+/* Friction that is in another mode than before the instant. One that was off, or is, tells nothing: its contact does. */
+static lag_status tell_frictions(lag_event_iteration *iteration, double t, const double *x)
+{
+    const lag_frictions *frictions = iteration->modes->frictions;
+    const double *sticks = iteration->stood + iteration->places.sticks;
+    lag_status status = LAG_OK;
+    for (size_t k = 0; k < iteration->motion->model->nfriction && status == LAG_OK; ++k) {
+        const double *before = iteration->stood + iteration->places.direction + (size_t)frictions->first[k];
+        const double *now = lag_frictions_direction(frictions, k);
+        const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
+        const int reverses = lag_frictions_components(frictions, k) == 1 && before[0] * now[0] < 0.0;
+        if (lag_frictions_acts(frictions, k) && (stuck != (sticks[k] != 0.0) || reverses)) {
+            status = lag_event_iteration_tell(iteration, t, x, stuck ? LAG_STICKS : reverses ? LAG_REVERSES : LAG_SLIPS, k);
+        }
+    }
+    return status;
+}
+
+lag_status lag_event_iteration_run(
+    lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts, const double *frictions)
 {
     const lag_model *model = iteration->motion->model;
     const double *w = iteration->motion->w;
-    lag_status status = contacts != NULL ? lag_event_iteration_change_contacts(iteration, t, x, contacts) : LAG_OK;
+    lag_status status = contacts != NULL ? lag_event_iteration_change_contacts(iteration, t, x, contacts, frictions) : LAG_OK;
     iteration->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;
         memcpy(iteration->before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
-        if (status == LAG_OK && !acted && lag_same(model->nw, iteration->before, w)) {
-            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
+        if (status == LAG_OK && !acted && rests(iteration)) {
+            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : tell_frictions(iteration, t, x);
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {

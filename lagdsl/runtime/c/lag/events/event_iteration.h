@@ -3,7 +3,7 @@
 #define LAG_EVENT_ITERATION_H
 
 #include "lag/events/clock.h"
-#include "lag/events/contact.h"
+#include "lag/events/modes.h"
 #include "lag/event_notice.h"
 #include "lag/events/noise.h"
 #include "lag/impulses/impulse.h"
@@ -18,6 +18,7 @@ static const double LAG_MOVES_CLEARLY = 16.0;
 typedef struct lag_event_iteration {
     lag_motion *motion;
     lag_contacts *contacts;
+    lag_modes *modes;
     lag_impulse *impulse;
     lag_timed *timed;
     lag_projection *projection;
@@ -43,7 +44,9 @@ typedef struct lag_event_iteration {
     double *truth;         /* (nindicator) relations before a pass turns them */
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
     double *closed, *pulling; /* (ncontact) */
-    int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
+    int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
+    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
+    const double *left;    /* (nfriction) friction whose guard was located, until its mode is found; null: none */
     int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
@@ -66,10 +69,11 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
 lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double t, const double *x, int *changed);
 
 /*
- * Carries out what is new in w; `relations`, turned in w already, and `contacts` were found to change (flags, or null). Changes x and w,
- * whose rates are on the constraints afterwards. Relations are left as they are a moment later.
+ * Carries out what is new in w; `relations`, turned in w already, `contacts` and `frictions` were found to change (flags, or null for
+ * none of all). Changes x and w, whose rates are on the constraints afterwards. Relations are left as they are a moment later.
  */
-lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts);
+lag_status lag_event_iteration_run(
+    lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts, const double *frictions);
 
 /* Closed contacts that rates of now move apart open. */
 lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x);
@@ -151,6 +155,7 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
 lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted);
 
 /* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
-lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed);
+lag_status lag_event_iteration_change_contacts(
+    lag_event_iteration *iteration, double t, double *x, const double *changed, const double *frictions);
 
 #endif

@@ -12,7 +12,7 @@ static const double ULPS = 4096.0;
 
 size_t lag_instants_memory(const lag_model *model)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
            lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
 }
 
@@ -30,6 +30,9 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
     instants->contacts.limits = projection->limits;
     instants->contacts.impulse = &instants->impulse;
+    instants->contacts.frictions = &instants->frictions;
+    lag_frictions_place(&instants->frictions, motion, &instants->contacts, lag_take(&memory, lag_frictions_memory(model)));
+    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, lag_take(&memory, lag_modes_memory(model)));
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
@@ -40,6 +43,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->departed = lag_take(&memory, model->nindicator);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
+    instants->iteration.modes = &instants->modes;
     instants->iteration.from = instants->x_before;
     instants->iteration.stood = instants->w_before;
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
@@ -118,7 +122,8 @@ static lag_status rest(lag_instants *instants, double t, const double *x)
 
 static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
 {
-    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts);
+    const double *frictions = contacts != NULL ? contacts + instants->motion->model->ncontact : NULL;
+    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts, frictions);
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_seek(&instants->timed, t);
     }
@@ -161,8 +166,9 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     status = status == LAG_OK ? settle(instants, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
-        status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);
+        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.closing);
     }
+    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status != LAG_OK) {
@@ -216,7 +222,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
     }
-    if (status != LAG_OK || !blow || instants->motion->model->ncontact == 0) {
+    if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
     status = lag_event_iteration_part(&instants->iteration, t, x);
@@ -361,8 +367,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
         }
     }
     instants->iteration.located = NULL;
+    instants->iteration.turned = any || ticks;
     if (status == LAG_OK) {
-        instants->iteration.turned = any || ticks;
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
     lag_fill(model->ncontact, 0.0, instants->contacts.met);

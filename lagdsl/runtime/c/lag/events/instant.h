@@ -14,6 +14,8 @@ typedef struct lag_instants {
     lag_motion *motion;
     lag_places places;
     lag_contacts contacts;
+    lag_frictions frictions;
+    lag_modes modes;
     lag_noise noise;
     lag_event_iteration iteration;
     lag_impulse impulse;

@@ -13,17 +13,18 @@ static const double CREEPING = 1e-12;
 
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
-    const size_t count = model->nindicator + model->ncontact + model->ncorner;
+    const size_t count = lag_guards(model) + model->ncorner;
     return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 4 * model->ncorner + (7 + LAG_LOOKS) * count;
 }
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_frictions *frictions, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
-    const size_t count = model->nindicator + model->ncontact + model->ncorner;
+    const size_t count = lag_guards(model) + model->ncorner;
     crossings->motion = motion;
     crossings->places = lag_places_of(model);
-    crossings->contacts = contacts;
+    crossings->contacts = frictions->contacts;
+    crossings->frictions = frictions;
     crossings->noise = noise;
     crossings->changed = lag_take(&memory, count);
     crossings->depth = lag_take(&memory, count);
@@ -62,7 +63,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)
 {
-    return crossings->motion->model->nindicator + crossings->motion->model->ncontact + crossings->corners;
+    return lag_guards(crossings->motion->model) + crossings->corners;
 }
 
 static int is_closed(const lag_zero_crossing *crossings, size_t i)
@@ -78,17 +79,23 @@ double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
         const int holds = motion->w[crossings->places.relation + which] != 0.0;
         return holds ? crossings->g[which] : -crossings->g[which];
     }
-    if (which >= count + motion->model->ncontact) {
-        const size_t corner = which - count - motion->model->ncontact;
+    if (which >= lag_guards(motion->model)) {
+        const size_t corner = which - lag_guards(motion->model);
         return crossings->side[corner] * crossings->far[corner];
     }
-    return is_closed(crossings, which - count) ? motion->lam[motion->model->contact_rows[which - count]] : crossings->gap[which - count];
+    if (which >= count + motion->model->ncontact) {
+        return lag_frictions_guard(crossings->frictions, which - count - motion->model->ncontact);
+    }
+    const size_t contact = which - count;
+    const double *open = lag_contacts_is_one_way(crossings->contacts, contact) ? crossings->speed : crossings->gap;
+    return is_closed(crossings, contact) ? motion->lam[motion->model->contact_rows[contact]] : open[contact];
 }
 
 /* The place of a relation or corner in lag_noise. */
 static size_t place_of(const lag_zero_crossing *crossings, size_t which)
 {
-    return which < crossings->motion->model->nindicator ? which : which - crossings->motion->model->ncontact;
+    const lag_model *model = crossings->motion->model;
+    return which < model->nindicator ? which : which - model->ncontact - model->nfriction;
 }
 
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
@@ -96,6 +103,9 @@ double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
     const size_t count = crossings->motion->model->nindicator;
     if (lag_zero_crossing_has_noise(crossings, which)) {
         return crossings->noise->sigma[place_of(crossings, which)];
+    }
+    if (which >= count + crossings->motion->model->ncontact) {
+        return lag_frictions_band(crossings->frictions, which - count - crossings->motion->model->ncontact);
     }
     return is_closed(crossings, which - count) ? lag_contacts_force_noise(crossings->contacts, which - count)
                                            : lag_contacts_gap_noise(crossings->contacts, which - count);
@@ -153,9 +163,21 @@ static lag_status contacts(lag_zero_crossing *crossings)
     return status;
 }
 
+static lag_status frictions(lag_zero_crossing *crossings)
+{
+    const lag_model *model = crossings->motion->model;
+    const size_t first = model->nindicator + model->ncontact;
+    const lag_status status = lag_frictions_look(crossings->frictions);
+    for (size_t i = first; i < first + model->nfriction; ++i) {
+        const double least = fmax(crossings->band[i], lag_zero_crossing_noise(crossings, i));
+        crossings->changed[i] = -lag_zero_crossing_value(crossings, i) > least;
+    }
+    return status;
+}
+
 static lag_status corners(lag_zero_crossing *crossings)
 {
-    const size_t first = crossings->motion->model->nindicator + crossings->motion->model->ncontact;
+    const size_t first = lag_guards(crossings->motion->model);
     double solved = 0.0;
     const lag_status status = crossings->motion->model->corner(&crossings->motion->at, crossings->far, &solved);
     for (size_t i = first; i < first + crossings->corners; ++i) {
@@ -168,7 +190,7 @@ static lag_status corners(lag_zero_crossing *crossings)
 static int needs_forces(const lag_zero_crossing *crossings)
 {
     const lag_model *model = crossings->motion->model;
-    int needs = model->nindicator > 0 || (crossings->corners > 0 && crossings->solved);
+    int needs = model->nindicator > 0 || model->nfriction > 0 || (crossings->corners > 0 && crossings->solved);
     for (size_t i = 0; i < model->ncontact && !needs; ++i) {
         needs = is_closed(crossings, i);
     }
@@ -190,6 +212,9 @@ lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const 
     if (status == LAG_OK && model->ncontact > 0) {
         status = contacts(crossings);
     }
+    if (status == LAG_OK && model->nfriction > 0) {
+        status = frictions(crossings);
+    }
     if (status == LAG_OK && crossings->corners > 0) {
         status = corners(crossings);
     }
@@ -203,12 +228,13 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
 {
     const size_t count = lag_zero_crossing_count(crossings);
     const size_t contacts = crossings->motion->model->ncontact;
+    const size_t frictions = crossings->motion->model->nfriction;
     if (count == 0) {
         return LAG_OK;
     }
     crossings->since = t;
     memset(crossings->band, 0, count * sizeof(double));
-    memset(crossings->creep, 0, (count - contacts) * sizeof(double));
+    memset(crossings->creep, 0, (count - contacts - frictions) * sizeof(double));
     lag_noise_follow(crossings->noise, x);
     lag_contacts_follow(crossings->contacts, x);
     const lag_status status = lag_zero_crossing_look(crossings, t, x);
@@ -231,7 +257,7 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
 int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which)
 {
     const size_t relations = crossings->motion->model->nindicator;
-    return which < relations || which >= relations + crossings->motion->model->ncontact;
+    return which < relations || which >= lag_guards(crossings->motion->model);
 }
 
 /* True if a value comes to zero itself from where it was clearly not, as one that `limit` or `min` ends at its border. */

@@ -1,13 +1,13 @@
 /*
  * Detects changes that are not in the discretes w of a model yet: relations whose truth changes, open contacts with negative
- * gaps, closed contacts that would pull. Each has a value that is positive while nothing changes; if it was negative already
+ * gaps, closed contacts that would pull, friction that comes to rest or breaks loose. Each has a value that is positive while nothing changes; if it was negative already
  * when the step began, or is so by no more than round-off, it must fall further. lag/events/instant.h carries out the
  * changes. Corners are values of the same kind, on request only: the discretes do not contain them.
  */
 #ifndef LAG_ZERO_CROSSING_H
 #define LAG_ZERO_CROSSING_H
 
-#include "lag/events/contact.h"
+#include "lag/events/friction.h"
 #include "lag/events/noise.h"
 #include "lag/linalg/minimum.h"
 
@@ -15,13 +15,14 @@ typedef struct lag_zero_crossing {
     lag_motion *motion;
     lag_places places;
     lag_contacts *contacts;
+    lag_frictions *frictions;
     lag_noise *noise;
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
     double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
     double *beside;                /* (ncorner) flags: the motion is just there */
     size_t corners;                /* ncorner where corners are looked at, else 0 */
     int solved;                    /* they read accelerations or multipliers */
-    double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */
+    double *changed;               /* (nindicator + ncontact + nfriction + ncorner) 1: this one, at the state looked at last */
     double *depth;                 /* the same: how far below zero values were where they began, though nothing had changed */
     double *band;                  /* the same: how far below zero they may be: their depth, round-off, and the creep of what rests */
     double *start, *moved;         /* the same: values where they began, and their largest difference from that since */
@@ -38,10 +39,16 @@ typedef struct lag_zero_crossing {
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_zero_crossing;
 
+/* So many guards of a model, without corners: relations, contacts, friction, in this order. */
+static inline size_t lag_guards(const lag_model *model)
+{
+    return model->nindicator + model->ncontact + model->nfriction;
+}
+
 /* Doubles for it. */
 size_t lag_zero_crossing_memory(const lag_model *model);
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory);
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_frictions *frictions, lag_noise *noise, double *memory);
 
 /* So many things are looked at: relations, contacts, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);

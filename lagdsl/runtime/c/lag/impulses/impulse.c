@@ -21,13 +21,15 @@ static const double LEFT = 1e-9;
 static const double BEYOND = 0.5;
 /* Less than this part of a step changes no rate. */
 static const double NOTHING = 1e-60;
+/* A blow gains energy where its impulses work by more than this part of what they do. */
+static const double GAIN = 1e-9;
 /* A momentum of so many round-offs of the energy is round-off. */
 static const double FEW = 16.0;
 
 size_t lag_impulse_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return 7 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
+    return 8 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
 }
 
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
@@ -48,6 +50,7 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     impulse->w = lag_take(&memory, model->nw);
     impulse->holding = lag_take(&memory, model->ncontact);
     impulse->point = lag_take(&memory, lag_motion_size(model));
+    impulse->rates = lag_take(&memory, n);
     impulse->work = memory;
     lag_fill(model->ncontact, 0.0, impulse->holding);
 }
@@ -81,6 +84,7 @@ lag_status lag_impulse_look(lag_impulse *impulse, double t, const double *x)
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     memcpy(impulse->w + impulse->places.contact, impulse->holding, model->ncontact * sizeof(double));
+    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
     lag_motion_look(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
     motion->at.w = impulse->w;
@@ -269,12 +273,12 @@ static lag_status begin(lag_impulse *impulse, double t, double *x)
     return status;
 }
 
-/* Newton's method from rates that were looked at. */
-static lag_status iterate(lag_impulse *impulse, double t, double *x, const double *held, const lag_blow *blow)
+/* Newton's method from rates that were looked at; speeds of `rows` (or null) are those at impulse->rates. */
+static lag_status iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows)
 {
     const double *qd = x + impulse->motion->model->nq;
     for (int k = 0; k < MOST_STEPS; ++k) {
-        lag_status status = lag_impulse_step_find(impulse, held, blow, qd);
+        lag_status status = lag_impulse_step_find(impulse, held, rows, impulse->rates, qd);
         status = status == LAG_SINGULAR && k > 0 ? retreat(impulse, t, x) : status == LAG_OK ? step(impulse, t, x) : status;
         if (status != LAG_OK) {
             return status;
@@ -302,12 +306,125 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     return *jumped ? iterate(impulse, t, x, held, NULL) : LAG_OK;
 }
 
-lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, const lag_blow *blow)
+/* ---- blows ---- */
+
+/* The rates (size) of the rows at rates qd, from their speeds at impulse->rates. */
+static double speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd)
 {
     const size_t n = impulse->motion->model->nq;
-    const lag_status status = lag_impulse_look(impulse, t, x);
-    lag_impulse_choose(impulse, blow);
+    const double *row = rows->rows + i * n;
+    return rows->speed[i] + lag_dot(n, row, qd) - lag_dot(n, row, impulse->rates);
+}
+
+/* The impulses of the rows at impulse->rates, from the momenta of now; each gap parts with this part of its approach at least. */
+static lag_status blow(lag_impulse *impulse, double t, double *x, lag_inequalities *rows, const double *rebound)
+{
+    const size_t n = impulse->motion->model->nq;
     memcpy(impulse->before, impulse->now, n * sizeof(double));
+    memcpy(impulse->rates, x + n, n * sizeof(double));
+    memcpy(rows->start, rows->speed, rows->size * sizeof(double));
+    lag_fill(rows->frictions, 0.0, rows->limits);
+    for (size_t i = 0; i < rows->normals && rebound != NULL; ++i) {
+        rows->speed[i] += rebound[i] * rows->speed[i];
+    }
+    const lag_status status = iterate(impulse, t, x, NULL, rows);
+    memcpy(rows->speed, rows->start, rows->size * sizeof(double));
+    return status;
+}
+
+/* Expansion: impulses of at least e times those of the compression, with their friction. Afterwards rows->force has all of the blow. */
+static lag_status expand(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
+{
+    const size_t n = impulse->motion->model->nq;
+    memcpy(rows->first, rows->force, rows->size * sizeof(double));
+    memcpy(impulse->before, impulse->now, n * sizeof(double));
+    for (size_t i = 0; i < rows->size; ++i) {
+        rows->speed[i] = speed_at(impulse, rows, i, x + n);
+    }
+    memcpy(impulse->rates, x + n, n * sizeof(double));
+    for (size_t i = 0; i < rows->normals; ++i) {
+        const double given = rows->restitution[i] * rows->first[i];
+        rows->first[i] += given;
+        lag_axpy(n, given, rows->rows + i * n, impulse->before);
+        for (size_t k = 0; k < rows->frictions; ++k) {
+            rows->limits[k] += rows->coefficients[k * rows->normals + i] * given;
+        }
+    }
+    const lag_status status = iterate(impulse, t, x, NULL, rows);
+    lag_axpy(rows->size, 1.0, rows->first, rows->force);
+    return status;
+}
+
+/* Work of the impulses of a blow, and the sum of its magnitudes: each with the mean of its speeds before and after, which is exact for a quadratic T. */
+static double work_of(const lag_impulse *impulse, const lag_inequalities *rows, const double *qd, double *size)
+{
+    double work = 0.0;
+    *size = 0.0;
+    for (size_t i = 0; i < rows->size; ++i) {
+        const double term = 0.5 * rows->force[i] * (rows->start[i] + speed_at(impulse, rows, i, qd));
+        work += term;
+        *size += fabs(0.5 * rows->force[i] * rows->start[i]) + fabs(term);
+    }
+    return work;
+}
+
+/* The restitutions are not equal; all of them are the least then. */
+static int equalize(lag_inequalities *rows)
+{
+    double least = 1.0;
+    double most = 0.0;
+    for (size_t i = 0; i < rows->normals; ++i) {
+        least = fmin(least, rows->restitution[i]);
+        most = fmax(most, rows->restitution[i]);
+    }
+    lag_fill(rows->normals, least, rows->restitution);
+    return least < most;
+}
+
+/* Newton's law without friction, Poisson's with it. */
+static lag_status rebound(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
+{
+    if (rows->frictions == 0) {
+        return blow(impulse, t, x, rows, rows->restitution);
+    }
+    const lag_status status = blow(impulse, t, x, rows, NULL);
+    return status == LAG_OK && lag_any(rows->normals, rows->restitution) ? expand(impulse, t, x, rows) : status;
+}
+
+lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
+{
+    const size_t n = impulse->motion->model->nq;
+    double size = 0.0;
+    lag_status status = lag_impulse_look(impulse, t, x);
+    lag_impulse_choose(impulse, rows);
     memcpy(impulse->point, x + n, n * sizeof(double));
-    return status == LAG_OK ? iterate(impulse, t, x, NULL, blow) : status;
+    status = status == LAG_OK ? rebound(impulse, t, x, rows) : status;
+    if (status == LAG_OK && work_of(impulse, rows, x + n, &size) > GAIN * size && equalize(rows)) {
+        memcpy(x + n, impulse->point, n * sizeof(double));
+        memcpy(rows->speed, rows->start, rows->size * sizeof(double));
+        status = lag_impulse_look(impulse, t, x);
+        status = status == LAG_OK ? rebound(impulse, t, x, rows) : status;
+    }
+    return status;
+}
+
+/* ---- accelerations ---- */
+
+lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows, double *qdd)
+{
+    lag_motion *motion = impulse->motion;
+    const lag_model *model = motion->model;
+    lag_motion_look(motion, t, x);
+    motion->at.w = w;
+    lag_status status = model->dynamics(&motion->at, impulse->mass, impulse->before, impulse->jacobian, impulse->residual);
+    motion->at.w = motion->w;
+    for (size_t i = 0; i < model->nc; ++i) {
+        impulse->residual[i] = -impulse->residual[i];
+    }
+    lag_impulse_choose(impulse, NULL);
+    lag_fill(model->nq, 0.0, impulse->now);
+    lag_fill(model->nq, 0.0, qdd);
+    status = status == LAG_OK ? lag_impulse_step_find(impulse, NULL, rows, qdd, qdd) : status;
+    memcpy(qdd, impulse->change, model->nq * sizeof(double));
+    return status;
 }

@@ -1,14 +1,18 @@
 /*
  * The impulse problem: rates after an instant at which T, a prescribed motion, a constraint or a contact changes them, while positions stay.
  *
- *     p(t, q, v+, w+) - p(t, q, v-, w-) = J' P + Wc' Pc,   J v+ + b = 0,   0 <= Pc, gap rate+ + e gap rate- >= 0, one of the two zero
+ *     p(t, q, v+, w+) - p(t, q, v-, w-) = sum of rows' impulses,   J v+ + b = 0
  *
  * with p = dL/dqd. Over an instant all finite forces drop out of Lagrange's equations: momenta change by impulses of rows only. Rows are those
- * of the constraints, bilateral; rates that are held; and gaps that strike by Newton's law, unilateral, a linear complementarity problem whose matrix is
- * symmetric and positive semidefinite. Where T is not quadratic in the rates Newton's method solves such problems with the M of the rates so far.
+ * of the constraints, bilateral; rates that are held; and gaps and slips, with the law of lag/impulses/friction_problem.h. Where T is not quadratic in the
+ * rates Newton's method solves such problems with the M of the rates so far. Accelerations satisfy a problem of the same form, with forces for impulses.
+ *
+ * Restitution is Newton's law where no friction acts: gaps part with e times their approach. With friction that may gain energy, and Poisson's law holds, which
+ * never does: compression ends where no gap closes any more, with impulses P; then impulses of at least e P act. Without friction both are the
+ * same where T is quadratic and one e holds for all. If different e meet in one blow and energy would grow, the least of them holds for all.
  *
  * Source: L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV; H. Goldstein, Classical Mechanics (2nd ed., 1980), exercises
- * of chapter 2 on impulsive forces; Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996.
+ * of chapter 2 on impulsive forces; Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 8 (Poisson's law in two phases).
  */
 #ifndef LAG_IMPULSE_H
 #define LAG_IMPULSE_H
@@ -16,6 +20,7 @@
 #include "lag/equations/discretes.h"
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
+#include "lag/impulses/inequalities.h"
 
 typedef struct lag_impulse {
     lag_motion *motion;
@@ -25,7 +30,7 @@ typedef struct lag_impulse {
     double *mass;      /* (nq, nq) M, */
     double *jacobian;  /* (nc, nq) and the rows of the constraints with */
     double *residual;  /* (nc) what they lack: J qd + b */
-    double *w;         /* (nw) the discretes with contacts as in `holding` */
+    double *w;         /* (nw) the discretes with contacts as in `holding`, without friction */
     double *holding;   /* (ncontact) flags of closed contacts that hold like constraints; zero but across a step of energy */
     double *chosen;    /* (nq) coordinates that take part, ascending, */
     size_t count;      /* so many */
@@ -35,16 +40,9 @@ typedef struct lag_impulse {
     double *size;      /* (nq) of the terms of the momenta */
     double *from;      /* (nq) momenta before that step */
     double *point;     /* (2 nq + nz) */
+    double *rates;     /* (nq) those before */
     double *work;      /* of one step */
 } lag_impulse;
-
-/* Gaps that strike. */
-typedef struct lag_blow {
-    size_t count;
-    const double *rows;   /* (count, nq) dgap/dq */
-    const double *speed;  /* (count) rates of the gaps before it */
-    const double *factor; /* (count) restitution */
-} lag_blow;
 
 /* Doubles for it. */
 size_t lag_impulse_memory(const lag_model *model);
@@ -68,8 +66,17 @@ int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part);
  */
 lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, int *jumped);
 
-/* The rates in x at time t, which satisfy the lasting constraints, after a blow. Closed contacts take part as its gaps, not as constraints. */
-lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, const lag_blow *blow);
+/*
+ * The rates in x at time t, which satisfy the lasting constraints, after a blow, whose impulses are rows->force. Closed contacts and friction
+ * take part as its rows, not as constraints. LAG_NO_FORCES: no impulses satisfy the law.
+ */
+lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_inequalities *rows);
+
+/*
+ * Accelerations qdd (nq) at x at time t, where `rows` act with rows->force beside the constraints that the discretes w (nw) have; speeds of rows are
+ * their accelerations at qdd = 0. LAG_NO_FORCES: no forces satisfy the law. LAG_SINGULAR: some accelerations are not determined.
+ */
+lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows, double *qdd);
 
 /* Change of the rates (nq) for a unit impulse along `row` (nq), with what was looked at last. LAG_SINGULAR: some rates are not determined. */
 lag_status lag_impulse_respond(lag_impulse *impulse, const double *row, double *change);

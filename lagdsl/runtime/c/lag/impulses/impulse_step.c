@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/impulses/friction_problem.h"
 #include "lag/linalg/arena.h"
-#include "lag/linalg/nnls.h"
 #include "lag/linalg/vector.h"
 
 /* A step satisfies rows to this part of their terms. */
@@ -20,25 +20,27 @@ size_t lag_impulse_step_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t rows = model->nc + most_held(model);
-    const size_t k = model->ngap;
-    return n * n + rows * n + 2 * rows + 3 * n + k * n + k * k + 2 * k + lag_system_memory(n, rows) + lag_nnls_memory(k);
+    const size_t k = model->ngap + model->nslip;
+    const size_t problem = k * n + k * k + 2 * k + model->nfriction * (model->ngap + 1);
+    return n * n + rows * n + 2 * rows + 3 * n + lag_system_memory(n, rows) + problem +
+           lag_friction_problem_memory(model->ngap, model->nfriction, k);
 }
 
-void lag_impulse_choose(lag_impulse *impulse, const lag_blow *blow)
+void lag_impulse_choose(lag_impulse *impulse, const lag_inequalities *rows)
 {
     const lag_model *model = impulse->motion->model;
     const size_t n = model->nq;
-    double *struck = impulse->point; /* (nq + nz) by component */
-    const int all = blow == NULL || model->components == NULL;
-    lag_fill(n + model->nz, 0.0, struck);
-    for (size_t i = 0; !all && i < blow->count * n; ++i) {
-        if (blow->rows[i] != 0.0) {
-            struck[model->components[i % n]] = 1.0;
+    double *moved = impulse->point; /* (nq + nz) by component */
+    const int all = rows == NULL || model->components == NULL;
+    lag_fill(n + model->nz, 0.0, moved);
+    for (size_t i = 0; !all && i < rows->size * n; ++i) {
+        if (rows->rows[i] != 0.0) {
+            moved[model->components[i % n]] = 1.0;
         }
     }
     impulse->count = 0;
     for (size_t j = 0; j < n; ++j) {
-        if (all || struck[model->components[j]] != 0.0) {
+        if (all || moved[model->components[j]] != 0.0) {
             impulse->chosen[impulse->count++] = (double)j;
         }
     }
@@ -141,38 +143,54 @@ static int change_by_constraints(lag_impulse *impulse, step_system *s)
     return reached;
 }
 
-/* Adds the change by impulses of the gaps that strike; `rates` are those before the blow, qd those so far. */
-static void change_by_gaps(const lag_impulse *impulse, step_system *s, const lag_blow *blow, const double *rates, const double *qd)
+/* Adds the change by impulses of the rows that push one way, or slip; `rates` are those before it, qd those so far. */
+static lag_status change_by_inequalities(const lag_impulse *impulse, step_system *s, lag_inequalities *rows, const double *rates, const double *qd)
 {
     const size_t n = impulse->motion->model->nq;
     const size_t count = impulse->count;
+    const size_t size = rows->size;
     double *memory = s->work;
-    double *response = lag_take(&memory, blow->count * count);
-    double *compliance = lag_take(&memory, blow->count * blow->count);
-    double *wanted = lag_take(&memory, blow->count);
-    double *impulses = lag_take(&memory, blow->count);
+    double *response = lag_take(&memory, size * count);
+    lag_friction_problem problem = {.normals = rows->normals, .frictions = rows->frictions, .components = rows->components};
+    problem.compliance = lag_take(&memory, size * size);
+    problem.rates = lag_take(&memory, size);
+    problem.limits = lag_take(&memory, rows->frictions);
+    problem.coefficients = lag_take(&memory, rows->frictions * rows->normals);
+    memcpy(problem.limits, rows->limits, rows->frictions * sizeof(double));
+    memcpy(problem.coefficients, rows->coefficients, rows->frictions * rows->normals * sizeof(double));
     lag_fill(s->rows, 0.0, s->right);
-    for (size_t i = 0; i < blow->count; ++i) {
-        pick(impulse, blow->rows + i * n, s->row);
+    for (size_t i = 0; i < size; ++i) {
+        pick(impulse, rows->columns + i * n, s->row);
         lag_system_solve(&s->system, s->row, s->right, response + i * count, s->lam);
     }
-    for (size_t i = 0; i < blow->count; ++i) {
-        pick(impulse, blow->rows + i * n, s->row);
-        wanted[i] = (1.0 + blow->factor[i]) * blow->speed[i] + lag_dot(count, s->row, s->change);
+    for (size_t i = 0; i < size; ++i) {
+        pick(impulse, rows->rows + i * n, s->row);
+        problem.rates[i] = rows->speed[i] + lag_dot(count, s->row, s->change);
         for (size_t k = 0; k < count; ++k) {
-            wanted[i] += s->row[k] * (qd[lag_impulse_place_of(impulse, k)] - rates[lag_impulse_place_of(impulse, k)]);
+            problem.rates[i] += s->row[k] * (qd[lag_impulse_place_of(impulse, k)] - rates[lag_impulse_place_of(impulse, k)]);
         }
-        for (size_t j = 0; j < blow->count; ++j) {
-            compliance[i * blow->count + j] = lag_dot(count, s->row, response + j * count);
+        for (size_t j = 0; j < size; ++j) {
+            problem.compliance[i * size + j] = lag_dot(count, s->row, response + j * count);
         }
     }
-    lag_nnls(blow->count, compliance, wanted, impulses, memory);
-    for (size_t i = 0; i < blow->count; ++i) {
-        lag_axpy(count, impulses[i], response + i * count, s->change);
+    memcpy(rows->after, problem.rates, size * sizeof(double));
+    const lag_status status = lag_friction_problem_solve(&problem, rows->force, memory);
+    for (size_t i = 0; i < size; ++i) {
+        rows->scale[i] = fabs(rows->after[i]);
+        lag_axpy(count, rows->force[i], response + i * count, s->change);
     }
+    for (size_t i = 0; i < size; ++i) {
+        pick(impulse, rows->rows + i * n, s->row);
+        for (size_t j = 0; j < size; ++j) {
+            const double term = rows->force[j] * lag_dot(count, s->row, response + j * count);
+            rows->after[i] += term;
+            rows->scale[i] += fabs(term);
+        }
+    }
+    return status;
 }
 
-lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, const lag_blow *blow, const double *qd)
+lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *rates, const double *qd)
 {
     step_system s;
     lag_status status = factor(impulse, held, &s);
@@ -181,8 +199,8 @@ lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, const
         status = factor(impulse, NULL, &s);
         (void)(status == LAG_OK && change_by_constraints(impulse, &s));
     }
-    if (status == LAG_OK && blow != NULL) {
-        change_by_gaps(impulse, &s, blow, impulse->point, qd);
+    if (status == LAG_OK && rows != NULL) {
+        status = change_by_inequalities(impulse, &s, rows, rates, qd);
     }
     for (size_t k = 0; k < impulse->count && status == LAG_OK; ++k) {
         impulse->change[lag_impulse_place_of(impulse, k)] = s.change[k];

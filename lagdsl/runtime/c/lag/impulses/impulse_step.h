@@ -7,14 +7,15 @@
 /* Doubles of its work. */
 size_t lag_impulse_step_memory(const lag_model *model);
 
-/* Chooses the coordinates of the components in which the blow has a gap, as what is beside them does not move; all of them without a blow. */
-void lag_impulse_choose(lag_impulse *impulse, const lag_blow *blow);
+/* Chooses the coordinates of the components that these rows move, as what is beside them stays; all of them without rows. */
+void lag_impulse_choose(lag_impulse *impulse, const lag_inequalities *rows);
 
 /*
  * impulse->change of the rates in the first order, from momenta, M and rows that were looked at, for the chosen coordinates; `held` rates stay if
- * the others can do it, gaps of a `blow` strike (null: none). Rates before the blow are in impulse->point, those so far are qd (nq).
+ * the others can do it, and `rows` act (null: none), whose speeds are those at the `rates` before it (nq); those so far are qd (nq).
+ * LAG_NO_FORCES: as lag_friction_problem_solve().
  */
-lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, const lag_blow *blow, const double *qd);
+lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *rates, const double *qd);
 
 /* The coordinate of which the chosen number k is. */
 static inline size_t lag_impulse_place_of(const lag_impulse *impulse, size_t k)

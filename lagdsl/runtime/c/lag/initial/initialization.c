@@ -233,12 +233,16 @@ static lag_status find_discretes(lag_initialization *b, const double *q, const d
     return status;
 }
 
+/* Contacts closed and slips held, or none of them. */
 static void close_contacts(lag_initialization *b, double closed)
 {
     const lag_model *model = b->motion->model;
     const lag_places places = lag_places_of(model);
     for (size_t i = 0; i < model->ncontact; ++i) {
         b->motion->w[places.contact + i] = closed;
+    }
+    for (size_t i = 0; i < model->nfriction; ++i) {
+        b->motion->w[places.sticks + i] = closed;
     }
 }
 

@@ -20,7 +20,7 @@ size_t lag_run_numbers(const lag_model *model)
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
-           2 * (model->nindicator + model->ncontact) + model->np + model->nu + lag_turns_memory(model) + 1;
+           2 * lag_guards(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
 
 /* Doubles of which nothing is remembered. */
@@ -74,7 +74,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
-    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
+    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.frictions, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
     run->crossings.tolerance = options->tolerance;
     run->instants.iteration.tell = tell;
     run->instants.iteration.context = run;
@@ -145,8 +145,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->lost_time = (double)INFINITY;
     place_watch(run, model, &memory);
     lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
-    run->pending = lag_take(&memory, model->nindicator + model->ncontact);
-    run->waiting = lag_take(&memory, model->nindicator + model->ncontact);
+    run->pending = lag_take(&memory, lag_guards(model));
+    run->waiting = lag_take(&memory, lag_guards(model));
     run->u_before = lag_take(&memory, model->nu);
     lag_turns_place(&run->turns, model, lag_take(&memory, lag_turns_memory(model)));
     return run;
@@ -188,6 +188,7 @@ static int alike(const lag_model *a, const lag_model *b)
     return a->version == b->version && a->nq == b->nq && a->nz == b->nz && a->nu == b->nu && a->nw == b->nw && a->np == b->np &&
         a->nc == b->nc && a->ny == b->ny && a->ni == b->ni && a->na == b->na && a->nk == b->nk && a->nindicator == b->nindicator &&
         a->ncontact == b->ncontact && a->ngap == b->ngap && a->nclock == b->nclock && a->nreset == b->nreset &&
+        a->nfriction == b->nfriction && a->nslip == b->nslip && a->nload == b->nload &&
         a->ncorner == b->ncorner && a->nway == b->nway && a->nturn == b->nturn && a->ncollision == b->ncollision && a->nstop == b->nstop && a->nfail == b->nfail;
 }
 

@@ -220,7 +220,7 @@ lag_status lag_run_face_corners(lag_run *run)
 static int only_corners(const lag_run *run)
 {
     const lag_model *model = run->motion.model;
-    return !lag_any(model->nindicator + model->ncontact, run->crossings.changed);
+    return !lag_any(lag_guards(model), run->crossings.changed);
 }
 
 /* LAG_EVENT_PENDING: relations or contacts have changed at t, within the last step. */
@@ -228,7 +228,7 @@ static lag_status look_at_jumps(lag_run *run, double t)
 {
     const lag_model *model = run->motion.model;
     const lag_status status = lag_scan_look(run, t);
-    const int any = lag_any(model->nindicator + model->ncontact, run->crossings.changed);
+    const int any = lag_any(lag_guards(model), run->crossings.changed);
     return status == LAG_EVENT_PENDING && !any ? LAG_OK : status;
 }
 
@@ -265,7 +265,7 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
 {
     const lag_model *model = run->motion.model;
     lag_zero_crossing *crossings = &run->crossings;
-    const double *changed = crossings->changed + model->nindicator + model->ncontact;
+    const double *changed = crossings->changed + lag_guards(model);
     lag_status status = LAG_OK;
     *corner = (double)INFINITY;
     for (int k = 0; k <= TURNS; ++k) {

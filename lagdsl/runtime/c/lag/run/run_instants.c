@@ -23,7 +23,7 @@ static lag_status tell(lag_run *run, lag_event_kind what)
 static void find_bands(lag_run *run)
 {
     lag_zero_crossing *crossings = &run->crossings;
-    const size_t bytes = (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double);
+    const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
     memcpy(crossings->root, crossings->changed, bytes);
     if (lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) == LAG_EVENT_PENDING) {
         (void)lag_zero_crossing_widen(crossings, run->stepper.t, run->stepper.x, NULL);
@@ -143,7 +143,7 @@ static lag_status reach_next_row(lag_run *run, double *changed)
 static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
 {
     const lag_model *model = run->motion.model;
-    const size_t count = model->nindicator + model->ncontact;
+    const size_t count = lag_guards(model);
     double *x = run->stepper.x;
     lag_instants_after(&run->instants, run->stepper.t, h);
     if (changed == NULL) {
@@ -184,7 +184,7 @@ static lag_status find_turned(lag_run *run, int *any)
     const lag_stepper *s = &run->stepper;
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
-    lag_status status = model->nindicator + model->ncontact > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
+    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
     if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x, NULL)) {
         status = lag_zero_crossing_look(crossings, s->t, s->x);
     }
@@ -194,8 +194,8 @@ static lag_status find_turned(lag_run *run, int *any)
     if (status == LAG_EVENT_PENDING) {
         lag_event_iteration_still_pulling(&run->instants.iteration, s->t, s->x, contacts);
     }
-    *any = status == LAG_EVENT_PENDING && lag_any(model->nindicator + model->ncontact, crossings->changed);
-    lag_fill(model->ncontact, 0.0, contacts); /* these follow */
+    *any = status == LAG_EVENT_PENDING && lag_any(lag_guards(model), crossings->changed);
+    lag_fill(model->ncontact + model->nfriction, 0.0, contacts); /* these follow */
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
@@ -276,7 +276,7 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     if (!*any || status != LAG_OK) {
         return status;
     }
-    memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
+    memcpy(run->pending, run->crossings.changed, lag_guards(model) * sizeof(double));
     const int due = lag_timed_due(&run->instants.timed, s->t);
     for (size_t i = 0; i < model->nindicator && due && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for it */
         run->pending[i] = fmax(run->pending[i], run->waiting[i]);

@@ -189,7 +189,7 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_stepper *s = &run->stepper;
     lag_noise_find(crossings->noise, s->t, s->x);
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
-    for (size_t i = 0; i < model->nindicator + model->ncontact && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+    for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
         const int was_clear = crossings->start[i] > noise || (crossings->moved[i] > fabs(crossings->start[i]) + noise && !lag_zero_crossing_rests(crossings, i));
         crossings->changed[i] = located[i] != 0.0 && was_clear && lag_zero_crossing_value(crossings, i) <= noise;
@@ -232,7 +232,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
         }
         half->corner = 0;
         at_event = !inside;
-        memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+        memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
         end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
@@ -263,7 +263,7 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     const int left = half->own && left_to_ticks(run, stop);
     const int own = half->own && !left;
     if (left) {
-        memcpy(run->waiting, run->pending, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+        memcpy(run->waiting, run->pending, lag_guards(run->motion.model) * sizeof(double));
         run->half.left = h;
     }
     *happened = own || due;
@@ -285,7 +285,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
-    memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
         own = lag_scan_on_constraints(run, run->pending, own);
     }

@@ -82,7 +82,7 @@ static double root_of(change *one, double a, double b, double tolerance)
 static double with_corners(const lag_run *run, double first)
 {
     const lag_model *model = run->motion.model;
-    const size_t corners = model->nindicator + model->ncontact;
+    const size_t corners = lag_guards(model);
     double last = first;
     for (size_t i = 0; i < corners && lag_any(run->crossings.corners, run->crossings.changed + corners); ++i) {
         last = run->crossings.changed[i] != 0.0 ? fmax(last, run->crossings.root[i]) : last;
@@ -152,7 +152,7 @@ double lag_scan_on_constraints(lag_run *run, const double *located, double t)
 {
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
-    const size_t count = model->nindicator + model->ncontact;
+    const size_t count = lag_guards(model);
     change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count};
     double before = t - SECANT * (t - s->t_before);
     if (one.which == count || !(before < t)) {

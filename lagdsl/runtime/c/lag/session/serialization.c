@@ -210,7 +210,7 @@ unsigned long long lag_run_signature(const lag_model *model, const lag_run_optio
 {
     const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->workspace,
         model->prepared, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk,
-        options->count, lag_run_size(model, options), sizeof(lag_run)};
+        model->nfriction, model->nslip, model->nload, options->count, lag_run_size(model, options), sizeof(lag_run)};
     const double one = 1.0; /* how numbers are written */
     unsigned long long sum = mixed(lag_record_sum((const unsigned char *)&one, sizeof one), LAG_MODEL_VERSION);
     for (const char *letter = model->name; *letter != '\0'; ++letter) {

@@ -61,12 +61,15 @@ size_t lag_session_size(const lag_model *model, const lag_start *start)
     return lag_padded(sizeof session) + lag_padded(numbers(model) * sizeof(double)) + lag_run_size(model, &options);
 }
 
-/* Rows of contacts come and go. */
+/* Rows of contacts and of dry friction come and go. */
 static void find_lasting(lag_session *session)
 {
     lag_fill(session->model->nc, 1.0, session->lasting);
     for (size_t i = 0; i < session->model->ncontact; ++i) {
         session->lasting[session->model->contact_rows[i]] = 0.0;
+    }
+    for (size_t i = 0; i < session->model->nslip; ++i) {
+        session->lasting[session->model->friction_rows[i]] = 0.0;
     }
 }
 

@@ -205,6 +205,20 @@ static lag_status turn(const lag_arguments *at, double *value, double *rate, dou
     return run(at, 1 + LAG_TURN, results);
 }
 
+static lag_status friction(
+        const lag_arguments *at, double *slip, double *jacobian, double *limit, double *sticking, double *gain,
+        double *sticking_gain)
+{
+    double *const results[] = {slip, jacobian, limit, sticking, gain, sticking_gain};
+    return run(at, 1 + LAG_FRICTION, results);
+}
+
+static lag_status load(const lag_arguments *at, double *load, double *by_acceleration, double *by_multiplier)
+{
+    double *const results[] = {load, by_acceleration, by_multiplier};
+    return run(at, 1 + LAG_LOAD, results);
+}
+
 static lag_status momentum_tangent(const lag_arguments *at, double *momentum)
 {
     double *const results[] = {momentum};
@@ -306,6 +320,8 @@ static void give(lag_tape *tape)
     tape->model.corner = lag_tape_has(tape, LAG_CORNER) ? corner : NULL;
     tape->model.way = lag_tape_has(tape, LAG_WAY) ? way : NULL;
     tape->model.turn = lag_tape_has(tape, LAG_TURN) ? turn : NULL;
+    tape->model.friction = lag_tape_has(tape, LAG_FRICTION) ? friction : NULL;
+    tape->model.load = lag_tape_has(tape, LAG_LOAD) ? load : NULL;
     tape->model.momentum_tangent = lag_tape_has(tape, LAG_MOMENTUM_TANGENT) ? momentum_tangent : NULL;
     tape->model.definition = lag_tape_has(tape, LAG_DEFINITION) ? definition : NULL;
     tape->model.definition_tangent = lag_tape_has(tape, LAG_DEFINITION_TANGENT) ? definition_tangent : NULL;

@@ -77,6 +77,9 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ncorner = size[LAG_TAPE_NCORNER];
     model->nway = size[LAG_TAPE_NWAY];
     model->nturn = size[LAG_TAPE_NTURN];
+    model->nslip = size[LAG_TAPE_NSLIP];
+    model->nfriction = size[LAG_TAPE_NFRICTION];
+    model->nload = size[LAG_TAPE_NLOAD];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
     model->ninertial = size[LAG_TAPE_NINERTIAL];
     model->nplace = size[LAG_TAPE_NPLACE];
@@ -104,12 +107,16 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->definitions = take_slots(parts, &slot, &slot_memory, model->nd);
     const char **message_memory = (void *)slot_memory;
     model->assertions = take_texts(parts, &message, &message_memory, model->na);
+    model->frictions = take_texts(parts, &message, &message_memory, model->nfriction);
     model->resets = take_texts(parts, &message, &message_memory, model->nreset);
     model->stops = take_texts(parts, &message, &message_memory, model->nstop);
     model->failures = take_texts(parts, &message, &message_memory, model->nfail);
     size_t *row_memory = (void *)message_memory;
     model->kept_rows = take_rows(parts, LAG_TAPE_KEPT_ROWS, &row_memory, model->nk);
     model->contact_rows = take_rows(parts, LAG_TAPE_CONTACT_ROWS, &row_memory, model->ncontact);
+    model->friction_rows = take_rows(parts, LAG_TAPE_FRICTION_ROWS, &row_memory, model->nslip);
+    model->friction_slips = take_rows(parts, LAG_TAPE_FRICTION_SLIPS, &row_memory, model->nfriction);
+    model->friction_contacts = take_rows(parts, LAG_TAPE_FRICTION_CONTACTS, &row_memory, model->nfriction);
     model->switched_rows = take_rows(parts, LAG_TAPE_SWITCHED_ROWS, &row_memory, model->nswitched);
     model->reset_places = take_rows(parts, LAG_TAPE_RESET_PLACES, &row_memory, model->nreset);
     tape->pattern = (lag_pattern){.rows = model->nc, .columns = model->nq, .count = (size_t)lag_tape_pattern_length(parts)};
@@ -123,6 +130,7 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->kinds = section(parts, LAG_TAPE_KINDS);
     model->strict = section(parts, LAG_TAPE_STRICT);
     model->whole_inputs = section(parts, LAG_TAPE_WHOLE_INPUTS);
+    model->one_way = section(parts, LAG_TAPE_ONE_WAY);
 }
 
 static void give_start(lag_start *start, const lag_tape_parts *parts)

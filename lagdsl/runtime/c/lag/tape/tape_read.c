@@ -79,7 +79,7 @@ static uint64_t slots(const uint32_t *size)
 
 static uint64_t messages(const uint32_t *size)
 {
-    return (uint64_t)size[LAG_TAPE_NA] + size[LAG_TAPE_NRESET] + size[LAG_TAPE_NSTOP] + size[LAG_TAPE_NFAIL];
+    return (uint64_t)size[LAG_TAPE_NA] + size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NRESET] + size[LAG_TAPE_NSTOP] + size[LAG_TAPE_NFAIL];
 }
 
 uint64_t lag_tape_pattern_length(const lag_tape_parts *parts)
@@ -95,7 +95,8 @@ uint64_t lag_tape_components_length(const lag_tape_parts *parts)
 static uint64_t rows(const lag_tape_parts *parts)
 {
     const uint32_t *size = parts->size;
-    const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
+    const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSLIP] +
+                            2 * (uint64_t)size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
     return listed + 2 * lag_tape_pattern_length(parts) + lag_tape_components_length(parts);
 }
 
@@ -110,6 +111,10 @@ static int sizes_agree(const lag_tape_parts *parts)
            holds(parts, LAG_TAPE_KINDS, n[LAG_TAPE_NW], 1) && holds(parts, LAG_TAPE_STRICT, n[LAG_TAPE_NINDICATOR], 1) &&
            may_hold(parts, LAG_TAPE_WHOLE_INPUTS, n[LAG_TAPE_NU], 1) && holds(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NK], word) &&
            holds(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NCONTACT], word) &&
+           may_hold(parts, LAG_TAPE_ONE_WAY, n[LAG_TAPE_NCONTACT], 1) &&
+           holds(parts, LAG_TAPE_FRICTION_ROWS, n[LAG_TAPE_NSLIP], word) &&
+           holds(parts, LAG_TAPE_FRICTION_SLIPS, n[LAG_TAPE_NFRICTION], word) &&
+           holds(parts, LAG_TAPE_FRICTION_CONTACTS, n[LAG_TAPE_NFRICTION], word) &&
            holds(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NSWITCHED], word) &&
            holds(parts, LAG_TAPE_RESET_PLACES, n[LAG_TAPE_NRESET], word) &&
            lag_tape_pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
@@ -159,21 +164,22 @@ static int texts_end(const lag_tape_parts *parts)
     return below(parts, LAG_TAPE_MESSAGES, texts->length);
 }
 
-/* Kinds stand in their order, as many of each as there are contacts, relations and clocks. */
+/* Kinds stand in their order, as many of each as there are contacts, frictions, relations, clocks and loads. */
 static int kinds_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
     const unsigned char *kind = parts->part[LAG_TAPE_KINDS].bytes;
-    uint32_t found[LAG_KIND_TERMINAL + 1] = {0};
+    uint32_t found[LAG_KIND_LOAD + 1] = {0};
     for (uint32_t i = 0; i < n[LAG_TAPE_NW]; ++i) {
-        if (kind[i] > LAG_KIND_TERMINAL || (i > 0 && kind[i] < kind[i - 1])) {
+        if (kind[i] > LAG_KIND_LOAD || (i > 0 && kind[i] < kind[i - 1])) {
             return 0;
         }
         ++found[kind[i]];
     }
     return found[LAG_KIND_CONTACT] == n[LAG_TAPE_NCONTACT] && found[LAG_KIND_IMPACTS] == n[LAG_TAPE_NCONTACT] &&
            found[LAG_KIND_RELATION] == n[LAG_TAPE_NINDICATOR] && found[LAG_KIND_TIMED] == n[LAG_TAPE_NTIMED] &&
-           found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK];
+           found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK] && found[LAG_KIND_STICKS] == n[LAG_TAPE_NFRICTION] &&
+           found[LAG_KIND_DIRECTION] == n[LAG_TAPE_NSLIP] && found[LAG_KIND_LOAD] == n[LAG_TAPE_NLOAD];
 }
 
 /* The functions of several directions are all there that the model needs, with rows that fit; or none is. */
@@ -199,6 +205,22 @@ static int along_agrees(const lag_tape_parts *parts, unsigned part)
            n[LAG_TAPE_PREPARED] <= shared && shared <= n[LAG_TAPE_ROW] && shared <= row;
 }
 
+/* Each friction has one or two slips, which are all of them, and acts under a contact that is there. */
+static int frictions_agree(const lag_tape_parts *parts)
+{
+    const uint32_t *n = parts->size;
+    const uint32_t *slips = (const void *)parts->part[LAG_TAPE_FRICTION_SLIPS].bytes;
+    uint64_t count = 0;
+    for (uint32_t i = 0; i < n[LAG_TAPE_NFRICTION]; ++i) {
+        if (slips[i] < 1 || slips[i] > 2) {
+            return 0;
+        }
+        count += slips[i];
+    }
+    return count == n[LAG_TAPE_NSLIP] && below(parts, LAG_TAPE_FRICTION_ROWS, n[LAG_TAPE_NC]) &&
+           below(parts, LAG_TAPE_FRICTION_CONTACTS, (uint64_t)n[LAG_TAPE_NCONTACT] + 1);
+}
+
 static int rows_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
@@ -210,7 +232,7 @@ static int rows_agree(const lag_tape_parts *parts)
     }
     return n[LAG_TAPE_RANK] <= n[LAG_TAPE_NC] && n[LAG_TAPE_NGAP] >= n[LAG_TAPE_NCONTACT] &&
            n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && along_agrees(parts, 0) && along_agrees(parts, 1) && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
-           below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
+           frictions_agree(parts) && below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]) &&
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
@@ -226,9 +248,10 @@ static int functions_there(const lag_tape_parts *parts)
         const int written_out = i == LAG_MASS_MATRIX || i == LAG_DYNAMICS;
         const int every = i < LAG_ELIMINATION && !(written_out && by_columns);
         const int of_events = i >= LAG_DISCRETE_START && i <= LAG_TIME_EVENT && n[LAG_TAPE_NW] > 0;
+        const int of_forces = (i == LAG_FRICTION && n[LAG_TAPE_NFRICTION] > 0) || (i == LAG_LOAD && n[LAG_TAPE_NLOAD] > 0);
         const int of_kept = i == LAG_ELIMINATION && n[LAG_TAPE_NK] > 0;
         const int named = i == LAG_DEFINITION && n[LAG_TAPE_ND] > 0;
-        if ((every || of_events || of_kept || named) && table[2 * (1 + i) + 1] == 0) {
+        if ((every || of_events || of_forces || of_kept || named) && table[2 * (1 + i) + 1] == 0) {
             return 0;
         }
     }

@@ -1,0 +1,65 @@
+"""Dry friction on the graph, and loads that depend on the accelerations and multipliers that they cause."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.differentiate import jacobian
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.program.functions import OPTIONAL
+from lagdsl.program.program import Block, Function
+
+
+def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """`friction` of a model with dry friction; none for others. Slips and forces are as the rows of the equations and
+    their multipliers are, which may be powers of two of those in the text."""
+    frictions = flat.events.frictions
+    if not frictions:
+        return ()
+    graph, symbols = lowering.graph, lowering.symbols
+    rows = {each.name: each.rows for each in flat.constraints if each.friction}
+    slips, limits, sticking = [], [], []
+    for each in frictions:
+        lowering.place = each.spans
+        factor = symbols.rows[rows[each.name][0]][1]
+        slips += [graph.multiply(factor, lowering.scalar(slip)) for slip in each.slips]
+        limits.append(graph.divide(lowering.scalar(each.limit), factor))
+        at_rest = each.limit if each.sticking is None else each.sticking
+        sticking.append(graph.divide(lowering.scalar(at_rest), factor))
+    blocks = (
+        _vector("slip", slips),
+        _matrix("jacobian", jacobian(graph, slips, symbols.qd), len(symbols.qd)),
+        _vector("limit", limits),
+        _vector("sticking", sticking),
+        _matrix("gain", jacobian(graph, limits, symbols.lam), len(symbols.lam)),
+        _matrix("sticking_gain", jacobian(graph, sticking, symbols.lam), len(symbols.lam)),
+    )
+    return (Function(name="friction", arguments=OPTIONAL["friction"], results=blocks),)
+
+
+def load_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """`load` of a model with loads that depend on accelerations or multipliers; none for others."""
+    if not flat.events.feedbacks:
+        return ()
+    graph, symbols = lowering.graph, lowering.symbols
+    loads = []
+    for each in flat.events.feedbacks:
+        lowering.place = each.spans
+        loads.append(lowering.scalar(each.value))
+    qdd = graph.symbols(Group.QDD, len(symbols.q))
+    blocks = (
+        _vector("load", loads),
+        _matrix("by_acceleration", jacobian(graph, loads, qdd), len(qdd)),
+        _matrix("by_multiplier", jacobian(graph, loads, symbols.lam), len(symbols.lam)),
+    )
+    return (Function(name="load", arguments=OPTIONAL["load"], results=blocks),)
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+
+
+def _matrix(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
+    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))

@@ -1,0 +1,168 @@
+#include "lag/equations/feedback.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/equations/discretes.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/lu.h"
+#include "lag/linalg/vector.h"
+
+/* Steps of Newton's method: one where loads are affine in what they depend on. */
+enum { MOST_STEPS = 25 };
+/* Loads are found when they change by less than this part of the largest of each. */
+static const double FOUND = 1e-14;
+/* A determinant below this is zero. */
+static const double WEDGED = 1e-9;
+
+typedef struct feedback {
+    const lag_model *model;
+    lag_arguments at;        /* with w, qdd and lam of its own */
+    double *load;            /* (nload) entries of that w */
+    double *value, *size;    /* (nload) L, its largest magnitude */
+    double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
+    double *own_acceleration, *own_multiplier; /* those at the present loads */
+    double *slope;           /* (nload, nload) of s - L(s), decomposed */
+    double *pivot;           /* (nload) */
+    double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
+    double *qdd, *lam;       /* (nq) (nc) */
+    lag_solve_with_loads *solve;
+    double *memory;
+    size_t *coordinate;
+} feedback;
+
+size_t lag_feedback_memory(const lag_model *model)
+{
+    const size_t each = model->nq + model->nc;
+    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + 3 * each + model->nload) + each;
+}
+
+static feedback begin(const lag_model *model, const lag_arguments *at, double *memory)
+{
+    feedback f = {.model = model, .at = *at};
+    const size_t n = model->nq;
+    const size_t count = model->nload;
+    double *w = lag_take(&memory, model->nw);
+    f.value = lag_take(&memory, count);
+    f.size = lag_take(&memory, count);
+    f.pivot = lag_take(&memory, count);
+    f.by_acceleration = lag_take(&memory, count * n);
+    f.own_acceleration = lag_take(&memory, count * n);
+    f.qdd_change = lag_take(&memory, count * n);
+    f.by_multiplier = lag_take(&memory, count * model->nc);
+    f.own_multiplier = lag_take(&memory, count * model->nc);
+    f.lam_change = lag_take(&memory, count * model->nc);
+    f.slope = lag_take(&memory, count * count);
+    f.qdd = lag_take(&memory, n);
+    f.lam = lag_take(&memory, model->nc);
+    f.memory = memory;
+    memcpy(w, at->w, model->nw * sizeof(double));
+    f.load = w + lag_places_of(model).load;
+    f.at.w = w;
+    lag_fill(count, 0.0, f.load);
+    lag_fill(count, 0.0, f.size);
+    return f;
+}
+
+/* Accelerations and multipliers at the present loads into qdd, lam; L there. */
+static lag_status look(feedback *f, double *qdd, double *lam)
+{
+    const lag_status status = f->solve(f->model, &f->at, f->memory, qdd, lam, f->coordinate);
+    f->at.qdd = qdd;
+    f->at.lam = lam;
+    return status == LAG_OK ? f->model->load(&f->at, f->value, f->own_acceleration, f->own_multiplier) : status;
+}
+
+/* How qdd and lam change with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
+static lag_status find_changes(feedback *f, const double *qdd, const double *lam)
+{
+    const size_t n = f->model->nq;
+    lag_status status = LAG_OK;
+    for (size_t k = 0; k < f->model->nload && status == LAG_OK; ++k) {
+        const double by = f->size[k] > 0.0 ? f->size[k] : 1.0;
+        const double kept = f->load[k];
+        f->load[k] = kept + by;
+        status = f->solve(f->model, &f->at, f->memory, f->qdd, f->lam, f->coordinate);
+        f->load[k] = kept;
+        for (size_t j = 0; j < n; ++j) {
+            f->qdd_change[k * n + j] = (f->qdd[j] - qdd[j]) / by;
+        }
+        for (size_t j = 0; j < f->model->nc; ++j) {
+            f->lam_change[k * f->model->nc + j] = (f->lam[j] - lam[j]) / by;
+        }
+    }
+    return status;
+}
+
+/* ds - dL at the present loads, decomposed. LAG_NO_FORCES: its determinant has passed zero. */
+static lag_status factor(feedback *f)
+{
+    const size_t n = f->model->nq;
+    const size_t count = f->model->nload;
+    double determinant = 1.0;
+    double size = 1.0;
+    for (size_t i = 0; i < count; ++i) {
+        double largest = 0.0;
+        for (size_t k = 0; k < count; ++k) {
+            const double change = lag_dot(n, f->own_acceleration + i * n, f->qdd_change + k * n) +
+                lag_dot(f->model->nc, f->own_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
+            f->slope[i * count + k] = (i == k ? 1.0 : 0.0) - change;
+            largest = fmax(largest, fabs(f->slope[i * count + k]));
+        }
+        size *= fmax(largest, 1.0);
+    }
+    if (!lag_finite(count * count, f->slope) || !lag_lu(count, f->slope, f->pivot)) {
+        return LAG_NO_FORCES;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        determinant *= f->slope[i * count + i];
+        determinant = (size_t)f->pivot[i] == i ? determinant : -determinant;
+    }
+    return determinant > WEDGED * size ? LAG_OK : LAG_NO_FORCES;
+}
+
+/* One step of Newton's method; *left: the largest change of a load, as a part of its size. */
+static lag_status step(feedback *f, double *left)
+{
+    const size_t count = f->model->nload;
+    const lag_status status = factor(f);
+    *left = 0.0;
+    if (status != LAG_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        f->value[i] -= f->load[i];
+    }
+    lag_lu_solve(count, f->slope, f->pivot, f->value);
+    for (size_t i = 0; i < count; ++i) {
+        f->load[i] += f->value[i];
+        f->size[i] = fmax(f->size[i], fabs(f->load[i]));
+        *left = fmax(*left, f->size[i] > 0.0 ? fabs(f->value[i]) / f->size[i] : 0.0);
+    }
+    return lag_finite(count, f->load) ? LAG_OK : LAG_NO_FORCES;
+}
+
+lag_status lag_feedback_solve(
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, double *memory, double *qdd, double *lam, size_t *coordinate)
+{
+    feedback f = begin(model, at, memory);
+    f.solve = solve;
+    f.coordinate = coordinate;
+    lag_status status = look(&f, qdd, lam);
+    for (size_t i = 0; i < model->nload; ++i) {
+        f.size[i] = fabs(f.value[i]);
+    }
+    status = status == LAG_OK ? find_changes(&f, qdd, lam) : status;
+    double left = (double)INFINITY;
+    double before = (double)INFINITY;
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK; ++k) {
+        status = step(&f, &left);
+        status = status == LAG_OK ? look(&f, qdd, lam) : status;
+        if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
+            return LAG_OK;
+        }
+        before = left;
+    }
+    return status == LAG_OK ? LAG_NO_FORCES : status;
+}

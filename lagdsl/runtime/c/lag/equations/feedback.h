@@ -1,0 +1,30 @@
+/*
+ * Loads that depend on the accelerations and multipliers that they cause, as friction under a contact does: entries s of w with
+ *
+ *     s = L(t, q, qd, z, u, w, p, qdd, lam),   qdd and lam affine in s
+ *
+ * by Newton's method from s = 0, so that the result is a function of the state alone. Where sliding friction drives its own normal force, the
+ * determinant of ds - dL, which is one without friction, passes zero: beyond it no unique force exists (wedging; Painleve's paradox).
+ *
+ * Source: Genot, Brogliato, New results on Painleve paradoxes, Eur. J. Mech. A/Solids 18 (1999) 653.
+ */
+#ifndef LAG_FEEDBACK_H
+#define LAG_FEEDBACK_H
+
+#include "lag/model.h"
+
+/* Doubles for it. */
+size_t lag_feedback_memory(const lag_model *model);
+
+/* The system with the loads as they are in at->w: accelerations qdd (nq) and multipliers lam (nc). */
+typedef lag_status lag_solve_with_loads(
+    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
+
+/*
+ * qdd and lam with the loads that they cause; at->w does not change. `memory` is that of `solve`, behind lag_feedback_memory() doubles.
+ * LAG_NO_FORCES: there are none, or wedging leaves them undetermined. Any status of `solve`.
+ */
+lag_status lag_feedback_solve(
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, double *memory, double *qdd, double *lam, size_t *coordinate);
+
+#endif

@@ -1,0 +1,117 @@
+#include "lag/events/friction.h"
+
+#include <math.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
+/* A slip is zero below this part of its largest terms, */
+static const double SLOW = 1e-12;
+/* in a plane, where it passes zero beside it, below this one. */
+static const double SLOW_IN_PLANE = 1e-8;
+/* A reserve is zero below this part of the force. */
+static const double NO_FORCE = 1e-12;
+
+size_t lag_frictions_memory(const lag_model *model)
+{
+    return model->nfriction * (4 + 2 * model->nc) + model->nslip * (2 + model->nq);
+}
+
+void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory)
+{
+    const lag_model *model = motion->model;
+    *frictions = (lag_frictions){.motion = motion, .places = lag_places_of(model), .contacts = contacts};
+    frictions->first = lag_take(&memory, model->nfriction);
+    frictions->limit = lag_take(&memory, model->nfriction);
+    frictions->sticking = lag_take(&memory, model->nfriction);
+    frictions->force = lag_take(&memory, model->nfriction);
+    frictions->gain = lag_take(&memory, model->nfriction * model->nc);
+    frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
+    frictions->slip = lag_take(&memory, model->nslip);
+    frictions->fast = lag_take(&memory, model->nslip);
+    frictions->jacobian = lag_take(&memory, model->nslip * model->nq);
+    lag_fill(model->nfriction, 0.0, frictions->force);
+    lag_fill(model->nslip, 0.0, frictions->fast);
+    size_t next = 0;
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        frictions->first[k] = (double)next;
+        next += model->friction_slips[k];
+    }
+}
+
+lag_status lag_frictions_look(lag_frictions *frictions)
+{
+    const lag_motion *motion = frictions->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    const double *peak = frictions->contacts->peak + n;
+    if (model->nfriction == 0) {
+        return LAG_OK;
+    }
+    const lag_status status = model->friction(
+        &motion->at, frictions->slip, frictions->jacobian, frictions->limit, frictions->sticking, frictions->gain, frictions->sticking_gain);
+    for (size_t i = 0; i < model->nslip; ++i) {
+        const double *row = frictions->jacobian + i * n;
+        double terms = fabs(frictions->slip[i] - lag_dot(n, row, motion->at.qd));
+        for (size_t j = 0; j < n; ++j) {
+            terms += fabs(row[j]) * peak[j];
+        }
+        frictions->fast[i] = fmax(frictions->fast[i], terms);
+    }
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        const double limit = fabs(frictions->limit[k]);
+        frictions->force[k] = isfinite(limit) ? fmax(frictions->force[k], limit) : frictions->force[k];
+    }
+    return status;
+}
+
+int lag_frictions_acts(const lag_frictions *frictions, size_t k)
+{
+    const lag_model *model = frictions->motion->model;
+    const size_t contact = model->friction_contacts[k];
+    return contact >= model->ncontact || *lag_contacts_flag(frictions->contacts, contact) != 0.0;
+}
+
+double lag_frictions_length(const lag_frictions *frictions, const double *array, size_t k)
+{
+    const double *own = array + (size_t)frictions->first[k];
+    return lag_frictions_components(frictions, k) > 1 ? hypot(own[0], own[1]) : fabs(own[0]);
+}
+
+double lag_frictions_speed(const lag_frictions *frictions, size_t k)
+{
+    return lag_frictions_length(frictions, frictions->slip, k);
+}
+
+double lag_frictions_slow(const lag_frictions *frictions, size_t k)
+{
+    return SLOW * lag_frictions_length(frictions, frictions->fast, k);
+}
+
+double lag_frictions_force(const lag_frictions *frictions, size_t k)
+{
+    const lag_model *model = frictions->motion->model;
+    const size_t *rows = model->friction_rows + (size_t)frictions->first[k];
+    const double *lam = frictions->motion->lam;
+    return lag_frictions_components(frictions, k) > 1 ? hypot(lam[rows[0]], lam[rows[1]]) : fabs(lam[rows[0]]);
+}
+
+double lag_frictions_guard(const lag_frictions *frictions, size_t k)
+{
+    const int plane = lag_frictions_components(frictions, k) > 1;
+    if (!lag_frictions_acts(frictions, k)) {
+        return (double)INFINITY;
+    }
+    if (*lag_frictions_sticks(frictions, k) != 0.0) {
+        return frictions->sticking[k] - lag_frictions_force(frictions, k);
+    }
+    if (plane) {
+        return lag_frictions_speed(frictions, k) - SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k);
+    }
+    return *lag_frictions_direction(frictions, k) * frictions->slip[(size_t)frictions->first[k]];
+}
+
+double lag_frictions_band(const lag_frictions *frictions, size_t k)
+{
+    return *lag_frictions_sticks(frictions, k) != 0.0 ? NO_FORCE * frictions->force[k] : lag_frictions_slow(frictions, k);
+}

@@ -1,0 +1,70 @@
+/*
+ * Dry friction of one run. Each friction is in one of three modes: it sticks, its slip is held at zero by rows of the constraints; it slides, with its
+ * limit against its slip; it is off, as the contact under which it acts is open. `sticks` and `direction` in w tell them: 1 and 0; 0 and the sense of
+ * the slip; 0 and 0. The direction of a slip in a plane is that of the slip itself; `direction` is a speed too small to count, which tells where the
+ * slip leads as long as it is zero.
+ *
+ * Source: Glocker, Set-Valued Force Laws (2001), chapter 5.
+ */
+#ifndef LAG_FRICTION_H
+#define LAG_FRICTION_H
+
+#include "lag/events/contact.h"
+
+typedef struct lag_frictions {
+    lag_motion *motion;
+    lag_places places;
+    lag_contacts *contacts;    /* the largest rates so far are theirs */
+    double *first;             /* (nfriction) the first component of the slip of each */
+    double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state looked at last, */
+    double *fast;              /* (nslip) the largest terms of each slip so far; */
+    double *limit, *sticking;  /* (nfriction) what friction bears while it slides, and while it sticks, */
+    double *gain, *sticking_gain; /* (nfriction, nc) and how that changes with multipliers */
+    double *force;             /* (nfriction) the largest limit so far */
+} lag_frictions;
+
+/* Doubles for them. */
+size_t lag_frictions_memory(const lag_model *model);
+
+void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory);
+
+/* Slips and limits at the state that `motion` looked at last, with its accelerations and multipliers. */
+lag_status lag_frictions_look(lag_frictions *frictions);
+
+/* 1: it acts; 0: it is off, as its contact is open. */
+int lag_frictions_acts(const lag_frictions *frictions, size_t k);
+
+/*
+ * Guard of friction k, positive while its mode lasts: what it bears beyond its force while it sticks; its slip, in the sense of its direction, while it
+ * slides; infinite while it is off. And its dead band.
+ */
+double lag_frictions_guard(const lag_frictions *frictions, size_t k);
+double lag_frictions_band(const lag_frictions *frictions, size_t k);
+
+/* The length of slip k, and below which it is zero. */
+double lag_frictions_speed(const lag_frictions *frictions, size_t k);
+double lag_frictions_slow(const lag_frictions *frictions, size_t k);
+
+static inline double *lag_frictions_sticks(const lag_frictions *frictions, size_t k)
+{
+    return frictions->motion->w + frictions->places.sticks + k;
+}
+
+/* The components of its direction in w. */
+static inline double *lag_frictions_direction(const lag_frictions *frictions, size_t k)
+{
+    return frictions->motion->w + frictions->places.direction + (size_t)frictions->first[k];
+}
+
+static inline size_t lag_frictions_components(const lag_frictions *frictions, size_t k)
+{
+    return frictions->motion->model->friction_slips[k];
+}
+
+/* The length of the components of an array (nslip) that belong to friction k. */
+double lag_frictions_length(const lag_frictions *frictions, const double *array, size_t k);
+
+/* The length of its force while it sticks. */
+double lag_frictions_force(const lag_frictions *frictions, size_t k);
+
+#endif

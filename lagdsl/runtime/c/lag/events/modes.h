@@ -1,0 +1,48 @@
+/*
+ * Modes of contacts and friction just behind an instant, by the problem of accelerations: a gap that is zero with its rate stays closed with a force that
+ * pushes, or opens with its acceleration; a slip that is zero stays so with a force within what friction bears at rest, or begins against its force. At the level
+ * of accelerations these are the same inequalities as those of rates in a blow (lag/impulses/friction_problem.h).
+ *
+ * Friction that slides keeps its direction. Friction and contacts whose force left their mode go in the direction in which they left, and
+ * the problem decides about the others. Where the limit at rest is above that of sliding it is solved with the first; what slips then has the second: again,
+ * until no more of them slip.
+ *
+ * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 6.
+ */
+#ifndef LAG_MODES_H
+#define LAG_MODES_H
+
+#include "lag/events/friction.h"
+
+typedef struct lag_modes {
+    lag_motion *motion;
+    lag_places places;
+    lag_contacts *contacts;
+    lag_frictions *frictions;
+    lag_impulse *impulse;
+    lag_inequalities rows;
+    double *w;               /* (nw) the discretes without what is looked for */
+    double *normal;          /* (ncontact) contacts in the problem */
+    double *loose;           /* (nfriction) friction that may stick */
+    double *kinetic;         /* (nfriction) that slips with the limit of sliding */
+    double *heading;         /* (nslip) directions of those that slide */
+    double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
+    double *loads;           /* (nload) at no force of these rows; */
+    double *by_load;         /* (nload, nq) generalized forces for unit loads */
+    double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
+    double *qdd;             /* (nq) */
+} lag_modes;
+
+/* Doubles for it. */
+size_t lag_modes_memory(const lag_model *model);
+
+void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
+
+/*
+ * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all
+ * friction, at x at time t. Friction flagged in `left` (nfriction, or null), whose reserve passed zero with motion->lam, slips along its force.
+ * LAG_NO_FORCES: no accelerations satisfy the law: friction wedges.
+ */
+lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left);
+
+#endif

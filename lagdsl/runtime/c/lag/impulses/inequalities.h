@@ -1,0 +1,39 @@
+/*
+ * Rows that push one way, and friction under them: gaps and slips, at one instant, at the level of rates or of accelerations. lag/impulses/friction_problem.h
+ * has their law; here are the rows, and the momenta or forces that their impulses or forces are.
+ */
+#ifndef LAG_INEQUALITIES_H
+#define LAG_INEQUALITIES_H
+
+#include "lag/model.h"
+
+typedef struct lag_inequalities {
+    size_t normals, frictions;
+    size_t size;          /* normals + components of the slips, whose rows follow those of the normals */
+    double *rows;         /* (size, nq) derivatives by qd */
+    double *columns;      /* (size, nq) momenta or forces for unit forces of the rows: the rows, less what slips under them */
+    double *speed;        /* (size) rates or accelerations to which impulses or forces add */
+    double *restitution;  /* (normals) */
+    double *components;   /* (frictions) 1 or 2 */
+    double *limits;       /* (frictions) of friction, without the part that follows normal forces, */
+    double *coefficients; /* (frictions, normals) and this part for unit ones */
+    double *force;        /* (size) forces or impulses that were found, */
+    double *after, *scale; /* (size) speeds with them, and the magnitudes of what these are sums of */
+    double *start, *first; /* (size) speeds before a blow, impulses of its compression */
+} lag_inequalities;
+
+/* Doubles for all gaps and slips of a model. */
+size_t lag_inequalities_memory(const lag_model *model);
+
+void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, double *memory);
+
+/* None. Normals come first. */
+void lag_inequalities_clear(lag_inequalities *inequalities);
+
+/* One more normal, with its row (nq); its number. */
+size_t lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, const double *row, double speed, double restitution);
+
+/* One more friction, with the rows (components, nq) of its slip; its number. Its limit and coefficients are zero. */
+size_t lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t components, const double *rows, const double *speed);
+
+#endif

@@ -1,0 +1,161 @@
+"""Loads that depend on the motion that they cause: on multipliers, reactions, accelerations.
+
+Such a value has an entry in the vector of discretes, which the load reads and Newton's method finds. Terms of a
+load that do not depend on them stand there as they are, so that their derivatives are exact: of
+`-c*der(x) - mu*multiplier(n)` the second term is an entry, not the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import assert_never
+
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.events import Feedback
+from lagdsl.flat.expression_text import flat_expression_text
+from lagdsl.flat.quantity import Spans
+from lagdsl.flat.traversal import postorder
+from lagdsl.semantics.scope.values import component
+from lagdsl.semantics.wellformed.effect import load_expressions
+from lagdsl.units import Dimension
+
+_AXES = "xyz"
+_LONGEST = 80
+
+
+def with_feedback(
+    solved: Sequence[tuple[fm.Load, Dimension]], flat: fm.FlatModel, dependence: Dependence
+) -> fm.FlatModel:
+    """The model with entries in the loads of `solved`, each given with the dimension of its value."""
+    if not solved:
+        return flat
+    dimensions = {id(load): dimension for load, dimension in solved}
+    parts = _Parts(flat, dependence)
+    loads = tuple(parts.load(load, dimensions[id(load)]) if id(load) in dimensions else load for load in flat.loads)
+    events = replace(flat.events, feedbacks=(*flat.events.feedbacks, *parts.made.values()))
+    return replace(flat, loads=loads, events=events)
+
+
+class _Parts:
+    """Puts entries for the parts of values that need the solved motion."""
+
+    def __init__(self, flat: fm.FlatModel, dependence: Dependence) -> None:
+        self.made: dict[str, Feedback] = {}
+        self._taken = {each.name for each in flat.events.feedbacks}
+        self._coordinates = {item.name for item in flat.coordinates}
+        self._dependence = dependence
+        self._known: dict[int, tuple[fx.FlatExpression, bool]] = {}
+        self._spans: Spans
+        self._dimension: Dimension
+        self._name: str
+
+    def load(self, load: fm.Load, dimension: Dimension) -> fm.Load:
+        """The load with entries in its value."""
+        value = load_expressions(load)[0]
+        text = " ".join((load.label or flat_expression_text(value)).split())
+        self._name = f"load({text if len(text) <= _LONGEST else f'{text[: _LONGEST - 2]} …'})"
+        self._spans, self._dimension = load.spans, dimension
+        match load:
+            case fm.PointForce():
+                return replace(load, force=self._vector(value))
+            case fm.FrameTorque():
+                return replace(load, torque=self._vector(value))
+            case fm.GeneralizedForce() | fm.RateForce():
+                return replace(load, value=self._scalar(value))
+            case _:
+                assert_never(load)
+
+    def _scalar(self, value: fx.FlatExpression, axis: str = "") -> fx.FlatExpression:
+        known, solved = self._terms(value)
+        if not solved:
+            return value
+        rest = _sum(solved)
+        if isinstance(rest, fx.Conditional) and not self._is_solved(rest.condition):
+            rest = fx.Conditional(rest.condition, self._scalar(rest.value, axis), self._scalar(rest.otherwise, axis))
+        else:
+            rest = self._entry(rest, axis)
+        return fx.Binary("+", _sum(known), rest) if known else rest
+
+    def _vector(self, value: fx.FlatExpression) -> fx.FlatExpression:
+        known, solved = self._terms(value)
+        if not solved:
+            return value
+        rest = _sum(solved)
+        match rest:
+            case fx.Conditional() if not self._is_solved(rest.condition):
+                rest = fx.Conditional(rest.condition, self._vector(rest.value), self._vector(rest.otherwise))
+            case fx.Binary("*", size, fx.FrameAxis() as axis):
+                rest = fx.Binary("*", self._scalar(size), axis)
+            case _:
+                x, y, z = (self._scalar(_component(rest, k), f".{name}") for k, name in enumerate(_AXES))
+                rest = fx.Vector(x, y, z)
+        return fx.Binary("+", _sum(known), rest) if known else rest
+
+    def _terms(self, value: fx.FlatExpression) -> tuple[list[_Term], list[_Term]]:
+        """Terms of the sum that `value` is: those that are known with the state, and the others."""
+        known: list[_Term] = []
+        solved: list[_Term] = []
+        stack: list[_Term] = [(1, value)]
+        while stack:
+            sign, each = stack.pop()
+            if not self._is_solved(each):
+                known.append((sign, each))
+                continue
+            match each:
+                case fx.Binary("+" | "-", left, right):
+                    stack.append((sign if each.operator == "+" else -sign, right))
+                    stack.append((sign, left))
+                case fx.Unary("-", operand):
+                    stack.append((-sign, operand))
+                case _:
+                    solved.append((sign, each))
+        return known, solved
+
+    def _entry(self, value: fx.FlatExpression, axis: str) -> fx.FlatExpression:
+        """The entry for a value; the same value again has the same one."""
+        base, count = f"{self._name}{axis}", 1
+        name = base
+        while name in self._taken or (name in self.made and self.made[name].value != value):
+            count += 1
+            name = f"{base} ({count})"
+        if name not in self.made:
+            self.made[name] = Feedback(spans=self._spans, name=name, value=value, dimension=self._dimension)
+        return fx.Variable(name)
+
+    def _is_solved(self, expression: fx.FlatExpression) -> bool:
+        """True for what depends on multipliers, reactions, energies of the solved motion, or accelerations."""
+        known = self._known
+        if id(expression) not in known:
+            orders = self._dependence.of(expression)
+            accelerated = any(orders[name] > 1 for name in orders.differentiated() if name in self._coordinates)
+            mechanical = any(isinstance(node, fx.Mechanical) for node in postorder(expression))
+            known[id(expression)] = expression, accelerated or mechanical
+        return known[id(expression)][1]
+
+
+_Term = tuple[int, fx.FlatExpression]
+"""A sign and what it stands before."""
+
+
+def _component(vector: fx.FlatExpression, axis: int) -> fx.FlatExpression:
+    """World component of a vector; zero where the text says so, as in `F*world.x`."""
+    match vector:
+        case fx.Unary("-", operand):
+            inner = _component(operand, axis)
+            return inner if inner == fx.ZERO else fx.Unary("-", inner)
+        case fx.Binary("*", size, direction):
+            part = _component(direction, axis)
+            return part if part == fx.ZERO else size if part == fx.ONE else fx.Binary("*", size, part)
+        case _:
+            return component(vector, axis)
+
+
+def _sum(terms: Sequence[_Term]) -> fx.FlatExpression:
+    (sign, first), *others = terms
+    total = first if sign > 0 else fx.Unary("-", first)
+    for sign, each in others:
+        total = fx.Binary("+" if sign > 0 else "-", total, each)
+    return total
