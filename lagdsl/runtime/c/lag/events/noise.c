@@ -24,7 +24,7 @@ static size_t all_of(const lag_model *model)
 size_t lag_noise_memory(const lag_model *model)
 {
     const size_t unknown = model->nu + model->nq + model->nc;
-    return count_of(model) > 0 ? 3 * model->nq + 2 * (lag_motion_size(model) + model->nu) + unknown + 5 * all_of(model) + 3 * model->nindicator : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 3 * model->nindicator : 0;
 }
 
 /* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
@@ -45,14 +45,11 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
     noise->peak = lag_take(&memory, size + inputs);
-    noise->recent = lag_take(&memory, size > 0 ? model->nq : 0);
-    noise->extra = lag_take(&memory, size > 0 ? 2 * model->nq : 0);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
     noise->value = lag_take(&memory, all_of(model));
     noise->other = lag_take(&memory, all_of(model));
     noise->opposite = lag_take(&memory, all_of(model));
-    noise->kept = lag_take(&memory, all_of(model));
     noise->sigma = lag_take(&memory, all_of(model));
     if (size > 0) {
         leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
@@ -60,8 +57,6 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->largest = lag_take(&memory, 2 * model->nindicator);
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
-    memset(noise->recent, 0, (size > 0 ? model->nq : 0) * sizeof(double));
-    memset(noise->extra, 0, (size > 0 ? 2 * model->nq : 0) * sizeof(double));
     memset(noise->sigma, 0, all_of(model) * sizeof(double));
     memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
     memset(noise->least, 0, model->nindicator * sizeof(double));
@@ -76,15 +71,6 @@ void lag_noise_follow(lag_noise *noise, const double *x)
         const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
         noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
     }
-    for (size_t j = 0; j < model->nq && count > 0; ++j) {
-        noise->recent[j] = fmax(noise->recent[j], fabs(x[model->nq + j]));
-    }
-}
-
-void lag_noise_begin(lag_noise *noise)
-{
-    const lag_model *model = noise->motion->model;
-    lag_fill(count_of(model) > 0 ? model->nq : 0, 0.0, noise->recent);
 }
 
 /* Bit k of the number of an entry tells its sign in change k. */
@@ -94,8 +80,9 @@ static int same_sign(size_t entry, unsigned k)
 }
 
 /* Indicators, distances of corners, rates and accelerations of indicators, with accelerations and multipliers of x at time t. */
-static lag_status evaluate(lag_motion *motion, double t, const double *x, double *values)
+lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values)
 {
+    lag_motion *motion = noise->motion;
     const lag_model *model = motion->model;
     double *rates = values + count_of(model);
     double solved = 0.0;
@@ -113,7 +100,7 @@ lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     const double *rates = noise->value + count_of(model);
-    const lag_status status = evaluate(noise->motion, t, x, noise->value);
+    const lag_status status = lag_noise_evaluate(noise, t, x, noise->value);
     for (size_t i = 0; i < 2 * model->nindicator && status == LAG_OK; ++i) {
         noise->largest[i] = isfinite(rates[i]) ? fmax(noise->largest[i], fabs(rates[i])) : noise->largest[i];
     }
@@ -133,8 +120,7 @@ static double least_of(const lag_noise *noise, size_t i)
 /* Number i after change k, or after the opposite one (`sign` -1). */
 static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
 {
-    const double extra = i < 2 * noise->motion->model->nq ? noise->extra[i] : 0.0;
-    const double by = sign * (CHANGE * noise->peak[i] + extra);
+    const double by = sign * CHANGE * noise->peak[i];
     return same_sign(i, k) ? number + by : number - by;
 }
 
@@ -162,7 +148,7 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
     memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
     motion->inputs = NULL;
     change_inputs(noise, k, sign);
-    const lag_status status = evaluate(motion, after, noise->point, values);
+    const lag_status status = lag_noise_evaluate(noise, after, noise->point, values);
     motion->inputs = inputs;
     memcpy(motion->u, noise->u, motion->model->nu * sizeof(double));
     return status;
@@ -192,23 +178,6 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }
-}
-
-void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep)
-{
-    const size_t n = noise->motion->model->nq;
-    const size_t count = count_of(noise->motion->model);
-    memcpy(noise->kept, noise->sigma, all_of(noise->motion->model) * sizeof(double));
-    for (size_t j = 0; j < n; ++j) {
-        noise->extra[n + j] = part * noise->peak[n + j] + tolerance * noise->recent[j];
-        noise->extra[j] = span * noise->extra[n + j];
-    }
-    lag_noise_find(noise, t, x);
-    memset(noise->extra, 0, 2 * n * sizeof(double));
-    for (size_t i = 0; i < count && span > 0.0; ++i) {
-        creep[i] = noise->sigma[i] / span;
-    }
-    memcpy(noise->sigma, noise->kept, all_of(noise->motion->model) * sizeof(double));
 }
 
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)

@@ -12,10 +12,8 @@
 typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
-    double *recent;       /* (nq) that of each rate since the last event */
-    double *extra;        /* (2 nq) coordinates and rates change by this beside their round-off; zero but in lag_noise_creep */
     double *point, *u;    /* (2 nq + nz) (nu) */
-    double *value, *other, *opposite, *kept; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
+    double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
     double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
     double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
@@ -29,20 +27,14 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 /* The motion passed through x, with the inputs that it has. */
 void lag_noise_follow(lag_noise *noise, const double *x);
 
-/* An event has changed the rates. */
-void lag_noise_begin(lag_noise *noise);
-
 /* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
 lag_status lag_noise_look(lag_noise *noise, double t, const double *x);
 
+/* The same into `values`, and they do not count among those so far. */
+lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values);
+
 /* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
-
-/*
- * Rates of indicators and distances into `creep` (nindicator + ncorner) [1/s], by what they do in `span` [s] if the rates of coordinates are off by `part`
- * of the largest ones and by `tolerance` as a part of the largest ones since the last event.
- */
-void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep);
 
 /* Error of indicator `which` if the numbers have this relative one; after lag_noise_find. */
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);

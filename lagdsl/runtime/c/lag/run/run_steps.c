@@ -36,8 +36,8 @@ static lag_status settle(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int moved = 0;
-    const int hovers = lag_any(run->motion.model->nindicator, run->crossings.hovers);
-    lag_status status = hovers ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
+    const int holds = lag_any(run->motion.model->nindicator, run->crossings.held);
+    lag_status status = holds ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
     if (status != LAG_OK) { /* to round-off it may not be possible */
         status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
     }
@@ -191,8 +191,7 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
     for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
-        const int was_clear = crossings->start[i] > noise || (crossings->moved[i] > fabs(crossings->start[i]) + noise && !lag_zero_crossing_rests(crossings, i));
-        crossings->changed[i] = located[i] != 0.0 && was_clear && lag_zero_crossing_value(crossings, i) <= noise;
+        crossings->changed[i] = located[i] != 0.0 && crossings->top[i] > noise && lag_zero_crossing_value(crossings, i) <= noise;
         *own = crossings->changed[i] != 0.0 ? s->t : *own;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
