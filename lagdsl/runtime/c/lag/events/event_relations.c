@@ -10,8 +10,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* A value that the motion passes within this part of a probe step is at its border: so well is the instant known. */
-static const double NEAR = 1e-2;
 /* At the start probe steps are longer, up to this part of the experiment, */
 static const double SOON = 1e-4;
 /* by this factor from one to the next. */
@@ -87,7 +85,7 @@ static double sign_of(double value, double error)
     return fabs(value) > error ? copysign(1.0, value) : 0.0;
 }
 
-/* The side of relation i by its value, its rate and its acceleration; 0: they do not show it. The instant is known up to `window` [s]. */
+/* The side of relation i by its value, its rate and its acceleration; 0: they do not show it. It is at its border where the motion passes it within `window` [s]: so well is the instant known. */
 static double side_of(const lag_event_iteration *iteration, size_t i, double window)
 {
     const lag_noise *noise = iteration->noise;
@@ -196,7 +194,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    lag_status status = find_sides(iteration, t, x, NEAR * iteration->lookahead, iteration->lookahead);
+    lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
     size_t i = 0;
     while (i < model->nindicator && side[i] != 0.0) {
         ++i;
@@ -238,7 +236,7 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, NEAR * iteration->lookahead, iteration->lookahead);
+    const lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         turned[i] = holds(model, i, iteration->soon[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }

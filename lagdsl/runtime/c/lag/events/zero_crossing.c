@@ -10,6 +10,10 @@
 static const double CLEARLY = 1e6;
 /* Rows hold a relation if they take all but this part of what it does at other rates. */
 static const double HELD = 1e-9;
+/* Places are changed by this part of themselves to look at them. */
+static const double NUDGE = 1e-11;
+/* Multiples of it are irregular. */
+static const double GOLDEN = 0.6180339887498949;
 
 /* ---- kinds of guards ---- */
 
@@ -337,20 +341,23 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
 
 /* ---- relations that rows hold ---- */
 
-/* A number that is no larger than this part of what it is without the rows, and of its rounding error. */
-static int vanishes(double with, double without, double sigma)
+/* A number that is only a small part of what it is without the rows, or of the largest one so far. */
+static int vanishes(double with, double without, double largest)
 {
-    return fabs(with) <= HELD * fabs(without) + CLEARLY * sigma;
+    return fabs(with) <= HELD * fmax(fabs(without), largest);
 }
 
-/* x with other rates and states: they differ by about as much as they have moved so far, each in its own way. */
+/*
+ * x with other rates and states, by about as much as they have been so far, each in its own way, and with slightly other places: at a corner of `abs` a
+ * relation has no rate.
+ */
 static void change(const lag_zero_crossing *crossings, const double *x, double *point)
 {
     const lag_model *model = crossings->motion->model;
-    memcpy(point, x, lag_motion_size(model) * sizeof(double));
-    for (size_t j = model->nq; j < lag_motion_size(model); ++j) {
-        const double irregular = fmod(0.6180339887498949 * (double)(j + 1), 1.0) - 0.5;
-        point[j] += (irregular < 0.0 ? irregular - 0.5 : irregular + 0.5) * lag_noise_extent(crossings->noise, x, j);
+    for (size_t j = 0; j < lag_motion_size(model); ++j) {
+        const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
+        const double by = copysign(0.5, irregular) + 0.5 * irregular;
+        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(crossings->noise, x, j);
     }
 }
 
@@ -372,9 +379,10 @@ static int is_held(const lag_zero_crossing *crossings, size_t i, const double *w
     const lag_noise *noise = crossings->noise;
     const size_t count = crossings->motion->model->nindicator;
     const size_t rate = count + crossings->motion->model->ncorner + i;
-    const int of_rates = without[i] != noise->value[i];
-    const size_t other = of_rates ? i : rate + count;
-    return vanishes(with[rate], without[rate], noise->sigma[rate]) && vanishes(with[other], without[other], noise->sigma[other]);
+    const int of_rates = without[i] != with[i];
+    const int is_zero = of_rates && vanishes(with[i], without[i], 0.0);
+    const int is_straight = !of_rates && vanishes(with[rate + count], without[rate + count], noise->largest[count + i]);
+    return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
 }
 
 void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point)
@@ -392,7 +400,6 @@ void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projec
     if (i == count) {
         return;
     }
-    lag_noise_find(noise, t, x);
     change(crossings, x, point);
     double *without = noise->other;
     double *with = noise->opposite;

@@ -36,7 +36,7 @@ static void hold(lag_run *run, const double *changed)
     for (size_t i = 0; i < count; ++i) {
         const double value = lag_zero_crossing_value(crossings, i);
         const int is_located = changed != NULL && changed[i] != 0.0 && -value <= crossings->depth[i] + 2.0 * crossings->band[i];
-        const double drift = crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
+        const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
         least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
     }
     memcpy(crossings->changed, crossings->root, bytes);
