@@ -180,7 +180,7 @@ static lag_status advance_over_corners(lag_run *run, double limit)
 
 /*
  * A guard that was located at the end of a step that was done again up to there changes there, if it was clear of its border in the step and is not so
- * at the end, on the new polynomial.
+ * at the end, on the new polynomial; or if it lies clearly below where it began.
  */
 static lag_status change_at_end(lag_run *run, const double *located, double *own)
 {
@@ -191,7 +191,10 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
     for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
-        crossings->changed[i] = located[i] != 0.0 && crossings->top[i] > noise && lag_zero_crossing_value(crossings, i) <= noise;
+        const double value = lag_zero_crossing_value(crossings, i);
+        const int comes = crossings->top[i] > noise && value <= noise;
+        const int leaves = -value >= crossings->depth[i] + 0.5 * noise;
+        crossings->changed[i] = located[i] != 0.0 && (comes || leaves);
         *own = crossings->changed[i] != 0.0 ? s->t : *own;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
