@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.support.feedback import changes_with_loads, with_loads
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
@@ -108,8 +109,11 @@ class Flow:
 
 def flow(system: System, point: Point, sink: Sink) -> Flow | None:
     """The solved motion at `point`; E0851 where it is not determined, E0855 where it is not finite."""
-    engine = system.engine
+    engine, count = system.engine, motion_sizes(system.program).loads
     try:
+        if count:
+            *_, w, _ = with_loads(engine.evaluate, engine.solve, count, *map(np.asarray, point.arguments))
+            point = replace(point, w=w)
         qdd, lam = engine.solve(*point.arguments)
     except SingularSystem as singular:
         slot = engine.layout.coordinates[singular.coordinate]
@@ -158,14 +162,23 @@ def changes(system: System, at: Flow, along: Directions) -> Changes:
 
     With r = M qdd - f - J'lam = 0 and s = J qdd - gamma = 0, differentiated by the model at fixed qdd and lam:
     M dqdd - J'dlam = -dr and J dqdd = -ds. The part of dr that holds lam is the stiffness of the constraint forces.
+    Loads that depend on accelerations or multipliers follow these.
     """
     engine, point = system.engine, at.point
     directions = along.arguments(len(point.p))
     solved = (*point.arguments, at.qdd, at.lam)
     motion, rows = engine.evaluate_many("residual_tangent", *solved, *directions)
     mass, _, jacobian, _ = engine.evaluate("dynamics", *point.arguments)
-    factors, _ = factorize(mass, jacobian, motion_sizes(system.program).rank)
+    sizes = motion_sizes(system.program)
+    factors, _ = factorize(mass, jacobian, sizes.rank)
     dqdd, dlam = (np.ascontiguousarray(part.T) for part in factors.solve(-motion.T, -rows.T))
+    loads = np.zeros((along.count, 0))
+    if sizes.loads:
+        here = tuple(map(np.asarray, solved))
+        dqdd, dlam, loads = changes_with_loads(engine.evaluate_many, factors, here, directions, (dqdd, dlam))
     (zd,) = engine.evaluate_many("state_derivative_tangent", *solved, *directions, dqdd, dlam)
     (y,) = engine.evaluate_many("output_tangent", *solved, *directions, dqdd, dlam)
+    if sizes.loads:
+        _, of_rates, of_outputs, _ = engine.evaluate("load_gain", *solved)
+        zd, y = zd + loads @ of_rates.T, y + loads @ of_outputs.T
     return Changes(qdd=dqdd, lam=dlam, zd=zd, y=y)

@@ -16,6 +16,7 @@ from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
+from lagdsl.runtime.engines.broadcast import differentiating
 from lagdsl.settings.aliases import by_own_names
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ class Model(SmallMotions):
             compilation,
             self._choosing(engine.evaluate_many),
             engine.solve_many,
-            engine.jacobian_many,
+            differentiating(program, engine),
             motion_sizes(program),
             program.layout.defaults,
             argument_names(program),

@@ -11,7 +11,6 @@ from dataclasses import field
 from typing import Literal, TypeAlias
 
 from lagdsl.flat.events import Events
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Item, Quantity, Variability
 from lagdsl.record import record
@@ -21,12 +20,10 @@ from lagdsl.units import Dimension
 
 @record(kw_only=True)
 class Parameter(Quantity):
-    """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
-
-    `structural` ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the
-    expressions and never in `p`.
-    A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a large change.
-    """
+    """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1. `structural`
+    ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the expressions and
+    never in `p`. A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a
+    large change."""
 
     value: float
     free: bool = False
@@ -94,12 +91,10 @@ class Definition(Quantity):
 
 @record(kw_only=True)
 class Output(Quantity):
-    """A result column; `value` may use what the mechanics provides.
-
-    `joint` names the cut joint whose coordinate this is: computed from the motion of its frames, listed after the
-    outputs of the user. `turn`: such an angle is known up to multiples of this, which a run counts; zero for the
-    parts of a unit quaternion, four in a row, which is known up to its sign. None: all others.
-    """
+    """A result column; `value` may use what the mechanics provides. `joint` names the cut joint whose coordinate this
+    is: computed from the motion of its frames, listed after the outputs of the user. `turn`: such an angle is known up
+    to multiples of this, which a run counts; zero for the parts of a unit quaternion, four in a row, which is known up
+    to its sign. None: all others."""
 
     value: FlatExpression
     joint: str | None = None
@@ -122,10 +117,8 @@ class Alias(Item):
 
 @record(kw_only=True)
 class Joint(Item):
-    """A component with kinematics that may move: `coordinates` are its own, by qualified name.
-
-    `cut`: it closes a loop by constraints, and its coordinates, unless they were kept, are outputs.
-    """
+    """A component with kinematics that may move: `coordinates` are its own, by qualified name. `cut`: it closes a loop
+    by constraints, and its coordinates, unless they were kept, are outputs."""
 
     name: str
     kind: str
@@ -305,13 +298,11 @@ class Closure:
 @record(kw_only=True)
 class Constraint(Item):
     """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
-
     `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
     `contact`: it is there while the contact of that name is closed, and identically satisfied else; `friction`: while
     the friction of that name sticks. `switched`: it depends on discretes in another way, so that it may be there at
-    some times only. `factors` are the powers of two by
-    which the equations multiply the rows; none where all are one.
+    some times only. `factors` are the powers of two by which the equations multiply the rows; none where all are one.
     """
 
     name: str
@@ -367,6 +358,15 @@ class Drawing(Item):
     arguments: tuple[tuple[str, FlatExpression | str], ...]
     place: Literal["at", "on", "between"]
     anchors: tuple[FlatExpression | str, ...]
+
+
+@record(kw_only=True)
+class Experiment:
+    start_time: float = 0.0
+    stop_time: float = 10.0
+    tolerance: float = 1e-8
+    interval: float | None = None
+    stop_time_explicit: bool = False
 
 
 @record(kw_only=True)

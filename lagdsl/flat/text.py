@@ -14,7 +14,6 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.display import display
 from lagdsl.flat.event_text import event_sections
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression_text import flat_expression_text as text_of
 from lagdsl.flat.expression_text import number_text
 from lagdsl.flat.quantity import Item, Quantity
@@ -256,7 +255,7 @@ def _shown(value: fx.FlatExpression | str) -> str:
     return value if isinstance(value, str) else text_of(value)
 
 
-def _experiment(experiment: Experiment) -> _Line:
+def _experiment(experiment: fm.Experiment) -> _Line:
     parts = [f"{number_text(experiment.start_time)} to {number_text(experiment.stop_time)} s"]
     parts.append(f"tolerance {number_text(experiment.tolerance)}")
     parts += [f"interval {number_text(experiment.interval)} s"] if experiment.interval is not None else []

@@ -24,6 +24,7 @@ SNIPPETS = {
     "dissipation": "dissipation ${1:D} = ${2:1/2*d*der(x)^2};",
     "constraint": "constraint ${1:c}: ${2:a} = ${3:b};",
     "contact": "contact ${1:c}: ${2:gap} >= 0 with restitution = ${3:0.5};",
+    "friction": "friction ${1:f}: ${2:der(s)} with limit = ${3:1 N};",
     "invariant": "invariant ${1:E}: ${2:energy()};",
     "output": "output ${1:Force} ${2:N} = ${3:value};",
     "input": "input ${1:Torque} ${2:tau};",

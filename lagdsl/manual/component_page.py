@@ -17,6 +17,7 @@ _EQUATIONS = (
     nodes.Load,
     nodes.Constraint,
     nodes.Contact,
+    nodes.Friction,
     nodes.Equation,
     nodes.When,
     nodes.For,

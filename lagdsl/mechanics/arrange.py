@@ -74,7 +74,7 @@ def with_events(equations: Equations, program: Program) -> Program:
     added = (
         *event_functions(lowering, flat),
         *friction_functions(lowering, flat),
-        *load_functions(lowering, flat),
+        *load_functions(lowering, flat, program),
         *corner_functions(lowering, flat),
         *way_functions(lowering, flat),
         *turn_functions(lowering, flat),

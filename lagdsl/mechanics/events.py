@@ -14,9 +14,8 @@ from typing import assert_never
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs, reset_states
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Experiment, FlatModel
 from lagdsl.flat.ways import differentiated, positions
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph

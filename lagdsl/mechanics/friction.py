@@ -8,8 +8,9 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.tangents import SOLVED_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL
-from lagdsl.program.program import Block, Function
+from lagdsl.program.program import Block, Function, Program
 
 
 def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -39,8 +40,9 @@ def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, .
     return (Function(name="friction", arguments=OPTIONAL["friction"], results=blocks),)
 
 
-def load_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
-    """`load` of a model with loads that depend on accelerations or multipliers; none for others."""
+def load_functions(lowering: Lowering, flat: FlatModel, program: Program) -> tuple[Function, ...]:
+    """`load`, `load_tangent` and `load_gain` of a model with loads that depend on accelerations or multipliers; none
+    for others. `program` has the equations of motion."""
     if not flat.events.feedbacks:
         return ()
     graph, symbols = lowering.graph, lowering.symbols
@@ -49,12 +51,21 @@ def load_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
         lowering.place = each.spans
         loads.append(lowering.scalar(each.value))
     qdd = graph.symbols(Group.QDD, len(symbols.q))
-    blocks = (
-        _vector("load", loads),
-        _matrix("by_acceleration", jacobian(graph, loads, qdd), len(qdd)),
-        _matrix("by_multiplier", jacobian(graph, loads, symbols.lam), len(symbols.lam)),
-    )
-    return (Function(name="load", arguments=OPTIONAL["load"], results=blocks),)
+    own = [symbols.previous[each.name] for each in flat.events.feedbacks]
+    moved = [program.function(name).results[0].elements for name in ("residual", "state_derivative", "output")]
+    blocks = {
+        "load": (
+            _vector("load", loads),
+            _matrix("by_acceleration", jacobian(graph, loads, qdd), len(qdd)),
+            _matrix("by_multiplier", jacobian(graph, loads, symbols.lam), len(symbols.lam)),
+        ),
+        "load_tangent": (_vector("load", directional(graph, loads, SOLVED_GROUPS)),),
+        "load_gain": tuple(
+            _matrix(name, jacobian(graph, nodes, own), len(own))
+            for name, nodes in zip(("motion", "rates", "y", "load"), (*moved, loads), strict=True)
+        ),
+    }
+    return tuple(Function(name=name, arguments=OPTIONAL[name], results=found) for name, found in blocks.items())
 
 
 def _vector(name: str, nodes: Sequence[int]) -> Block:

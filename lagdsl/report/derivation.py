@@ -21,7 +21,7 @@ from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
 from lagdsl.report.sections.by_parts import derivatives
 from lagdsl.report.sections.forces import loads
-from lagdsl.report.sections.instants import contacts, events, frictions
+from lagdsl.report.sections.instants import contacts, events, feedbacks, frictions
 from lagdsl.report.sections.intermediate import with_intermediates
 from lagdsl.report.sections.left_side import (
     coordinates,
@@ -65,6 +65,7 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     small_motions,
     contacts,
     frictions,
+    feedbacks,
     states,
     events,
     outputs,

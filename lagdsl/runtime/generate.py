@@ -49,14 +49,14 @@ def enumerators() -> str:
 
 def dispatcher() -> str:
     """One function for each, which lays its results out, and the choice among them."""
-    cases = "".join(
-        f"    case {_enumerator(each)}:\n        return evaluate_{each.name}(model, at, results);\n"
-        for each in _single()
+    parameters = "const lag_model *model, {}const lag_arguments *at, double *results"
+    cases = "".join(f"        [{_enumerator(each)}] = evaluate_{each.name},\n" for each in _single())
+    chosen = (
+        f"lag_status lag_evaluate({parameters.format('lag_function which, ')})\n{{\n"
+        f"    static lag_status (*const functions[])({parameters.format('')}) = {{\n{cases}    }};\n"
+        "    return (size_t)which < sizeof functions / sizeof *functions ? "
+        "functions[which](model, at, results) : LAG_MISSING;\n}\n"
     )
-    head = (
-        "lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)"
-    )
-    chosen = f"{head}\n{{\n    switch (which) {{\n{cases}    }}\n    return LAG_MISSING;\n}}\n"
     return "".join(map(_laid_out, _single())) + chosen
 
 

@@ -141,6 +141,8 @@ class Model(Structure):
         *_all(_evaluated(4), "turn"),
         *_all(_evaluated(6), "friction"),
         *_all(_evaluated(3), "load"),
+        *_all(_evaluated(1), "load_tangent"),
+        *_all(_evaluated(4), "load_gain"),
         *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),

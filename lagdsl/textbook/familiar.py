@@ -2,7 +2,8 @@
 
 Zeros that belong to components (an offset nobody wants, a product of inertia) are left out, so that they burden no
 formula; equal moments of inertia of one body are written as one. Numbers that carry a unit in the text get a letter:
-`gravity = {0, -9.81 m/s2}` is g = 9.81 m/s2, `mass 2 kg at P` is m_P. Only people read this model.
+`gravity = {0, -9.81 m/s2}` is g = 9.81 m/s2, `mass 2 kg at P` is m_P. Dry friction has the sense of its slip. Only
+people read this model.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from lagdsl.flat.model import Definition, FlatModel, Parameter, PointMass, Rigid
 from lagdsl.flat.quantity import Variability, fields_of
 from lagdsl.flat.traversal import postorder
 from lagdsl.source import Span
+from lagdsl.textbook.sliding import with_senses
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import ACCELERATION, INERTIA, MASS
 
@@ -43,6 +45,7 @@ class Familiar:
 
 def familiar(model: FlatModel) -> Familiar:
     """The model for people."""
+    model = with_senses(model)
     zeros = tuple(item.name for item in model.parameters if _is_idle(item))
     idle = frozenset(zeros)
     twins = dict(_twins(model.parameters))

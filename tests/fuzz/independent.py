@@ -11,7 +11,10 @@ import numpy as np
 from compiled_programs import program_of
 from fuzz.agreement import FACTOR, INSTANT, HangError, Report, Run, limited, run
 from numpy.typing import NDArray
-from stepping.events import UnsettledError
+from stepping.events import Happening, UnsettledError
+from stepping.friction_instant import JammedError
+from stepping.friction_modes import AmbiguousError
+from stepping.friction_motion import friction_motion
 from stepping.motion import Motion, motion
 
 import lagdsl
@@ -26,7 +29,7 @@ ONE: Scales = MappingProxyType({})
 
 TOLERANCE = 1e-10
 # Kinds of events that both tell by one name. An oracle that knows of corners only may locate other relations.
-TOLD = ("impact", "closed", "opened", "tick")
+TOLD = ("impact", "closed", "opened", "tick", "slips", "sticks", "reverses")
 # Nearer to each other than this events crowd.
 CROWDED = 1e-5
 # States may differ by so many times what the engine differs from itself, or by this part of the range.
@@ -68,6 +71,29 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
     return _judged(found, finer, _until(oracle, found.end - CROWDED), scales)
 
 
+def compare_friction(text: str, engine: EngineName, stop: float) -> Report:
+    """With the oracle that tries all modes of contacts and dry friction."""
+    model = lagdsl.compile(text, engine=engine)
+    try:
+        found, finer = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
+    except HangError:
+        return Report("hang", engine)
+    times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
+    try:
+        with limited(PATIENCE):
+            oracle = friction_motion(program_of(text), stop, np.unique(times).tolist())
+    except HangError:
+        return Report("hang", "oracle")
+    except AmbiguousError as several:
+        return Report("grazing", str(several))
+    except JammedError as jammed:
+        alike = found.code is not None and abs(found.end - jammed.time) < 1e-3 * stop
+        return Report("same", "refused") if alike else Report("differs", f"{found.code} at {found.end:.9g}: {jammed}")
+    if found.code is not None:
+        return Report("differs", f"ends with {found.code} at {found.end:.9g}")
+    return _judged(found, finer, oracle, ONE)
+
+
 def _accumulate(instants: Sequence[float], end: float) -> bool:
     """True if the last six times before the end become denser, and the end lies before the sum of their series."""
     times = np.array([t for t in instants if t <= end])[-6:]
@@ -85,7 +111,7 @@ def _until(oracle: Motion, end: float) -> Motion:
 
 
 def _judged(found: Run, finer: Run, oracle: Motion, scales: Scales) -> Report:
-    parting, why = _parting(found, [(each.time, each.name, each.kind) for each in oracle.told if each.kind in TOLD])
+    parting, why = _parting(found, _of_interest(oracle.told))
     own, hinge = _parting(finer, _told(found))
     times, wrong, value = _wrong(found, finer, oracle, scales)
     first = min(parting, float(times[wrong[0]]) if len(wrong) else np.inf)
@@ -97,7 +123,24 @@ def _judged(found: Run, finer: Run, oracle: Motion, scales: Scales) -> Report:
 
 
 def _told(run: Run) -> list[tuple[float, str, str]]:
-    return [(event.time, event.name, event.kind) for event in run.motion.events if event.kind in TOLD]
+    return _of_interest(
+        [Happening(event.time, event.name, event.kind) for event in run.motion.events if event.time > 0]
+    )
+
+
+def _of_interest(told: Sequence[Happening]) -> list[tuple[float, str, str]]:
+    """What both tell by one name. A contact that strikes, closes or opens says of the friction under it that it
+    begins or ends."""
+    own = [each for each in told if each.kind in TOLD]
+    of_contacts = [(each.time, each.name) for each in own if each.kind in ("impact", "closed", "opened")]
+
+    def follows(each: Happening) -> bool:
+        contact = each.name.removesuffix(".friction")
+        return contact != each.name and any(
+            name == contact and abs(time - each.time) < CROWDED for time, name in of_contacts
+        )
+
+    return [(each.time, each.name, each.kind) for each in own if not follows(each)]
 
 
 def _parting(run: Run, others: list[tuple[float, str, str]]) -> tuple[float, str]:

@@ -60,6 +60,7 @@ partial model M = N(redeclare model X = Y(a = 3), each final b = 2, redeclare Z 
     5 m", b;
   draw rod(radius = 1 cm) from A to B if on;
   contact c: gap >= 0 with restitution = e, damping = 3 N.s/m;  // force at P
+  friction f: der(friction) with limit = 2 N.m, sticking = friction if at "friction";
   Real r = 5 m/x + 5/s + 5 /s - 3e-2 kg.m2 + 4 m2 + 4 m^2 + 2*m/s;
   initial equation
   output = 3;

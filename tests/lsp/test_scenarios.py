@@ -186,6 +186,15 @@ def test_a_member_of_a_component_shows_its_value(editor: Editor, four_bar: str) 
         ("  draw rod(radius = 1 cm) from ", {"world", "m"}, {"radius", "rod"}),
         ("  contact c: l >= 0 m with ", {"restitution", "compliance"}, {"theta"}),
         ("  contact c: l >= 0 m with restitution = ", {"theta"}, {"compliance"}),
+        ("  friction f: der(theta) with ", {"limit", "sticking"}, {"theta", "restitution"}),
+        ("  friction f: der(theta) with limit = ", {"theta"}, {"sticking"}),
+        ("  contact c: l >= 0 m with restitution = 0, ", {"friction", "slip", "sticking"}, {"theta", "limit"}),
+        (
+            "  contact c: l >= 0 with restitution = 0, friction = 1, slip = der(theta);\n"
+            "  output Force F = multiplier(c.",
+            {"friction"},
+            {"theta"},
+        ),
         ("  import Lag.Planar.{Link, ", {"Revolute", "Body"}, {"Lag", "theta"}),
         ("  output Force F[3] = reaction(hinge).", {"force", "torque"}, {"theta"}),
         ("  frame A = hinge.frame_b.rotz(theta).", {"move", "origin"}, {"theta"}),

@@ -9,7 +9,6 @@ import numpy as np
 from derived_programs import derive
 
 from lagdsl.flat import expression as flat
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import (
     Assertion,
@@ -17,6 +16,7 @@ from lagdsl.flat.model import (
     Coordinate,
     Definition,
     EnergyTerm,
+    Experiment,
     FlatModel,
     Frame,
     FrameStep,

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from compiled_programs import program_of
+from friction_texts import BEARING, BLOCK, FREEWHEEL, PUCK, SLOPE
 
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Program
@@ -14,46 +15,6 @@ from lagdsl.program.verify import verify
 from lagdsl.verify.states import values
 
 M, MU, G = 2.0, 0.3, 9.80665
-BLOCK = """
-model Block
-  coordinate Length s(start = 0 m);
-  input Force push = 0 N;
-  mass 2 kg at {s, 0 m, 0 m};
-  force push on s;
-  friction dry: der(s) with limit = 0.3*2 kg*g_n*(1 + (der(s)/(1 m/s))^2), sticking = 9 N;
-  output Force f = multiplier(dry);
-end Block;
-"""
-PUCK = """
-model Puck
-  coordinate Length x(start = 0 m), y(start = 0 m), h(start = 0 m);
-  gravity = {0, 0, -g_n};
-  mass 2 kg at {x, y, h};
-  contact floor: h >= 0 with restitution = 0.5;
-  friction pad: {der(x), der(y)} with limit = 0.3*multiplier(floor), sticking = 0.4*multiplier(floor);
-  output Force f[2] = multiplier(pad);
-end Puck;
-"""
-FREEWHEEL = """
-model Freewheel
-  coordinate Angle a(start = 0 rad), b(start = 0 rad);
-  input Torque drive = 1 N.m;
-  kinetic 1/2*(2 kg.m2)*der(a)^2 + 1/2*(3 kg.m2)*der(b)^2;
-  torque drive on a;
-  contact wheel: der(b) - 2*der(a) >= 0;
-end Freewheel;
-"""
-BEARING = """
-model Bearing
-  coordinate Angle phi(start = 0 rad);
-  gravity = {0, -g_n, 0};
-  frame arm = world.rotz(phi);
-  mass 2 kg at arm.origin + 0.5 m*arm.x;
-  friction journal: der(phi) with limit = 0.01 m*norm(reaction(arm).force);
-  output Force pin = norm(reaction(arm).force);
-  output Torque held = reaction(arm).torque.z;
-end Bearing;
-"""
 
 
 def at(program: Program, function: str, w: dict[str, float], **given: Any) -> list[Any]:
@@ -125,7 +86,11 @@ def test_entries_of_w_and_their_kinds() -> None:
     assert [slot.name for slot in layout.constraints] == ["floor", "pad[1]", "pad[2]"]
     instants = layout.instants
     assert (instants.frictions, instants.friction_rows) == (("pad",), (1, 2))
-    assert (instants.friction_slips, instants.friction_contacts, instants.contact_rows) == ((2,), (1,), (0,))  # it acts under no contact
+    assert (instants.friction_slips, instants.friction_contacts, instants.contact_rows) == (
+        (2,),
+        (1,),
+        (0,),
+    )  # it acts under no contact
 
 
 @pytest.mark.parametrize("tiny", [(0.0, 0.0), (3e-9, -4e-9)])
@@ -205,17 +170,6 @@ def test_a_freewheel() -> None:
     motion, rows = at(program, "residual", {}, **given)
     close((*motion, *rows), (5.0, 15.0, 0.0))
     assert (program.layout.instants.one_way, program.layout.position_level) == ((True,), (False,))
-
-
-SLOPE = """
-model Slope
-  parameter Real mu = 0.3;
-  coordinate Length x(start = 0 m), h(start = 0 m);
-  gravity = {0, -g_n, 0};
-  mass 2 kg at {x, h, 0};
-  contact floor: h >= 0 with restitution = 0.5, friction = mu, sticking = 2*mu, slip = der(x);
-end Slope;
-"""
 
 
 def test_friction_of_a_contact_is_its_own() -> None:

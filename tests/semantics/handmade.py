@@ -6,7 +6,6 @@ from typing import Any
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
-from lagdsl.flat.experiment import Experiment
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY
 
@@ -128,6 +127,6 @@ def model(**parts: Any) -> fm.FlatModel:
         "doc": None,
         "gravity": None,
         "gravity_span": at_line(8)[0],
-        "experiment": Experiment(),
+        "experiment": fm.Experiment(),
     }
     return fm.FlatModel(**{**empty, **given, **parts})

@@ -25,7 +25,6 @@ from handmade import (
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.text import flat_text
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
@@ -105,7 +104,7 @@ FULL = model(
         ),
         fm.Drawing(shape="disc", arguments=(), place="on", anchors=("A",), spans=at_line(34)),
     ),
-    experiment=Experiment(interval=0.01),
+    experiment=fm.Experiment(interval=0.01),
 )  # fmt: skip
 
 
@@ -169,7 +168,7 @@ def test_places_stand_beside_the_items():
 
 
 def test_empty_lists():
-    assert flat_text(model(experiment=Experiment(stop_time=1.0))) == (
+    assert flat_text(model(experiment=fm.Experiment(stop_time=1.0))) == (
         "model Hand\n\nq: none\n\nL: none\n\nD: none\n\nQ: none\n\nconstraints: none\n\n"
         "experiment:\n  0 to 1 s, tolerance 1e-08\n"
     )

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import Number
 from lagdsl.flat.model import (
     Assertion,
     Constraint,
     Coordinate,
+    Experiment,
     FlatModel,
     InitialEquation,
     Input,

@@ -10,9 +10,8 @@ import pytest
 from simulate.hand import FourBar, Hand, Pendulum, constraint, coordinate, flat_model, four_bar, length, span
 
 import lagdsl
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.expression import Binary, Derivative, Norm, Number, PointReference, Variable, Vector
-from lagdsl.flat.model import EnergyTerm, Point
+from lagdsl.flat.model import EnergyTerm, Experiment, Point
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
 

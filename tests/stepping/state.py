@@ -18,6 +18,7 @@ FROZEN = (
     "velocity_constraint",
     "position_constraint",
     "momenta",
+    "friction",
 )
 # As parts of the length of the run: how far ahead what is zero now is looked at, what counts as now.
 AHEAD, NOW = 1e-6, 1e-9

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from lagdsl.flat import expression as fx
-from lagdsl.flat.experiment import Experiment
 from lagdsl.flat.model import (
     Constraint,
     Coordinate,
     Definition,
     EnergyTerm,
+    Experiment,
     FlatModel,
     Frame,
     FrameTorque,

@@ -37,6 +37,7 @@
   "for"
   "force"
   "frame"
+  "friction"
   "from"
   "function"
   "gravity"

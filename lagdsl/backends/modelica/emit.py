@@ -13,7 +13,7 @@ from lagdsl.backends.modelica.expressions import literal
 from lagdsl.backends.modelica.names import quoted, text
 from lagdsl.backends.reserved import MODELICA_NAMES
 from lagdsl.backends.start import Start
-from lagdsl.flat.experiment import Experiment
+from lagdsl.flat.model import Experiment
 from lagdsl.mechanics.equations import Equations
 from lagdsl.program.program import Program
 from lagdsl.structure.structure import Structure

@@ -20,6 +20,7 @@ _SUPPORT = (
     "linear",
     "delassus",
     "motion",
+    "feedback",
     "derivatives",
     "kinematics",
     "names",

@@ -34,4 +34,5 @@ def motion_sizes(program: Program) -> Sizes:
         eliminated=program.has("elimination"),
         kept=program.kept_rows,
         independent=tuple(not layout.redundant[row] for row in program.kept_rows),
+        loads=layout.kinds.count("load"),
     )

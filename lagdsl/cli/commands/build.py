@@ -105,14 +105,16 @@ def command(
 def _backend(target: str, compilation: Compilation, batch: bool, sink: Sink) -> Backend | None:
     """The backend of a target; None where it cannot express the model, which `sink` is told."""
     from lagdsl.backends.c.emit import CBackend
+    from lagdsl.backends.capability_checks import report_loads_to_find
     from lagdsl.backends.modelica.capability_checks import report_inexpressible
     from lagdsl.backends.modelica.emit import ModelicaBackend
     from lagdsl.backends.registry import BACKENDS
 
     if target == "c":
         return CBackend(batch=batch, start=_start(compilation))
+    report_loads_to_find(compilation.flat, target, sink)
     if target != "modelica":
-        return BACKENDS[target]
+        return None if sink.has_errors else BACKENDS[target]
     report_inexpressible(compilation.flat, sink)
     if sink.has_errors:
         return None

@@ -42,6 +42,11 @@ ROWS: dict[str, Row] = {
         label="this one",
         help="export an FMU with `lag fmu`, which contains the runtime of lagdsl; or leave this statement out",
     ),
+    "E0916": error(
+        "modules for {language} do not find `{name}`: it depends on multipliers, reactions or accelerations, and these on it",
+        label="this load",
+        help="choose the target `numpy` or `c`, or an FMU; or write a load that is known before the equations are solved",
+    ),
     "E0925": error(
         "no variable that can be an output of the FMU is called `{name}`",
         help="name a coordinate, a rate, a state, a discrete variable or a definition",

@@ -1,12 +1,12 @@
 """Names before `=` in statements of the language: what may stand in `body b(`, `draw box(`, `contact ... with`,
-`annotation(`."""
+`friction ... with`, `annotation(`."""
 
 from __future__ import annotations
 
 from lagdsl.lsp.features.cursor import Cursor
 from lagdsl.semantics.classes.annotations import ANNOTATIONS, SETTINGS
+from lagdsl.semantics.items import contacts, frictions
 from lagdsl.semantics.items.bodies import PROPERTIES
-from lagdsl.semantics.items.contacts import OPTIONS
 from lagdsl.semantics.items.shapes import SHAPES
 
 
@@ -24,9 +24,10 @@ def arguments_at(cursor: Cursor) -> tuple[str, ...]:
             return PROPERTIES
         case "draw", 1 if statement[1] in SHAPES:
             return tuple(dict.fromkeys(name for names in SHAPES[statement[1]].arguments.values() for name in names))
-        case "contact", 0 if "with" in statement:
+        case "contact" | "friction", 0 if "with" in statement:
             last = max(k for k, text in enumerate(statement) if text in (",", "with"))
-            return OPTIONS if "=" not in statement[last:] else ()
+            known = contacts.OPTIONS if statement[0] == "contact" else frictions.OPTIONS
+            return known if "=" not in statement[last:] else ()
         case _:
             return ()
 

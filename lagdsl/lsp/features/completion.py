@@ -17,6 +17,7 @@ from lagdsl.lsp.snippets import SNIPPETS
 from lagdsl.manual.component_page import component_page
 from lagdsl.manual.library import UnknownClass, matching
 from lagdsl.manual.words import ATTRIBUTES, FUNCTIONS, VARIABLES, constant_text, statement_of, type_text
+from lagdsl.semantics.operators.frictions import MEMBER
 from lagdsl.semantics.operators.geometry import AXES, FRAME_MEMBERS, METHODS
 from lagdsl.semantics.scope.imports import root_of
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
@@ -157,6 +158,9 @@ def _members(
         yield from (_of(each) for each in inside.members.values() if not each.protected)
     elif path == ("world",) or (found is not None and found.kind == "frame"):
         yield from _of_frame()
+    elif found is not None and isinstance(found.node, nodes.Contact):
+        if any(option.name == MEMBER for option in found.node.options):
+            yield _item(MEMBER, lsp.CompletionItemKind.Field)
     elif path[-1] in FRAME_MEMBERS or (found is not None and found.kind == "point"):
         yield from (_item(name, lsp.CompletionItemKind.Field) for name in AXES)
 

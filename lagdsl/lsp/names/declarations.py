@@ -7,14 +7,21 @@ from dataclasses import field
 from typing import TypeAlias
 
 from lagdsl.record import record
-from lagdsl.semantics.scope.scope import ClassSymbol, Scope
+from lagdsl.semantics.scope.scope import ClassSymbol, Labelled, Scope
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
 _WORD = re.compile(r'"(?:[^"\\]|\\.)*"|//[^\n]*|/\*.*?\*/|[A-Za-z_][A-Za-z0-9_]*', re.DOTALL)
 
-Labelled: TypeAlias = nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.RigidBody | nodes.Invariant
-LABELLED = (nodes.Energy, nodes.Load, nodes.Constraint, nodes.Contact, nodes.RigidBody, nodes.Invariant)
+LABELLED = (
+    nodes.Energy,
+    nodes.Load,
+    nodes.Constraint,
+    nodes.Contact,
+    nodes.Friction,
+    nodes.RigidBody,
+    nodes.Invariant,
+)
 Named: TypeAlias = (
     nodes.Class | nodes.ShortClass | nodes.TypeDefinition | nodes.Function | nodes.FunctionParameter | nodes.Iterator
 )

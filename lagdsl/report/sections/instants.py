@@ -35,9 +35,9 @@ _OPEN = (
 _FRICTION = (
     "Dry friction sticks or slides. While it sticks the slip is zero, its row holds like a constraint, and the "
     "multiplier is the force, at most as large as the limit at rest. While it slides the multiplier is 0, and the "
-    "force is as large as the limit and opposes the slip. In the equations `sticks` is 1 or 0, and `direction` is the "
-    "sense of the slip."
+    "force is as large as the limit and opposes the slip. Both stand in the equations: a slip of zero has no sense."
 )
+_FEEDBACK = "They depend on multipliers, reactions or accelerations, with which they are found together:"
 _LAW = (
     "Where a gap closes, the rates jump and the impulses p push only; the constraints, with impulses P, hold before "
     "and after. M is the matrix of the accelerations; J and J with index c hold the derivatives of the constraints and "
@@ -85,6 +85,19 @@ def frictions(page: Page) -> list[Block]:
         Heading("Dry friction"),
         Paragraph(text(_FRICTION)),
         Table(("friction", "slip", "limit", "limit at rest", "multiplier"), table),
+    ]
+
+
+def feedbacks(page: Page) -> list[Block]:
+    """Loads that stand in the equations by their names."""
+    found = page.flat.events.feedbacks
+    if not found:
+        return []
+    table = tuple(((Code(each.name),), text(flat_expression_text(each.value))) for each in found)
+    return [
+        Heading("Loads found with the accelerations"),
+        Paragraph(text(_FEEDBACK)),
+        Table(("load", "value"), table),
     ]
 
 

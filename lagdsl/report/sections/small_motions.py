@@ -45,6 +45,7 @@ from lagdsl.report.notation import dotted
 from lagdsl.report.page import Page
 from lagdsl.report.unicode_math import line
 from lagdsl.report.unit_text import value_and_unit
+from lagdsl.textbook.recipe import Derivation
 from lagdsl.textbook.small_motions.accelerations import LONGEST_SOLUTION
 from lagdsl.textbook.small_motions.linear import Frequency, Linear
 from lagdsl.textbook.small_motions.roots import Condition
@@ -62,7 +63,7 @@ _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` fi
 _OF_CONTACTS = (
     "Of each contact the gap or the multiplier is zero, and neither is negative: it is open, or closed and pushes."
 )
-_OPEN = "While all contacts are open, so that their multipliers are zero:"
+_OPEN = "While {}, so that their multipliers are zero:"
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
 _SINGULAR = (
     "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
@@ -75,6 +76,14 @@ _EVERYWHERE = "At rest all terms vanish: every configuration is an equilibrium."
 _NONLINEAR = "The equations are not linear in the accelerations and multipliers, so they are solved in numbers."
 
 
+def _absent(derivation: Derivation) -> str | None:
+    """Sentence on the rows that are not there in the accelerations; None where all are."""
+    contacts = ["all contacts are open"] if any(row.contact for row in derivation.constraints) else []
+    frictions = ["all friction slides"] if any(row.friction for row in derivation.constraints) else []
+    found = " and ".join([*contacts, *frictions])
+    return _OPEN.format(found) if found else None
+
+
 def accelerations(page: Page) -> list[Block]:
     """Each acceleration by itself, then the multipliers of constraints; nothing for a model without coordinates."""
     if page.study is None:
@@ -83,8 +92,9 @@ def accelerations(page: Page) -> list[Block]:
     blocks: list[Block] = [Heading("Solved for the accelerations")]
     if found.nonlinear:
         return [*blocks, Paragraph(text(_NONLINEAR))]
-    if any(row.contact for row in page.derivation.constraints):
-        blocks.append(Paragraph(text(_OPEN)))
+    absent = _absent(page.derivation)
+    if absent is not None:
+        blocks.append(Paragraph(text(absent)))
     if found.values:
         units = {} if page.units is None else page.units.of_symbols(page.derivation)
         lines = (

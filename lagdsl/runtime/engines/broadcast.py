@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
+from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.program.program import Program
@@ -42,12 +43,25 @@ def interface(program: Program, engine: BatchEngine) -> Interface:
     return Interface(
         engine.evaluate_many,
         engine.solve_many,
-        engine.jacobian_many,
+        differentiating(program, engine),
         motion_sizes(program),
         program.layout.defaults,
         argument_names(program),
         aliases=dict(program.layout.aliases),
     )
+
+
+def differentiating(program: Program, engine: BatchEngine) -> Callable[..., tuple[Floats, ...]]:
+    """`jacobian_many` of the engine; with loads that depend on accelerations and multipliers a function of the same
+    arguments in which these follow."""
+    sizes = motion_sizes(program)
+    if not sizes.loads:
+        return engine.jacobian_many
+
+    def differentiate(by: str, *state: ArrayLike) -> tuple[Floats, ...]:
+        return differentiate_motion(engine.evaluate_many, sizes, by, *map(np.asarray, state))
+
+    return differentiate
 
 
 @record()

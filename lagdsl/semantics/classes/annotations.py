@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from lagdsl.diagnostics.suggest import did_you_mean
-from lagdsl.flat.experiment import Experiment
+from lagdsl.flat.model import Experiment
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.contents import Placed
 from lagdsl.semantics.scope.context import Context

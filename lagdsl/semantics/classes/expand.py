@@ -21,6 +21,7 @@ from lagdsl.semantics.scope.scope import (
     FunctionSymbol,
     Instance,
     LabelInstance,
+    Labelled,
     Scope,
     Symbol,
     SymbolKind,
@@ -31,9 +32,6 @@ from lagdsl.semantics.types.declarations import enter, type_text
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
-Labelled = (
-    nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.Friction | nodes.RigidBody | nodes.Invariant
-)
 _LABEL_KINDS: dict[type, SymbolKind] = {
     nodes.Energy: "energy",
     nodes.Load: "load",

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from lagdsl.flat import expression as flat
 from lagdsl.flat.events import INITIAL, TERMINAL
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.operators.arguments import labelled, named_element, positional
+from lagdsl.semantics.operators.arguments import labelled_one, named_element, positional
 from lagdsl.semantics.operators.event_limits import require
 from lagdsl.semantics.operators.frictions import friction_named
 from lagdsl.semantics.scope.context import Context
@@ -120,7 +120,7 @@ def of_contact(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
-    found = labelled(ctx, scope, arguments[0], "contact")
+    found = labelled_one(ctx, scope, arguments[0], "contact")
     if found is None:
         return POISON
     symbol, indices = found
@@ -129,11 +129,11 @@ def of_contact(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         return POISON
     function = node.function.span.text
     if function == "closed":
-        return _truth(contact.closed)
+        return _boolean(contact.closed)
     if contact.impacts is None:
         ctx.sink.report("E0380", node.span, name=contact.name)
         return POISON
-    return Scalar(flat.Variable(contact.impacts), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Integer")
+    return Scalar(contact.impacts, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Integer")
 
 
 def sticks(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -142,7 +142,7 @@ def sticks(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if arguments is None:
         return POISON
     friction = friction_named(ctx, scope, arguments[0])
-    return _truth(friction.sticks) if friction is not None else POISON
+    return _boolean(friction.sticks) if friction is not None else POISON
 
 
 def action(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -168,7 +168,13 @@ OF_EVENTS: dict[str, Callable[[Context, Scope, nodes.Call], Value]] = {
 
 
 def _truth(name: str) -> Scalar:
-    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+    return _boolean(flat.Variable(name))
+
+
+def _boolean(truth: flat.FlatExpression) -> Scalar:
+    """`false` of what is not there is a constant."""
+    changes = Variability.CONSTANT if truth == flat.ZERO else Variability.DISCRETE
+    return Scalar(truth, DIMENSIONLESS, changes, Order.STILL, "Boolean")
 
 
 def _at_an_event(ctx: Context, node: nodes.Call) -> bool:

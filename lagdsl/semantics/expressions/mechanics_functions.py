@@ -8,7 +8,7 @@ from typing import Literal
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.operators.arguments import labelled, named, named_element, positional
+from lagdsl.semantics.operators.arguments import is_one, labelled, named, named_element, positional
 from lagdsl.semantics.operators.arrays import select, subscript_indices
 from lagdsl.semantics.operators.conditions import condition_of
 from lagdsl.semantics.operators.frictions import friction_named, names_friction
@@ -185,7 +185,7 @@ def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         value: Value = friction.multiplier if friction is not None else POISON
     else:
         found = labelled(ctx, scope, label, "constraint", "contact", "friction")
-        value = _multiplier_of(ctx, *found) if found is not None else POISON
+        value = _multiplier_of(ctx, label, *found) if found is not None else POISON
     if not rows or isinstance(value, Poison):
         return value
     if not isinstance(value, Array):
@@ -215,9 +215,9 @@ def _rows_apart(
     return label, node.subscripts[rank:]
 
 
-def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
+def _multiplier_of(ctx: Context, node: nodes.Expression, symbol: Symbol, indices: Indices) -> Value:
     if symbol.kind == "contact":
-        contact = ctx.resolver.contact(ctx, symbol, indices)
+        contact = ctx.resolver.contact(ctx, symbol, indices) if is_one(ctx, node, symbol, indices) else None
         return contact.multiplier if contact is not None else POISON
     places = [indices] if indices in symbol.made.labels else list(symbol.made.labels)
     rows = [ctx.resolver.constraint(ctx, symbol, each) for each in places]

@@ -35,12 +35,17 @@ OPTIONS = (*_RIGID, *_COMPLIANT, *UNDER_CONTACT)
 
 
 def make(ctx: Context, scope: Scope, node: nodes.Contact, name: str) -> ContactValue | None:
-    """Adds the contact to the model; None where its condition is false or after a diagnostic."""
-    if not structural_condition(ctx, scope, node.condition, "a contact"):
+    """Adds the contact to the model if its condition is true; None after a diagnostic."""
+    condition = structural_condition(ctx, scope, node.condition, "a contact")
+    if condition is None:
         return None
+    if not condition:
+        return ContactValue(name, flat.ZERO, flat.ZERO, Scalar(flat.ZERO, None), present=False)
     gap = _gap(ctx, scope, node)
-    options = _options(ctx, node, one_way=gap is not None and gap.order == Order.RATE)
-    if gap is None or options is None:
+    if gap is None:
+        return None
+    options = _options(ctx, node, one_way=gap.order == Order.RATE)
+    if options is None:
         return None
     if gap.order == Order.RATE:
         return _one_way(ctx, scope, node, name, gap)
@@ -157,7 +162,7 @@ def _one_way(ctx: Context, scope: Scope, node: nodes.Contact, name: str, rate: S
 
 def _present(ctx: Context, contact: events.Contact, force: Dimension) -> ContactValue:
     """Adds the contact and the row that holds while it is closed."""
-    ctx.product.occurrences.contacts.append(contact)
+    ctx.product.occurrences.laws.contacts.append(contact)
     residual = flat.Binary("*", flat.Variable(contact.closed), contact.gap)
     ctx.product.constraints.append(
         flat_model.Constraint(
@@ -171,7 +176,7 @@ def _present(ctx: Context, contact: events.Contact, force: Dimension) -> Contact
         )
     )
     multiplier = Scalar(flat.Multiplier(contact.name), force, Variability.CONTINUOUS, Order.SOLUTION)
-    return ContactValue(contact.name, contact.closed, contact.impacts, multiplier)
+    return ContactValue(contact.name, flat.Variable(contact.closed), flat.Variable(contact.impacts), multiplier)
 
 
 def _force(ctx: Context, gap: Dimension) -> Dimension:
@@ -215,7 +220,7 @@ def _compliant(
     )
     ctx.product.forces.append(load)
     pressing = Scalar(force, _force(ctx, dimension), continuous, Order.RATE)
-    return ContactValue(name, touching.name, None, pressing)
+    return ContactValue(name, touching, None, pressing)
 
 
 def _exponent(ctx: Context, scope: Scope, option: nodes.Named | None) -> float | None:

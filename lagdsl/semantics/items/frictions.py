@@ -27,23 +27,25 @@ from lagdsl.semantics.scope.values import (
     Order,
     Poison,
     Scalar,
-    Value,
     Vector,
     highest,
     latest,
 )
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
-from lagdsl.units.dimension import DIMENSIONLESS, POWER
+from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, POWER
 
 OPTIONS = ("limit", "sticking")
 UNDER_CONTACT = ("friction", "sticking", "slip")
 
 
 def make(ctx: Context, scope: Scope, node: nodes.Friction, name: str) -> FrictionValue | None:
-    """Adds the friction to the model; None where its condition is false or after a diagnostic."""
-    if not structural_condition(ctx, scope, node.condition, "friction"):
+    """Adds the friction to the model if its condition is true; None after a diagnostic."""
+    condition = structural_condition(ctx, scope, node.condition, "friction")
+    if condition is None:
         return None
+    if not condition:
+        return _absent(node.value)
     slip = _slip(ctx, scope, node.value)
     options = options_of(ctx, node, "friction", OPTIONS)
     if slip is None or options is None:
@@ -53,8 +55,9 @@ def make(ctx: Context, scope: Scope, node: nodes.Friction, name: str) -> Frictio
         ctx.sink.report("E0388", node.value.span, what="friction", lacks="a limit", help=hint)
         return None
     unit = ctx.conventions.dimension(POWER) / slip.dimension
-    limit = option_value(ctx, scope, options["limit"], "the limit", unit)
-    sticking = option_value(ctx, scope, options.get("sticking"), "`sticking`", unit)
+    named = "a moment [N.m]" if ctx.conventions.units and unit == ENERGY else None
+    limit = option_value(ctx, scope, options["limit"], "the limit", unit, named=named)
+    sticking = option_value(ctx, scope, options.get("sticking"), "`sticking`", unit, named=named)
     if limit is None or (sticking is None) != ("sticking" not in options):
         return None
     if sticking is not None and not require_least(ctx, scope, options["sticking"].value, "`sticking`", sticking, limit):
@@ -67,6 +70,8 @@ def under(ctx: Context, scope: Scope, node: nodes.Contact, contact: ContactValue
     options = {option.name: option for option in node.options if option.name in UNDER_CONTACT}
     if not options:
         return None
+    if not contact.present:
+        return _absent(options["slip"].value) if "slip" in options else None
     slip = _slip(ctx, scope, options["slip"].value)
     coefficient = option_value(ctx, scope, options["friction"], "the coefficient of friction", DIMENSIONLESS)
     sticking = option_value(ctx, scope, options.get("sticking"), "`sticking`", DIMENSIONLESS)
@@ -79,8 +84,13 @@ def under(ctx: Context, scope: Scope, node: nodes.Contact, contact: ContactValue
     limit = _times(coefficient, contact.multiplier)
     most = _times(sticking, contact.multiplier) if sticking is not None else None
     rigid = contact.name if contact.impacts is not None else None
-    force = _Force(f"{contact.name}.friction", (options["friction"].span, *scope.spans), limit, most, rigid)
+    force = _Force(f"{contact.name}.friction", (options["slip"].span, *scope.spans), limit, most, rigid)
     return _add(ctx, slip, force)
+
+
+def _absent(slip: nodes.Expression) -> FrictionValue:
+    zeros = Array((flat.ZERO, flat.ZERO), (2,), None) if isinstance(slip, nodes.Array) else Scalar(flat.ZERO, None)
+    return FrictionValue(flat.ZERO, zeros)
 
 
 def _times(factor: Scalar, force: Scalar) -> Scalar:
@@ -105,7 +115,8 @@ def _slip(ctx: Context, scope: Scope, node: nodes.Expression) -> _Slip | None:
     if isinstance(value, Poison):
         return None
     if not isinstance(value, Scalar) and not (isinstance(value, Array) and value.shape == (2,)):
-        hint = f"name two components: `{{{node.span.text}.x, {node.span.text}.y}}`" if _is_spatial(value) else None
+        text = node.span.text
+        hint = f"name two components: `{{{text}.x, {text}.y}}`" if isinstance(value, Vector) else None
         ctx.sink.report("E0387", node.span, found=kind_of(value), help=hint)
         return None
     if value.kind == "Boolean":
@@ -119,10 +130,6 @@ def _slip(ctx: Context, scope: Scope, node: nodes.Expression) -> _Slip | None:
         return None
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     return _Slip(parts, value.dimension or DIMENSIONLESS)
-
-
-def _is_spatial(value: Value) -> bool:
-    return isinstance(value, Vector) or (isinstance(value, Array) and value.shape == (3,))
 
 
 _ORDERS = {
@@ -159,7 +166,7 @@ def _add(ctx: Context, slip: _Slip, force: _Force) -> FrictionValue:
         sticking=force.sticking.expression if force.sticking is not None else None,
         contact=force.contact,
     )
-    ctx.product.occurrences.frictions.append(made)
+    ctx.product.occurrences.laws.frictions.append(made)
     planar = len(slip.parts) > 1
     rows = tuple(row_name(force.name, k) for k in range(1, len(slip.parts) + 1)) if planar else (force.name,)
     sticks = flat.Variable(made.sticks)
@@ -177,7 +184,7 @@ def _add(ctx: Context, slip: _Slip, force: _Force) -> FrictionValue:
     unit = ctx.conventions.dimension(POWER) / slip.dimension
     limit = force.limit.expression
     if force.limit.order >= Order.ACCELERATION:
-        limit = ctx.product.occurrences.feedback(f"limit({force.name})", force.spans, limit, unit)
+        limit = ctx.product.occurrences.laws.feedback(f"limit({force.name})", force.spans, limit, unit)
     for part, way in zip(slip.parts, _ways(made), strict=True):
         value = flat.Conditional(sticks, flat.ZERO, _against(limit, way))
         load = flat_model.RateForce(spans=force.spans, label=force.name, value=value, rate=part)
@@ -189,7 +196,7 @@ def _add(ctx: Context, slip: _Slip, force: _Force) -> FrictionValue:
     multiplier: Scalar | Array = Scalar(found[0], unit, Variability.CONTINUOUS, Order.SOLUTION)
     if planar:
         multiplier = Array(found, (len(found),), unit, Variability.CONTINUOUS, Order.SOLUTION)
-    return FrictionValue(force.name, made.sticks, multiplier)
+    return FrictionValue(sticks, multiplier)
 
 
 def _against(limit: FlatExpression, way: FlatExpression) -> FlatExpression:

@@ -12,6 +12,7 @@ from lagdsl.semantics.scope.naming import name_span
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import Scalar, rank
 from lagdsl.semantics.types.bindings import Expected, conform
+from lagdsl.semantics.types.dimensions import require as require_dimension
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 
@@ -44,11 +45,19 @@ def option_value(
     *,
     most: float = math.inf,
     strict: bool = False,
+    named: str | None = None,
 ) -> Scalar | None:
-    """The value of an option, of the dimension, that varies no more than `latest`; it is not negative."""
+    """The value of an option, of the dimension, which diagnostics may name, that varies no more than `latest`; it is
+    not negative. None without the option, or after a diagnostic."""
     if option is None:
         return None
     value = ctx.elaborate(ctx, scope, option.value, True)
+    if named is not None and isinstance(value, Scalar):
+        fits = require_dimension(
+            ctx, scope, option.value, value.dimension, dimension, "E0415", what=what, expected=named
+        )
+        if not fits:
+            return None
     found = conform(ctx, scope, option.value, value, Expected(what, dimension, (), code="E0415"))
     if not isinstance(found, Scalar):
         return None

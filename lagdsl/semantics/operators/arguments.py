@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog.habits import count_help
@@ -64,9 +64,26 @@ def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[S
     return symbol, tuple(index for index in found if isinstance(index, int))
 
 
-def labelled(
-    ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Literal["constraint", "body", "contact", "friction"]
-) -> tuple[Symbol, Indices] | None:
+Labelled: TypeAlias = Literal["constraint", "body", "contact", "friction"]
+
+
+def labelled_one(ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Labelled) -> tuple[Symbol, Indices] | None:
+    """The label of one thing of one of `kinds`: a label in a loop needs its indices."""
+    found = labelled(ctx, scope, node, *kinds)
+    return found if found is not None and is_one(ctx, node, *found) else None
+
+
+def is_one(ctx: Context, node: nodes.Expression, symbol: Symbol, indices: Indices) -> bool:
+    """True if `node` names one of the things of this label; False after E0312."""
+    if indices in symbol.made.labels or not symbol.made.labels:
+        return True
+    hint = f"write `{symbol.short}[{', '.join('1' for _ in next(iter(symbol.made.labels)))}]`"
+    what = f"all of `{symbol.short}`"
+    ctx.sink.report("E0312", node.span, expected=f"one {symbol.kind}", found=what, help=hint)
+    return False
+
+
+def labelled(ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Labelled) -> tuple[Symbol, Indices] | None:
     """The label of something of one of `kinds` in an argument; a label in a loop may stand without indices for all."""
     target = node.target if isinstance(node, nodes.Index) else node
     entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics.operators.arguments import labelled
+from lagdsl.semantics.operators.arguments import labelled_one
 from lagdsl.semantics.operators.paths import designated
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Indices, Scope, Symbol
@@ -22,7 +22,7 @@ def names_friction(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
 def friction_named(ctx: Context, scope: Scope, node: nodes.Expression) -> FrictionValue | None:
     """The friction of that name, or under the contact of that name; None after a diagnostic."""
     around = _contact_before(ctx, scope, node)
-    found = labelled(ctx, scope, around or node, "friction", "contact")
+    found = labelled_one(ctx, scope, around or node, "friction", "contact")
     return _value(ctx, *found, node.span) if found is not None else None
 
 
@@ -42,9 +42,6 @@ def _contact_before(ctx: Context, scope: Scope, node: nodes.Expression) -> nodes
 def _value(ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None:
     instance = symbol.made.labels.get(indices)
     if instance is None:
-        if symbol.made.labels:
-            kind = symbol.kind
-            ctx.sink.report("E0312", span, expected=f"one {kind}", found=f"all {kind}s `{symbol.name}`")
         return None
     if isinstance(instance.node, nodes.Contact) and not any(each.name == MEMBER for each in instance.node.options):
         hint = "write `with friction = mu, slip = ...` at the contact"

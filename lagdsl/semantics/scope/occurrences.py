@@ -40,13 +40,28 @@ class Mode(Enum):
 
 
 @mutable_record()
+class ForceLaws:
+    """Laws that set in and cease at events; the values in loads that depend on the motion that they cause, by name."""
+
+    contacts: list[Contact] = field(default_factory=list)
+    frictions: list[Friction] = field(default_factory=list)
+    feedbacks: dict[str, Feedback] = field(default_factory=dict)
+
+    def feedback(self, text: str, spans: Spans, value: FlatExpression, dimension: Dimension) -> Variable:
+        """The entry in place of a value in a load that depends on the motion that it causes."""
+        for name in _names(text):
+            if name not in self.feedbacks:
+                self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
+                return Variable(name)
+        raise AssertionError("there is always one more name")
+
+
+@mutable_record()
 class Occurrences:
     """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier."""
 
     discretes: list[Discrete] = field(default_factory=list)
-    contacts: list[Contact] = field(default_factory=list)
-    frictions: list[Friction] = field(default_factory=list)
-    feedbacks: dict[str, Feedback] = field(default_factory=dict)
+    laws: ForceLaws = field(default_factory=ForceLaws)
     relations: dict[str, Relation] = field(default_factory=dict)
     timed: dict[str, tuple[FlatExpression, Timed]] = field(default_factory=dict)
     whens: list[When] = field(default_factory=list)
@@ -97,14 +112,6 @@ class Occurrences:
                 return name
         raise AssertionError("there is always one more name")
 
-    def feedback(self, text: str, spans: Spans, value: FlatExpression, dimension: Dimension) -> Variable:
-        """The entry in place of a value in a load that depends on the motion that it causes."""
-        for name in _names(text):
-            if name not in self.feedbacks:
-                self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
-                return Variable(name)
-        raise AssertionError("there is always one more name")
-
     def condition(self, text: str) -> str:
         """A name for what a condition of a clause was before."""
         self.conditions += 1
@@ -124,9 +131,9 @@ class Occurrences:
     def events(self) -> Events:
         return Events(
             discretes=tuple(self.discretes),
-            contacts=tuple(self.contacts),
-            frictions=tuple(self.frictions),
-            feedbacks=tuple(self.feedbacks.values()),
+            contacts=tuple(self.laws.contacts),
+            frictions=tuple(self.laws.frictions),
+            feedbacks=tuple(self.laws.feedbacks.values()),
             relations=tuple(self.relations.values()),
             timed=tuple(timed for _, timed in self.timed.values()),
             whens=tuple(self.whens),

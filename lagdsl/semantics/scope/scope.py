@@ -85,7 +85,7 @@ def bindings_of(kind: SymbolKind, value: Binding, *, array: bool) -> dict[Indice
 
 
 Labelled: TypeAlias = (
-    "nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.Friction | nodes.RigidBody | nodes.Invariant"
+    nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.Friction | nodes.RigidBody | nodes.Invariant
 )
 
 

@@ -112,20 +112,22 @@ class Reaction(AnyValue):
 
 @record()
 class ContactValue:
-    """Quantities of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
+    """Quantities of a contact: `closed(c)`, `impacts(c)` (None: none are counted), its force. Not `present`: its
+    condition is false, and all of them are zero."""
 
     name: str
-    closed: str
-    impacts: str | None
+    closed: FlatExpression
+    impacts: FlatExpression | None
     multiplier: Scalar
+    present: bool = True
 
 
 @record()
 class FrictionValue:
-    """Quantities of dry friction: the name of `sticks(f)`, its force, an array where it acts in a plane."""
+    """Quantities of dry friction: `sticks(f)`, and its force, an array where it acts in a plane; zeros where its
+    condition is false."""
 
-    name: str
-    sticks: str
+    sticks: FlatExpression
     multiplier: Scalar | Array
 
 

@@ -73,7 +73,8 @@ def _uses(flat: FlatModel, dependence: Dependence) -> Iterator[Use]:
         yield dependence.of(energy.value), extra, energy, f"occurs in `{energy.kind}`"
     for constraint in flat.constraints:
         extra = 2 if constraint.level == "position" else 1
-        yield dependence.of_all(constraint.residuals), extra, constraint, "occurs in a constraint"
+        what = "occurs in a slip" if constraint.friction else "occurs in a constraint"
+        yield dependence.of_all(constraint.residuals), extra, constraint, what
     for value, item, what in _values(flat):
         yield dependence.of(value), 0, item, what
 

@@ -6,18 +6,15 @@ model.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 from itertools import product as cartesian
 from typing import assert_never
 
-from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.items import constraints, contacts, frictions, labels
+from lagdsl.semantics.items import labels
 from lagdsl.semantics.operators.geometry import as_point
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
@@ -25,13 +22,11 @@ from lagdsl.semantics.scope.instance_diagnostics import report_missing
 from lagdsl.semantics.scope.limits import shape_fits
 from lagdsl.semantics.scope.naming import element_name, kind_of
 from lagdsl.semantics.scope.occurrences import Mode
-from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, LabelInstance, Symbol
+from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, Symbol
 from lagdsl.semantics.scope.values import (
     POISON,
     Array,
-    ContactValue,
     FrameValue,
-    FrictionValue,
     Order,
     Poison,
     Scalar,
@@ -47,6 +42,7 @@ from lagdsl.semantics.types.bindings import Expected, bound
 from lagdsl.semantics.types.quantity_fields import quantity_fields
 from lagdsl.semantics.variables import parameters
 from lagdsl.semantics.variables.attributes import sign_of
+from lagdsl.semantics.variables.laws import Laws
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
@@ -54,13 +50,8 @@ from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 _BODY = "a body has no members: read the parameters that give its mass and inertia"
 
 
-class Definitions:
+class Definitions(Laws):
     """The resolver: shapes and values of symbols, each made once."""
-
-    def __init__(self) -> None:
-        self._constraints: dict[tuple[Symbol, Indices], flat_model.Constraint | None] = {}
-        self._contacts: dict[tuple[Symbol, Indices], ContactValue | None] = {}
-        self._frictions: dict[tuple[Symbol, Indices], FrictionValue | None] = {}
 
     # ---- shapes ------------------------------------------------------------------------------------------------------
 
@@ -72,7 +63,7 @@ class Definitions:
             ranks = list(symbol.made.labels)
             return tuple(max(indices[k] for indices in ranks) for k in range(len(ranks[0]))) if ranks else None
         if symbol.made.shape is None:
-            with self._entered(ctx, symbol, None, symbol.span) as free:
+            with self.entered(ctx, symbol, None, symbol.span) as free:
                 if free:
                     symbol.made.shape = self._declared_shape(ctx, symbol)
         return symbol.made.shape
@@ -99,11 +90,11 @@ class Definitions:
                     ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
                     extent = None
             if extent is None:
-                self._poison(symbol)
+                self.poison(symbol)
                 return None
             extents.append(extent)
         if not shape_fits(ctx, symbol, tuple(extents)):
-            self._poison(symbol)
+            self.poison(symbol)
             return None
         return tuple(extents)
 
@@ -177,14 +168,14 @@ class Definitions:
                 ctx.assembly.is_computed(symbol)  # its definition comes before what reads it
             return value
         key = self._key(symbol, indices)
-        with self._entered(ctx, symbol, key, span) as free:
+        with self.entered(ctx, symbol, key, span) as free:
             if not free:
                 return POISON
             with ctx.current.standing(Mode.ALWAYS):
                 self._make(ctx, symbol, indices, key)
         if indices not in symbol.made.cells:
             if key is None:
-                self._poison(symbol)
+                self.poison(symbol)
             else:
                 for rest in every((self.shape(ctx, symbol) or ())[len(key) :]):
                     symbol.made.cells.setdefault((*key, *rest), POISON)
@@ -211,34 +202,6 @@ class Definitions:
         variability = Variability.CONTINUOUS if symbol.info.base == "Real" else Variability.DISCRETE
         return Scalar(variable, dimension, variability, order, symbol.info.base)
 
-    @contextmanager
-    def _entered(self, ctx: Context, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
-        """Guards against definitions that need themselves: yields False after E0305."""
-        active = ctx.current.active
-        if (symbol, key) in active:
-            circle = active[active.index((symbol, key)) :]
-            names = [element_name(member.name, indices or ()) for member, indices in circle]
-            names.append(names[0])
-            links = [f"`{a}` on `{b}`" for a, b in pairwise(names)]
-            path = ", ".join([links[0].replace(" on ", " depends on ", 1), *links[1:]])
-            places = [Label(member.span, f"`{member.name}` is defined here") for member, _ in circle]
-            ctx.sink.report("E0305", span, *places, path=path)
-            for member, indices in circle:
-                self._poison(member, indices)
-            yield False
-            return
-        active.append((symbol, key))
-        try:
-            yield True
-        finally:
-            active.pop()
-
-    def _poison(self, symbol: Symbol, indices: Indices | None = None) -> None:
-        if indices is not None:
-            symbol.made.cells[indices] = POISON
-        else:
-            symbol.kind = "unknown"
-
     # ---- one symbol --------------------------------------------------------------------------------------------------
 
     def _make(self, ctx: Context, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
@@ -264,7 +227,7 @@ class Definitions:
             report_missing(ctx, "E0318", symbol, element_name(symbol.short, indices))
         else:
             report_missing(ctx, "E0318", symbol, symbol.short)
-            self._poison(symbol)
+            self.poison(symbol)
 
     def _binding(self, symbol: Symbol, key: Indices | None) -> Binding | None:
         return symbol.given.bindings.get(key) or (symbol.given.bindings.get(None) if not key else None)
@@ -340,7 +303,7 @@ class Definitions:
                 wanted, found = f"an array of {count} points", kind_of(value)
                 what = f"`{symbol.short}`"
                 ctx.sink.report("E0334", binding.node.span, what=what, expected=wanted, found=found)
-            self._poison(symbol)
+            self.poison(symbol)
             return None
         part = element_at(value, indices[0] - 1)
         return as_point(ctx, binding.scope, binding.node, part)
@@ -363,49 +326,6 @@ class Definitions:
         frame = flat_model.Frame(spans=spans, name=name, parent=value.name, steps=value.steps, doc=doc)
         ctx.product.named.append(frame)
         return FrameValue(name, (), value.variability, value.order)
-
-    def constraint(self, ctx: Context, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None:
-        """The rows behind the label of a constraint, there or not."""
-        key = (symbol, indices)
-        if key not in self._constraints:
-            self._constraints[key] = None
-            instance = symbol.made.labels[indices]
-            assert isinstance(instance.node, nodes.Constraint)
-            with ctx.current.standing(Mode.ALWAYS):
-                self._constraints[key] = constraints.make(ctx, instance.scope, instance.node, instance.name)
-        return self._constraints[key]
-
-    def contact(self, ctx: Context, symbol: Symbol, indices: Indices) -> ContactValue | None:
-        """Value of the label of a contact."""
-        key = (symbol, indices)
-        if key not in self._contacts:
-            self._contacts[key] = None
-            instance = symbol.made.labels.get(indices)
-            if instance is not None:
-                assert isinstance(instance.node, nodes.Contact)
-                with ctx.current.standing(Mode.ALWAYS):
-                    self._contacts[key] = contacts.make(ctx, instance.scope, instance.node, instance.name)
-        return self._contacts[key]
-
-    def friction(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None:
-        """Value of the label of a friction, or of the friction under the contact of that label; None if there is none,
-        or after a diagnostic."""
-        key = (symbol, indices)
-        if key in self._frictions:
-            return self._frictions[key]
-        with self._entered(ctx, symbol, indices, span) as free:
-            instance = symbol.made.labels.get(indices)
-            if free and instance is not None:
-                with ctx.current.standing(Mode.ALWAYS):
-                    self._frictions[key] = self._friction(ctx, symbol, indices, instance)
-        return self._frictions.setdefault(key, None)
-
-    def _friction(self, ctx: Context, symbol: Symbol, indices: Indices, label: LabelInstance) -> FrictionValue | None:
-        if isinstance(label.node, nodes.Contact):
-            contact = self.contact(ctx, symbol, indices)
-            return frictions.under(ctx, label.scope, label.node, contact) if contact is not None else None
-        assert isinstance(label.node, nodes.Friction)
-        return frictions.make(ctx, label.scope, label.node, label.name)
 
 
 def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Scalar:

@@ -45,7 +45,7 @@ class _Parts:
     def __init__(self, flat: fm.FlatModel, dependence: Dependence) -> None:
         self.made: dict[str, Feedback] = {}
         self._taken = {each.name for each in flat.events.feedbacks}
-        self._coordinates = {item.name for item in flat.coordinates}
+        self._variables = {item.name for item in (*flat.coordinates, *flat.states)}
         self._dependence = dependence
         self._known: dict[int, tuple[fx.FlatExpression, bool]] = {}
         self._spans: Spans
@@ -84,14 +84,13 @@ class _Parts:
         if not solved:
             return value
         rest = _sum(solved)
-        match rest:
-            case fx.Conditional() if not self._is_solved(rest.condition):
-                rest = fx.Conditional(rest.condition, self._vector(rest.value), self._vector(rest.otherwise))
-            case fx.Binary("*", size, fx.FrameAxis() as axis):
-                rest = fx.Binary("*", self._scalar(size), axis)
-            case _:
-                x, y, z = (self._scalar(_component(rest, k), f".{name}") for k, name in enumerate(_AXES))
-                rest = fx.Vector(x, y, z)
+        if isinstance(rest, fx.Conditional) and not self._is_solved(rest.condition):
+            rest = fx.Conditional(rest.condition, self._vector(rest.value), self._vector(rest.otherwise))
+        elif isinstance(rest, fx.Binary) and isinstance(rest.right, fx.FrameAxis):
+            rest = fx.Binary("*", self._scalar(rest.left), rest.right)
+        else:
+            x, y, z = (self._scalar(_component(rest, k), f".{name}") for k, name in enumerate(_AXES))
+            rest = fx.Vector(x, y, z)
         return fx.Binary("+", _sum(known), rest) if known else rest
 
     def _terms(self, value: fx.FlatExpression) -> tuple[list[_Term], list[_Term]]:
@@ -104,14 +103,13 @@ class _Parts:
             if not self._is_solved(each):
                 known.append((sign, each))
                 continue
-            match each:
-                case fx.Binary("+" | "-", left, right):
-                    stack.append((sign if each.operator == "+" else -sign, right))
-                    stack.append((sign, left))
-                case fx.Unary("-", operand):
-                    stack.append((-sign, operand))
-                case _:
-                    solved.append((sign, each))
+            if isinstance(each, fx.Binary) and each.operator in ("+", "-"):
+                stack.append((sign if each.operator == "+" else -sign, each.right))
+                stack.append((sign, each.left))
+            elif isinstance(each, fx.Unary) and each.operator == "-":
+                stack.append((-sign, each.operand))
+            else:
+                solved.append((sign, each))
         return known, solved
 
     def _entry(self, value: fx.FlatExpression, axis: str) -> fx.FlatExpression:
@@ -130,7 +128,7 @@ class _Parts:
         known = self._known
         if id(expression) not in known:
             orders = self._dependence.of(expression)
-            accelerated = any(orders[name] > 1 for name in orders.differentiated() if name in self._coordinates)
+            accelerated = any(orders[name] > 1 for name in orders.differentiated() if name in self._variables)
             mechanical = any(isinstance(node, fx.Mechanical) for node in postorder(expression))
             known[id(expression)] = expression, accelerated or mechanical
         return known[id(expression)][1]
@@ -142,15 +140,13 @@ _Term = tuple[int, fx.FlatExpression]
 
 def _component(vector: fx.FlatExpression, axis: int) -> fx.FlatExpression:
     """World component of a vector; zero where the text says so, as in `F*world.x`."""
-    match vector:
-        case fx.Unary("-", operand):
-            inner = _component(operand, axis)
-            return inner if inner == fx.ZERO else fx.Unary("-", inner)
-        case fx.Binary("*", size, direction):
-            part = _component(direction, axis)
-            return part if part == fx.ZERO else size if part == fx.ONE else fx.Binary("*", size, part)
-        case _:
-            return component(vector, axis)
+    if isinstance(vector, fx.Unary):
+        inner = _component(vector.operand, axis)
+        return inner if inner == fx.ZERO else fx.Unary("-", inner)
+    if isinstance(vector, fx.Binary) and vector.operator == "*":
+        part = _component(vector.right, axis)
+        return part if part == fx.ZERO else vector.left if part == fx.ONE else fx.Binary("*", vector.left, part)
+    return component(vector, axis)
 
 
 def _sum(terms: Sequence[_Term]) -> fx.FlatExpression:

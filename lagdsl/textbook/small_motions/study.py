@@ -41,6 +41,10 @@ _SWITCHES = "Relations, corners or discrete variables occur in the equations; `l
 _FRICTION = (
     "Dry friction holds the system at rest in whole ranges of positions; `lag trim` finds one of them in numbers."
 )
+_FEEDBACK = (
+    "Loads depend on multipliers, reactions or accelerations: `lag trim` finds an equilibrium in numbers, `lag modes` "
+    "its modes."
+)
 _OTHERS = "There may be other equilibria, without short roots; `lag trim` finds one in numbers."
 _NOT_SOLVED = "The equations of equilibrium have no short roots; `lag trim` finds an equilibrium in numbers."
 
@@ -148,6 +152,8 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     table = balance.derivation.symbols
     if any(row.friction for row in balance.derivation.constraints):
         return _FRICTION
+    if balance.flat.events.feedbacks:
+        return _FEEDBACK
     if any(row.level != "position" for row in balance.rows):
         return _ROLLING
     if any(size(each, LONGEST_LIKELY) >= LONGEST_LIKELY for each in residuals):

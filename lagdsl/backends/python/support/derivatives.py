@@ -1,7 +1,7 @@
 """Derivatives of the motion by state, inputs or parameters, exact.
 
 With r = M qdd - f - J'lam and s = J qdd - g, differentiated by the model along every direction at once at the
-accelerations that solve them, M dqdd - J'dlam = -dr and J dqdd = -ds.
+accelerations that solve them, M dqdd - J'dlam = -dr and J dqdd = -ds. Loads that depend on both follow them.
 """
 
 from collections.abc import Callable
@@ -9,6 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.backends.python.support.feedback import changes_with_loads
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
 
@@ -43,7 +44,15 @@ def differentiate_motion(evaluate: Evaluate, sizes: Sizes, by: str, *state: Floa
     with np.errstate(all="ignore"):
         changes = factors.solve(-np.swapaxes(motion, -1, -2), -np.swapaxes(rows, -1, -2))
     by_direction = [np.swapaxes(change, -1, -2) for change in changes]
+    loads, solved = None, (*state, acceleration, multiplier)
+    if sizes.loads:
+        *by_direction, loads = changes_with_loads(evaluate, factors, solved, directions, by_direction)
     (rates,) = evaluate("state_derivative_tangent", *spread, *directions, *by_direction)
     (outputs,) = evaluate("output_tangent", *spread, *directions, *by_direction)
-    moved = np.broadcast_to(directions[1].T, changes[0].shape)
-    return np.concatenate([moved, changes[0], np.swapaxes(rates, -1, -2)], axis=-2), np.swapaxes(outputs, -1, -2)
+    if loads is not None:
+        _, of_rates, of_outputs, _ = evaluate("load_gain", *solved)
+        rates = rates + loads @ np.swapaxes(of_rates, -1, -2)
+        outputs = outputs + loads @ np.swapaxes(of_outputs, -1, -2)
+    accelerations = np.swapaxes(by_direction[0], -1, -2)
+    moved = np.broadcast_to(directions[1].T, accelerations.shape)
+    return np.concatenate([moved, accelerations, np.swapaxes(rates, -1, -2)], axis=-2), np.swapaxes(outputs, -1, -2)

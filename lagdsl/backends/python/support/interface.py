@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.python.support.derivatives import differentiate_motion
+from lagdsl.backends.python.support.feedback import with_loads
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, frame_of, point_of
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
 from lagdsl.backends.python.support.names import arrays_of, own_entries, real_numbers, with_entries
@@ -25,9 +26,9 @@ class Interface:
     These are the states z (..., nz), inputs u (..., nu), discretes w (..., nw) and parameters p (..., np); left out,
     they have the initial values and defaults of the model, or zeros. All arguments broadcast over their leading axes.
     Entries stand in the order of the tables of names, in the SI units told there. Or they are given by name, an array
-    by its own: `u={"tau": [1.0, 2.0]}`; q and qd then need all coordinates. Raises ValueError for an array of a wrong
-    length and for unknown or missing names, SingularSystem (an ArithmeticError) where the accelerations are not
-    determined.
+    by its own: `u={"tau": [1.0, 2.0]}`; q and qd then need all coordinates. Loads in w that depend on accelerations or
+    multipliers are found, from those given. Raises ValueError for an array of a wrong length and for unknown or missing
+    names, SingularSystem (an ArithmeticError) where the accelerations are not determined, LoadsNotFound (another one).
     """
 
     def __init__(
@@ -62,7 +63,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Accelerations qdd, shape (..., nq), without any stabilization of constraints."""
-        return self._solve(*self._state(t, q, qd, z, u, w, p))[0]
+        return self._solve(*self._moving(t, q, qd, z, u, w, p))[0]
 
     def multipliers(
         self,
@@ -75,7 +76,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Multipliers lam of all declared rows in M qdd - J'lam = f, shape (..., nc), of least norm."""
-        return self._solve(*self._state(t, q, qd, z, u, w, p))[1] * self._row_factors
+        return self._solve(*self._moving(t, q, qd, z, u, w, p))[1] * self._row_factors
 
     def inverse_dynamics(
         self,
@@ -88,7 +89,8 @@ class Interface:
         w: Entries | None = None,
         p: Entries | None = None,
     ) -> Floats:
-        """M qdd - f, shape (..., nq): the generalized forces that are missing to produce qdd."""
+        """M qdd - f, shape (..., nq): the generalized forces that are missing to produce qdd. Loads that depend on
+        accelerations or multipliers are those in w."""
         state = self._state(t, q, qd, z, u, w, p)
         return self._evaluate("inverse_dynamics", *state, self._vector("qdd", qdd, None))[0]
 
@@ -158,7 +160,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """Outputs y, shape (..., ny)."""
-        state = self._state(t, q, qd, z, u, w, p)
+        state = self._moving(t, q, qd, z, u, w, p)
         return self._evaluate("output", *state, *self._solve(*state))[0]
 
     def named_outputs(
@@ -189,7 +191,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), exact."""
-        return self._differentiate("state", *self._state(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("state", *self._moving(t, q, qd, z, u, w, p))[0]
 
     def input_jacobian(
         self,
@@ -202,7 +204,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/du, shape (..., 2 nq + nz, nu), exact."""
-        return self._differentiate("input", *self._state(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("input", *self._moving(t, q, qd, z, u, w, p))[0]
 
     def parameter_jacobian(
         self,
@@ -215,7 +217,7 @@ class Interface:
         p: Entries | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/dp, shape (..., 2 nq + nz, np), exact; q, qd and z are held where they are."""
-        return self._differentiate("parameter", *self._state(t, q, qd, z, u, w, p))[0]
+        return self._differentiate("parameter", *self._moving(t, q, qd, z, u, w, p))[0]
 
     def output_jacobian(
         self,
@@ -233,7 +235,7 @@ class Interface:
 
         Raises ValueError for another word.
         """
-        return self._differentiate(by, *self._state(t, q, qd, z, u, w, p))[1]
+        return self._differentiate(by, *self._moving(t, q, qd, z, u, w, p))[1]
 
     def frame(self, name: str) -> FrameKinematics:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
@@ -258,6 +260,12 @@ class Interface:
         p: Entries | None = None,
     ) -> tuple[Floats, ...]:
         return self._evaluate("kinematics", *self._state(t, q, qd, z, u, w, p))
+
+    def _moving(self, *given: Any) -> tuple[Floats, ...]:
+        """t, q, qd, z, u, w, p, with the loads that depend on the motion that they cause."""
+        state = self._state(*given)
+        count = self._sizes.loads
+        return with_loads(self._evaluate, self._solve, count, *state) if count else state
 
     def _state(
         self,

@@ -16,8 +16,9 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`;
-    those of them that are flagged `independent` are that, unless they are zero at a state (open contacts).
+    `loads` is the number of the last discretes that are loads. At most `rank` rows are independent. `eliminated`: there
+    is a function `elimination`, which leaves the rows `kept`; those of them that are flagged `independent` are that,
+    unless they are zero at a state (open contacts).
     """
 
     def __init__(
@@ -33,9 +34,11 @@ class Sizes:
         eliminated: bool,
         kept: tuple[int, ...],
         independent: tuple[bool, ...],
+        loads: int = 0,
     ) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
         self.eliminated, self.kept, self.independent = eliminated, kept, independent
+        self.loads = loads
 
 
 # If elimination leaves less than this part of a pivot, the dense system decides whether the position is singular. With

@@ -39,6 +39,8 @@ typedef enum lag_function {
     LAG_TURN,
     LAG_FRICTION,
     LAG_LOAD,
+    LAG_LOAD_TANGENT,
+    LAG_LOAD_GAIN,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

@@ -238,6 +238,16 @@ typedef struct lag_model {
      * multipliers
      */
     lag_status (*load)(const lag_arguments *at, double *load, double *by_acceleration, double *by_multiplier);
+    /*
+     * t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> load (nload): dload. Only in models with loads that depend on
+     * accelerations or multipliers
+     */
+    lag_status (*load_tangent)(const lag_arguments *at, double *load);
+    /*
+     * t q qd z u w p qdd lam -> motion (nq, nload), rates (nz, nload), y (ny, nload), load (nload, nload): how r, zd, y and load
+     * change with the entries of w that stand for loads. Only in models with loads that depend on accelerations or multipliers
+     */
+    lag_status (*load_gain)(const lag_arguments *at, double *motion, double *rates, double *y, double *load);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*

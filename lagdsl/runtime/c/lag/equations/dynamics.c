@@ -66,19 +66,6 @@ static lag_status solve_formed(
     return solved(model, qdd, lam) ? LAG_OK : LAG_NOT_FINITE;
 }
 
-static lag_status solve(
-    const lag_model *model,
-    const lag_arguments *at,
-    const places *to,
-    lag_system *system,
-    double *qdd,
-    double *lam,
-    size_t *coordinate)
-{
-    const lag_status status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
-    return status == LAG_OK ? solve_formed(model, to, system, qdd, lam, coordinate) : status;
-}
-
 /*
  * If elimination leaves less than this part of a pivot, the dense system decides whether the position is singular. Down to
  * this part, subtraction loses no more digits than the condition of the matrix costs the dense system, and the same ones at
@@ -181,49 +168,65 @@ lag_status lag_forward_dynamics_of_lane(
     return solve_formed(model, &to, &system, qdd, lam, coordinate);
 }
 
-static lag_status eliminate(
-    const lag_model *model, const lag_arguments *at, const places *to, double *qdd, double *lam)
-{
-    double pivot = 0.0;
-    if (model->elimination == NULL) {
-        return LAG_MISSING;
-    }
-    const double *jacobian = to->kept_jacobian;
-    const lag_status status = model->elimination(
-        at, qdd, lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, &pivot);
-    return status == LAG_OK
-        ? lag_solve_eliminated(
-              model, to->response, to->lam_response, jacobian, to->kept_gamma, pivot, to->delassus, qdd, lam)
-        : status;
-}
+/* ---- one state ---- */
 
-/* Solves a model without rows left to run time: elimination is the whole solution. */
-static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
-{
-    double none = 0.0;
-    double pivot = 0.0;
-    const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
-    const int usable = status == LAG_OK && pivot > lag_smallest_pivot(model);
-    return usable && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
-}
-
-static lag_status solve_with_loads(
-    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
-{
-    if (model->elimination != NULL && model->nk == 0 && eliminate_all(model, at, qdd, lam) == LAG_OK) {
-        return LAG_OK;
-    }
-    const places to = place(model, memory);
-    if (model->nk > 0 && eliminate(model, at, &to, qdd, lam) == LAG_OK) {
-        return LAG_OK;
-    }
+/* How the last state was solved, with its factors: other loads leave these as they are. */
+typedef struct solver {
+    const lag_model *model;
+    places to;
+    enum { BY_ELIMINATION, BY_SYSTEM } by;
+    lag_delassus kept;
     lag_system system;
-    return solve(model, at, &to, &system, qdd, lam, coordinate);
+    size_t *coordinate;
+} solver;
+
+/* Elimination is the whole solution of a model without rows left to run time; else the kept rows complete it. */
+static lag_status eliminate(solver *s, const lag_arguments *at, int again, double *qdd, double *lam)
+{
+    const lag_model *model = s->model;
+    const places *to = &s->to;
+    double pivot = 0.0;
+    lag_status status = model->elimination(
+        at, qdd, lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, &pivot);
+    if (status == LAG_OK && model->nk > 0 && !again) {
+        status = lag_factor_eliminated(model, to->response, to->lam_response, to->kept_jacobian, pivot, to->delassus, &s->kept);
+    }
+    if (status == LAG_OK && model->nk > 0) {
+        lag_delassus_solve(&s->kept, to->kept_gamma, qdd, lam);
+    }
+    return status == LAG_OK && pivot > lag_smallest_pivot(model) && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
+}
+
+static lag_status solve_system(solver *s, const lag_arguments *at, int again, double *qdd, double *lam)
+{
+    const places *to = &s->to;
+    const lag_status status = s->model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
+    if (status != LAG_OK || !again) {
+        return status == LAG_OK ? solve_formed(s->model, to, &s->system, qdd, lam, s->coordinate) : status;
+    }
+    lag_system_solve(&s->system, to->force, to->gamma, qdd, lam);
+    return solved(s->model, qdd, lam) ? LAG_OK : LAG_NOT_FINITE;
+}
+
+static lag_status solve_with_loads(void *context, const lag_arguments *at, int again, double *qdd, double *lam)
+{
+    solver *s = context;
+    const int by_elimination = again ? s->by != BY_SYSTEM : s->model->elimination != NULL;
+    const int eliminated = by_elimination && eliminate(s, at, again, qdd, lam) == LAG_OK;
+    if (eliminated) {
+        s->by = BY_ELIMINATION;
+        return LAG_OK;
+    }
+    const lag_status status = solve_system(s, at, again && s->by == BY_SYSTEM, qdd, lam);
+    s->by = BY_SYSTEM;
+    return status;
 }
 
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
-    return model->nload > 0 ? lag_feedback_solve(model, at, solve_with_loads, memory, qdd, lam, coordinate)
-                            : solve_with_loads(model, at, memory, qdd, lam, coordinate);
+    double *loads = lag_take(&memory, lag_feedback_memory(model));
+    solver s = {.model = model, .to = place(model, memory), .coordinate = coordinate};
+    return model->nload > 0 ? lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam)
+                            : solve_with_loads(&s, at, 0, qdd, lam);
 }

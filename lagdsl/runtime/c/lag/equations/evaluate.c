@@ -239,6 +239,20 @@ static lag_status evaluate_load(const lag_model *model, const lag_arguments *at,
     return model->load == NULL ? LAG_MISSING : model->load(at, load, by_acceleration, by_multiplier);
 }
 
+static lag_status evaluate_load_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->load_tangent == NULL ? LAG_MISSING : model->load_tangent(at, results);
+}
+
+static lag_status evaluate_load_gain(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rates = motion + model->nq * model->nload;
+    double *const y = rates + model->nz * model->nload;
+    double *const load = y + model->ny * model->nload;
+    return model->load_gain == NULL ? LAG_MISSING : model->load_gain(at, motion, rates, y, load);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -328,94 +342,53 @@ static lag_status evaluate_kinematics(const lag_model *model, const lag_argument
 
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
 {
-    switch (which) {
-    case LAG_START:
-        return evaluate_start(model, at, results);
-    case LAG_POSITION_CONSTRAINT:
-        return evaluate_position_constraint(model, at, results);
-    case LAG_VELOCITY_CONSTRAINT:
-        return evaluate_velocity_constraint(model, at, results);
-    case LAG_MASS_MATRIX:
-        return evaluate_mass_matrix(model, at, results);
-    case LAG_DYNAMICS:
-        return evaluate_dynamics(model, at, results);
-    case LAG_INVERSE_DYNAMICS:
-        return evaluate_inverse_dynamics(model, at, results);
-    case LAG_RESIDUAL:
-        return evaluate_residual(model, at, results);
-    case LAG_RESIDUAL_TANGENT:
-        return evaluate_residual_tangent(model, at, results);
-    case LAG_STATE_DERIVATIVE:
-        return evaluate_state_derivative(model, at, results);
-    case LAG_STATE_DERIVATIVE_TANGENT:
-        return evaluate_state_derivative_tangent(model, at, results);
-    case LAG_OUTPUT:
-        return evaluate_output(model, at, results);
-    case LAG_OUTPUT_TANGENT:
-        return evaluate_output_tangent(model, at, results);
-    case LAG_ENERGIES:
-        return evaluate_energies(model, at, results);
-    case LAG_MOMENTA:
-        return evaluate_momenta(model, at, results);
-    case LAG_POWER:
-        return evaluate_power(model, at, results);
-    case LAG_MONITOR:
-        return evaluate_monitor(model, at, results);
-    case LAG_INITIAL_EQUATION:
-        return evaluate_initial_equation(model, at, results);
-    case LAG_CONSTRAINT_TANGENT:
-        return evaluate_constraint_tangent(model, at, results);
-    case LAG_ELIMINATION:
-        return evaluate_elimination(model, at, results);
-    case LAG_DISCRETE_START:
-        return evaluate_discrete_start(model, at, results);
-    case LAG_INDICATOR:
-        return evaluate_indicator(model, at, results);
-    case LAG_INDICATOR_RATE:
-        return evaluate_indicator_rate(model, at, results);
-    case LAG_STANDING:
-        return evaluate_standing(model, at, results);
-    case LAG_CONTACT:
-        return evaluate_contact(model, at, results);
-    case LAG_CLOCK:
-        return evaluate_clock(model, at, results);
-    case LAG_EVENT:
-        return evaluate_event(model, at, results);
-    case LAG_TIME_EVENT:
-        return evaluate_time_event(model, at, results);
-    case LAG_CORNER:
-        return evaluate_corner(model, at, results);
-    case LAG_WAY:
-        return evaluate_way(model, at, results);
-    case LAG_TURN:
-        return evaluate_turn(model, at, results);
-    case LAG_FRICTION:
-        return evaluate_friction(model, at, results);
-    case LAG_LOAD:
-        return evaluate_load(model, at, results);
-    case LAG_MOMENTUM_TANGENT:
-        return evaluate_momentum_tangent(model, at, results);
-    case LAG_DEFINITION:
-        return evaluate_definition(model, at, results);
-    case LAG_DEFINITION_TANGENT:
-        return evaluate_definition_tangent(model, at, results);
-    case LAG_START_TANGENT:
-        return evaluate_start_tangent(model, at, results);
-    case LAG_ENERGIES_TANGENT:
-        return evaluate_energies_tangent(model, at, results);
-    case LAG_INITIAL_EQUATION_TANGENT:
-        return evaluate_initial_equation_tangent(model, at, results);
-    case LAG_TIME_TANGENT:
-        return evaluate_time_tangent(model, at, results);
-    case LAG_CORRECTION:
-        return evaluate_correction(model, at, results);
-    case LAG_EQUATION_TERMS:
-        return evaluate_equation_terms(model, at, results);
-    case LAG_REGRESSOR:
-        return evaluate_regressor(model, at, results);
-    case LAG_KINEMATICS:
-        return evaluate_kinematics(model, at, results);
-    }
-    return LAG_MISSING;
+    static lag_status (*const functions[])(const lag_model *model, const lag_arguments *at, double *results) = {
+        [LAG_START] = evaluate_start,
+        [LAG_POSITION_CONSTRAINT] = evaluate_position_constraint,
+        [LAG_VELOCITY_CONSTRAINT] = evaluate_velocity_constraint,
+        [LAG_MASS_MATRIX] = evaluate_mass_matrix,
+        [LAG_DYNAMICS] = evaluate_dynamics,
+        [LAG_INVERSE_DYNAMICS] = evaluate_inverse_dynamics,
+        [LAG_RESIDUAL] = evaluate_residual,
+        [LAG_RESIDUAL_TANGENT] = evaluate_residual_tangent,
+        [LAG_STATE_DERIVATIVE] = evaluate_state_derivative,
+        [LAG_STATE_DERIVATIVE_TANGENT] = evaluate_state_derivative_tangent,
+        [LAG_OUTPUT] = evaluate_output,
+        [LAG_OUTPUT_TANGENT] = evaluate_output_tangent,
+        [LAG_ENERGIES] = evaluate_energies,
+        [LAG_MOMENTA] = evaluate_momenta,
+        [LAG_POWER] = evaluate_power,
+        [LAG_MONITOR] = evaluate_monitor,
+        [LAG_INITIAL_EQUATION] = evaluate_initial_equation,
+        [LAG_CONSTRAINT_TANGENT] = evaluate_constraint_tangent,
+        [LAG_ELIMINATION] = evaluate_elimination,
+        [LAG_DISCRETE_START] = evaluate_discrete_start,
+        [LAG_INDICATOR] = evaluate_indicator,
+        [LAG_INDICATOR_RATE] = evaluate_indicator_rate,
+        [LAG_STANDING] = evaluate_standing,
+        [LAG_CONTACT] = evaluate_contact,
+        [LAG_CLOCK] = evaluate_clock,
+        [LAG_EVENT] = evaluate_event,
+        [LAG_TIME_EVENT] = evaluate_time_event,
+        [LAG_CORNER] = evaluate_corner,
+        [LAG_WAY] = evaluate_way,
+        [LAG_TURN] = evaluate_turn,
+        [LAG_FRICTION] = evaluate_friction,
+        [LAG_LOAD] = evaluate_load,
+        [LAG_LOAD_TANGENT] = evaluate_load_tangent,
+        [LAG_LOAD_GAIN] = evaluate_load_gain,
+        [LAG_MOMENTUM_TANGENT] = evaluate_momentum_tangent,
+        [LAG_DEFINITION] = evaluate_definition,
+        [LAG_DEFINITION_TANGENT] = evaluate_definition_tangent,
+        [LAG_START_TANGENT] = evaluate_start_tangent,
+        [LAG_ENERGIES_TANGENT] = evaluate_energies_tangent,
+        [LAG_INITIAL_EQUATION_TANGENT] = evaluate_initial_equation_tangent,
+        [LAG_TIME_TANGENT] = evaluate_time_tangent,
+        [LAG_CORRECTION] = evaluate_correction,
+        [LAG_EQUATION_TERMS] = evaluate_equation_terms,
+        [LAG_REGRESSOR] = evaluate_regressor,
+        [LAG_KINEMATICS] = evaluate_kinematics,
+    };
+    return (size_t)which < sizeof functions / sizeof *functions ? functions[which](model, at, results) : LAG_MISSING;
 }
 /* ---- end of what is generated ---- */

@@ -28,8 +28,8 @@ typedef struct feedback {
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
     double *qdd, *lam;       /* (nq) (nc) */
     lag_solve_with_loads *solve;
-    double *memory;
-    size_t *coordinate;
+    void *context;
+    int again;
 } feedback;
 
 size_t lag_feedback_memory(const lag_model *model)
@@ -55,8 +55,7 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     f.lam_change = lag_take(&memory, count * model->nc);
     f.slope = lag_take(&memory, count * count);
     f.qdd = lag_take(&memory, n);
-    f.lam = lag_take(&memory, model->nc);
-    f.memory = memory;
+    f.lam = memory;
     memcpy(w, at->w, model->nw * sizeof(double));
     f.load = w + lag_places_of(model).load;
     f.at.w = w;
@@ -68,7 +67,8 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
 /* Accelerations and multipliers at the present loads into qdd, lam; L there. */
 static lag_status look(feedback *f, double *qdd, double *lam)
 {
-    const lag_status status = f->solve(f->model, &f->at, f->memory, qdd, lam, f->coordinate);
+    const lag_status status = f->solve(f->context, &f->at, f->again, qdd, lam);
+    f->again = 1;
     f->at.qdd = qdd;
     f->at.lam = lam;
     return status == LAG_OK ? f->model->load(&f->at, f->value, f->own_acceleration, f->own_multiplier) : status;
@@ -83,7 +83,7 @@ static lag_status find_changes(feedback *f, const double *qdd, const double *lam
         const double by = f->size[k] > 0.0 ? f->size[k] : 1.0;
         const double kept = f->load[k];
         f->load[k] = kept + by;
-        status = f->solve(f->model, &f->at, f->memory, f->qdd, f->lam, f->coordinate);
+        status = f->solve(f->context, &f->at, f->again, f->qdd, f->lam);
         f->load[k] = kept;
         for (size_t j = 0; j < n; ++j) {
             f->qdd_change[k * n + j] = (f->qdd[j] - qdd[j]) / by;
@@ -144,11 +144,11 @@ static lag_status step(feedback *f, double *left)
 }
 
 lag_status lag_feedback_solve(
-    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, double *memory, double *qdd, double *lam, size_t *coordinate)
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *qdd, double *lam)
 {
     feedback f = begin(model, at, memory);
     f.solve = solve;
-    f.coordinate = coordinate;
+    f.context = context;
     lag_status status = look(&f, qdd, lam);
     for (size_t i = 0; i < model->nload; ++i) {
         f.size[i] = fabs(f.value[i]);

@@ -16,15 +16,17 @@
 /* Doubles for it. */
 size_t lag_feedback_memory(const lag_model *model);
 
-/* The system with the loads as they are in at->w: accelerations qdd (nq) and multipliers lam (nc). */
-typedef lag_status lag_solve_with_loads(
-    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
+/*
+ * The system with the loads as they are in at->w: accelerations qdd (nq) and multipliers lam (nc). `again`: nothing but loads has changed since
+ * the last time.
+ */
+typedef lag_status lag_solve_with_loads(void *context, const lag_arguments *at, int again, double *qdd, double *lam);
 
 /*
- * qdd and lam with the loads that they cause; at->w does not change. `memory` is that of `solve`, behind lag_feedback_memory() doubles.
+ * qdd and lam with the loads that they cause; at->w does not change. `memory` is lag_feedback_memory() doubles.
  * LAG_NO_FORCES: there are none, or wedging leaves them undetermined. Any status of `solve`.
  */
 lag_status lag_feedback_solve(
-    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, double *memory, double *qdd, double *lam, size_t *coordinate);
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *qdd, double *lam);
 
 #endif

@@ -23,7 +23,8 @@ static const double PASSING = 1e-2;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
-    const size_t count = contacts->motion->model->ncontact > 0 ? 2 * contacts->motion->model->nq : 0;
+    const lag_model *model = contacts->motion->model;
+    const size_t count = model->ncontact + model->nfriction > 0 ? 2 * model->nq : 0;
     for (size_t j = 0; j < count; ++j) {
         const double magnitude = fabs(x[j]);
         contacts->peak[j] = magnitude > contacts->peak[j] ? magnitude : contacts->peak[j];

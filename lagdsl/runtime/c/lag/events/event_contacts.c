@@ -44,6 +44,8 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     const double *modes = iteration->motion->w + iteration->places.sticks;
     memcpy(iteration->frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
+    iteration->modes->jumped = iteration->modes->jumped || contacts->struck > 0 ||
+        (collision != NULL && lag_any(iteration->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(iteration, t, x) : status;
     int any = contacts->struck > 0 || !lag_same(frictions, iteration->frictions, modes);
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
@@ -186,24 +188,16 @@ void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t,
     }
 }
 
-lag_status lag_event_iteration_change_contacts(
-    lag_event_iteration *iteration, double t, double *x, const double *changed, const double *frictions)
+lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
 {
-    const size_t count = iteration->motion->model->ncontact;
-    double *closed = iteration->motion->w + iteration->places.contact;
-    double *met = iteration->contacts->met;
-    lag_status status = LAG_OK;
+    const lag_model *model = iteration->motion->model;
+    const double *closed = iteration->motion->w + iteration->places.contact;
     int acted = 0;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        met[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        if (changed[i] != 0.0 && closed[i] != 0.0 && !iteration->turned) {
-            closed[i] = 0.0;
-            status = lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i);
-        }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        iteration->contacts->met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    iteration->left = iteration->turned ? NULL : frictions;
-    const int any = lag_any(count, changed) || lag_any(iteration->motion->model->nfriction, frictions);
-    return any && status == LAG_OK ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : status;
+    iteration->left = iteration->turned ? NULL : changed;
+    return lag_any(model->ncontact + model->nfriction, changed) ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : LAG_OK;
 }
 
 /* ---- steps of energy in place ---- */

@@ -203,6 +203,7 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     if (status == LAG_OK) {
         status = reset(iteration, t, x, acted);
     }
+    iteration->modes->jumped = iteration->modes->jumped || *acted;
     return status == LAG_OK && *acted ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
@@ -253,6 +254,7 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
+        iteration->modes->jumped = iteration->modes->jumped || jumped;
     }
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }
@@ -343,12 +345,11 @@ static lag_status tell_frictions(lag_event_iteration *iteration, double t, const
     return status;
 }
 
-lag_status lag_event_iteration_run(
-    lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts, const double *frictions)
+lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *sides)
 {
     const lag_model *model = iteration->motion->model;
     const double *w = iteration->motion->w;
-    lag_status status = contacts != NULL ? lag_event_iteration_change_contacts(iteration, t, x, contacts, frictions) : LAG_OK;
+    lag_status status = sides != NULL ? lag_event_iteration_change_contacts(iteration, t, x, sides) : LAG_OK;
     iteration->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;

@@ -46,7 +46,7 @@ typedef struct lag_event_iteration {
     double *closed, *pulling; /* (ncontact) */
     int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
     double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
-    const double *left;    /* (nfriction) friction whose guard was located, until its mode is found; null: none */
+    const double *left;    /* (ncontact + nfriction) contacts and friction whose guards were located, until their modes are found; null: none */
     int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
@@ -69,11 +69,10 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
 lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double t, const double *x, int *changed);
 
 /*
- * Carries out what is new in w; `relations`, turned in w already, `contacts` and `frictions` were found to change (flags, or null for
- * none of all). Changes x and w, whose rates are on the constraints afterwards. Relations are left as they are a moment later.
+ * Carries out what is new in w; `relations`, turned in w already, and `sides`, contacts and behind them friction, were found to change (flags, or
+ * null). Changes x and w, whose rates are on the constraints afterwards. Relations are left as they are a moment later.
  */
-lag_status lag_event_iteration_run(
-    lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts, const double *frictions);
+lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *sides);
 
 /* Closed contacts that rates of now move apart open. */
 lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x);
@@ -155,7 +154,6 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
 lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted);
 
 /* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
-lag_status lag_event_iteration_change_contacts(
-    lag_event_iteration *iteration, double t, double *x, const double *changed, const double *frictions);
+lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed);
 
 #endif

@@ -1,5 +1,6 @@
 #include "lag/events/friction.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "lag/linalg/arena.h"
@@ -9,12 +10,15 @@
 static const double SLOW = 1e-12;
 /* in a plane, where it passes zero beside it, below this one. */
 static const double SLOW_IN_PLANE = 1e-8;
+/* Round-off of accelerations that add up. */
+static const double ROUNDING = 64.0 * DBL_EPSILON;
 /* A reserve is zero below this part of the force. */
 static const double NO_FORCE = 1e-12;
+static const double NO_SHARED_FORCE = 1e-10;
 
 size_t lag_frictions_memory(const lag_model *model)
 {
-    return model->nfriction * (4 + 2 * model->nc) + model->nslip * (2 + model->nq);
+    return model->ncontact + model->nfriction * (7 + 2 * model->nc) + model->nslip * (2 + model->nq);
 }
 
 void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory)
@@ -29,9 +33,15 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
     frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
     frictions->slip = lag_take(&memory, model->nslip);
     frictions->fast = lag_take(&memory, model->nslip);
+    frictions->push = lag_take(&memory, model->nfriction);
+    frictions->compliance = lag_take(&memory, model->nfriction);
+    frictions->reserve = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->jacobian = lag_take(&memory, model->nslip * model->nq);
     lag_fill(model->nfriction, 0.0, frictions->force);
+    lag_fill(model->ncontact + model->nfriction, (double)NAN, frictions->reserve);
     lag_fill(model->nslip, 0.0, frictions->fast);
+    lag_fill(model->nfriction, 0.0, frictions->push);
+    lag_fill(model->nfriction, 0.0, frictions->compliance);
     size_t next = 0;
     for (size_t k = 0; k < model->nfriction; ++k) {
         frictions->first[k] = (double)next;
@@ -60,6 +70,8 @@ lag_status lag_frictions_look(lag_frictions *frictions)
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         const double limit = fabs(frictions->limit[k]);
+        const double push = frictions->compliance[k] * lag_frictions_force(frictions, k);
+        frictions->push[k] = isfinite(push) ? fmax(frictions->push[k], push) : frictions->push[k];
         frictions->force[k] = isfinite(limit) ? fmax(frictions->force[k], limit) : frictions->force[k];
     }
     return status;
@@ -85,7 +97,8 @@ double lag_frictions_speed(const lag_frictions *frictions, size_t k)
 
 double lag_frictions_slow(const lag_frictions *frictions, size_t k)
 {
-    return SLOW * lag_frictions_length(frictions, frictions->fast, k);
+    const double crept = ROUNDING * frictions->push[k] * frictions->step;
+    return SLOW * lag_frictions_length(frictions, frictions->fast, k) + crept;
 }
 
 double lag_frictions_force(const lag_frictions *frictions, size_t k)
@@ -103,15 +116,17 @@ double lag_frictions_guard(const lag_frictions *frictions, size_t k)
         return (double)INFINITY;
     }
     if (*lag_frictions_sticks(frictions, k) != 0.0) {
-        return frictions->sticking[k] - lag_frictions_force(frictions, k);
+        const double shared = frictions->reserve[frictions->motion->model->ncontact + k];
+        return isnan(shared) ? frictions->sticking[k] - lag_frictions_force(frictions, k) : shared;
     }
     if (plane) {
-        return lag_frictions_speed(frictions, k) - SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k);
+        return lag_frictions_speed(frictions, k) - SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k) - lag_frictions_slow(frictions, k);
     }
     return *lag_frictions_direction(frictions, k) * frictions->slip[(size_t)frictions->first[k]];
 }
 
 double lag_frictions_band(const lag_frictions *frictions, size_t k)
 {
-    return *lag_frictions_sticks(frictions, k) != 0.0 ? NO_FORCE * frictions->force[k] : lag_frictions_slow(frictions, k);
+    const double part = isnan(frictions->reserve[frictions->motion->model->ncontact + k]) ? NO_FORCE : NO_SHARED_FORCE;
+    return *lag_frictions_sticks(frictions, k) != 0.0 ? part * frictions->force[k] : lag_frictions_slow(frictions, k);
 }

@@ -17,10 +17,14 @@ typedef struct lag_frictions {
     lag_contacts *contacts;    /* the largest rates so far are theirs */
     double *first;             /* (nfriction) the first component of the slip of each */
     double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state looked at last, */
-    double *fast;              /* (nslip) the largest terms of each slip so far; */
+    double *fast;              /* (nslip) the largest terms of each slip so far, */
+    double *compliance;        /* (nfriction) the acceleration of each slip for a unit force, */
+    double *push;              /* (nfriction) and the largest by forces that it balanced, whose round-off adds up in a step */
+    double step;               /* of this length [s]; */
     double *limit, *sticking;  /* (nfriction) what friction bears while it slides, and while it sticks, */
     double *gain, *sticking_gain; /* (nfriction, nc) and how that changes with multipliers */
     double *force;             /* (nfriction) the largest limit so far */
+    double *reserve;           /* (ncontact + nfriction) what lag/events/reserve.h finds where forces are undetermined; else no numbers */
 } lag_frictions;
 
 /* Doubles for them. */

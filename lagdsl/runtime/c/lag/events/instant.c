@@ -120,10 +120,9 @@ static lag_status rest(lag_instants *instants, double t, const double *x)
 
 /* ---- instants ---- */
 
-static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
+static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *sides)
 {
-    const double *frictions = contacts != NULL ? contacts + instants->motion->model->ncontact : NULL;
-    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts, frictions);
+    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, sides);
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_seek(&instants->timed, t);
     }
@@ -136,6 +135,7 @@ static void remember(lag_instants *instants, const double *x)
     memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
     memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
     instants->iteration.acted = 0;
+    instants->modes.jumped = 0;
 }
 
 /* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
@@ -168,6 +168,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.closing);
     }
+    instants->modes.jumped = 1; /* nothing is known of them */
     status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
@@ -221,6 +222,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, d
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
+        instants->modes.jumped = jumped;
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
@@ -238,7 +240,9 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    status = status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    instants->modes.jumped = instants->modes.jumped || *jumped;
+    return status;
 }
 
 /* Reports the changes with time. */
@@ -338,6 +342,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
     instants->iteration.acted = instants->iteration.acted || refracted;
+    instants->modes.jumped = instants->modes.jumped || refracted;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }
@@ -393,4 +398,5 @@ void lag_instants_after(lag_instants *instants, double t, double h)
     instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
     instants->contacts.lookahead = instants->iteration.moment;
+    instants->frictions.step = h;
 }

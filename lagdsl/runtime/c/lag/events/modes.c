@@ -8,6 +8,8 @@
 
 /* An acceleration below this part of what it is a sum of is zero. */
 static const double NONE = 1e-10;
+/* Friction that bears this part of its limit beyond its force does not leave with others. */
+static const double SPARED = 1e-7;
 /* Where limits depend on other forces than those of the problem it is solved again with these, so often. */
 enum { MOST_TIMES = 20 };
 /* A slip in a plane begins with this part of its largest terms. */
@@ -16,7 +18,7 @@ static const double BEGINNING = 1e-14;
 size_t lag_modes_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return lag_inequalities_memory(model) + model->nw + model->ncontact + 2 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
+    return lag_inequalities_memory(model) + lag_reserve_memory(model) + model->nw + model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
            model->nload * (1 + 2 * n + model->nc);
 }
 
@@ -27,10 +29,12 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
     *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions};
     modes->impulse = contacts->impulse;
     lag_inequalities_place(&modes->rows, model, lag_take(&memory, lag_inequalities_memory(model)));
+    lag_reserve_place(&modes->reserve, frictions, lag_take(&memory, lag_reserve_memory(model)));
     modes->w = lag_take(&memory, model->nw);
     modes->normal = lag_take(&memory, model->ncontact);
     modes->loose = lag_take(&memory, model->nfriction);
     modes->kinetic = lag_take(&memory, model->nfriction);
+    modes->began = lag_take(&memory, model->nfriction);
     modes->heading = lag_take(&memory, model->nslip);
     modes->force = lag_take(&memory, n);
     modes->qdd = lag_take(&memory, n);
@@ -63,6 +67,37 @@ static void head(lag_modes *modes, size_t k, const double *along, double length,
     }
 }
 
+/* Multipliers with the largest least reserve, where there is friction. */
+static const double *force_of(const lag_modes *modes)
+{
+    return modes->motion->model->nfriction > 0 ? modes->reserve.force : modes->motion->lam;
+}
+
+/* 1: a contact, or behind them a friction, shares undetermined forces. */
+static int shares(const lag_modes *modes, size_t side)
+{
+    return !isnan(modes->frictions->reserve[side]);
+}
+
+/* 1: of those that share undetermined forces, as their group has no reserve left, this one has none. */
+static int is_exhausted(const lag_modes *modes, size_t side)
+{
+    return modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+}
+
+/* Closed contacts that open in any case leave the problem. */
+static void open_left(lag_modes *modes, const double *left)
+{
+    const lag_model *model = modes->motion->model;
+    const int any = left != NULL && lag_any(model->nfriction, left + model->ncontact);
+    for (size_t i = 0; i < model->ncontact && left != NULL; ++i) {
+        double *closed = lag_contacts_flag(modes->contacts, i);
+        if (*closed != 0.0 && (shares(modes, i) ? any && is_exhausted(modes, i) : left[i] != 0.0)) {
+            modes->normal[i] = *closed = 0.0;
+        }
+    }
+}
+
 /* Friction that slides, with its heading; friction that may stick. What is off is neither. */
 static void sort_frictions(lag_modes *modes, const double *left)
 {
@@ -71,21 +106,25 @@ static void sort_frictions(lag_modes *modes, const double *left)
     for (size_t k = 0; k < model->nfriction; ++k) {
         const int acts = is_candidate(modes, model->friction_contacts[k]);
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
-        const int gone = left != NULL && left[k] != 0.0;
+        const size_t side = model->ncontact + k;
+        const int gone = left != NULL && left[side] != 0.0 && !(stuck && shares(modes, side) && !is_exhausted(modes, side));
         const double speed = lag_frictions_speed(frictions, k);
+        const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
         double force[2] = {0.0, 0.0};
         for (size_t a = 0; a < lag_frictions_components(frictions, k); ++a) {
-            force[a] = modes->motion->lam[model->friction_rows[first_of(modes, k) + a]];
+            force[a] = force_of(modes)[model->friction_rows[first_of(modes, k) + a]];
         }
         head(modes, k, force, 0.0, 0.0);
         modes->loose[k] = 0.0;
-        if (acts && speed > lag_frictions_slow(frictions, k) && !(gone && !stuck)) {
+        if (acts && moved && !(gone && !stuck)) {
             head(modes, k, frictions->slip + first_of(modes, k), speed, 1.0);
         } else if (acts && gone && stuck) {
-            head(modes, k, force, lag_frictions_force(frictions, k), -1.0);
+            head(modes, k, force, hypot(force[0], force[1]), -1.0);
         } else {
             modes->loose[k] = acts;
         }
+        /* what begins to slip goes on with the limit of sliding, if that solves the problem */
+        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->places.direction, k) > 0.0;
     }
 }
 
@@ -244,11 +283,21 @@ static int moves(const lag_modes *modes, size_t row)
     return fabs(modes->rows.after[row]) > NONE * modes->rows.scale[row];
 }
 
+/* 1: the force of friction `number` of the problem, in rows from `row` on, is as large as its limit. */
+static int is_at_limit(const lag_modes *modes, size_t number, size_t row, size_t count)
+{
+    const lag_inequalities *rows = &modes->rows;
+    const double limit = rows->limits[number] + lag_dot(rows->normals, rows->coefficients + number * rows->normals, rows->force);
+    const double force = count > 1 ? hypot(rows->force[row], rows->force[row + 1]) : fabs(rows->force[row]);
+    return force >= (1.0 - NONE) * limit;
+}
+
 /* Headings of friction that slips; 1: one of them has a limit at rest above that of sliding, and was not `kinetic`. */
 static int find_slipping(lag_modes *modes)
 {
     const lag_frictions *frictions = modes->frictions;
     size_t row = modes->rows.normals;
+    size_t number = 0;
     int again = 0;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         const size_t count = lag_frictions_components(frictions, k);
@@ -258,10 +307,17 @@ static int find_slipping(lag_modes *modes)
         const double *after = modes->rows.after + row;
         const double length = count > 1 ? hypot(after[0], after[1]) : fabs(after[0]);
         const int slips = moves(modes, row) || moves(modes, row + count - 1);
-        head(modes, k, after, slips ? length : 0.0, 1.0);
+        if (slips || modes->began[k] == 0.0 || !is_at_limit(modes, number, row, count)) {
+            head(modes, k, after, slips ? length : 0.0, 1.0);
+        } else {
+            const double *before = lag_frictions_direction(frictions, k);
+            head(modes, k, before, count > 1 ? hypot(before[0], before[1]) : fabs(before[0]), 1.0);
+        }
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
         modes->kinetic[k] = slips ? 1.0 : modes->kinetic[k];
+        frictions->compliance[k] = fmax(modes->rows.compliance[row], modes->rows.compliance[row + count - 1]);
         row += count;
+        ++number;
     }
     return again;
 }
@@ -289,22 +345,29 @@ static void set_modes(lag_modes *modes)
     }
 }
 
-/* 1: the forces of the present modes are within the limits that they have with these forces. */
+/* 1: some forces of the present modes are within the limits that they have with these forces. */
 static int is_consistent(const lag_modes *modes)
 {
     const lag_frictions *frictions = modes->frictions;
     int holds = 1;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         const int sticks = *lag_frictions_sticks(frictions, k) != 0.0;
-        const double most = frictions->sticking[k] + NONE * frictions->force[k];
-        holds = holds && (!sticks || lag_frictions_force(frictions, k) <= most);
+        holds = holds && (!sticks || lag_frictions_guard(frictions, k) >= -NONE * frictions->force[k]);
     }
     return holds;
 }
 
+/* Limits and reserves with the forces of the present modes. */
+static lag_status look_at_forces(lag_modes *modes, double t, const double *x)
+{
+    lag_contacts_solve(modes->contacts, t, x);
+    const lag_status status = lag_frictions_look(modes->frictions);
+    return status == LAG_OK ? lag_reserve_look(&modes->reserve) : status;
+}
+
 static lag_status find(lag_modes *modes, double t, const double *x)
 {
-    lag_fill(modes->motion->model->nfriction, 0.0, modes->kinetic);
+    memcpy(modes->kinetic, modes->began, modes->motion->model->nfriction * sizeof(double));
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         if (modes->loose[k] != 0.0) {
             head(modes, k, modes->heading, 0.0, 0.0);
@@ -333,13 +396,12 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
     if (!any) {
         return LAG_OK;
     }
-    lag_contacts_solve(modes->contacts, t, x);
-    lag_status status = lag_frictions_look(modes->frictions);
+    lag_status status = look_at_forces(modes, t, x);
+    open_left(modes, left);
     sort_frictions(modes, left);
     status = status == LAG_OK ? find(modes, t, x) : status;
     for (int k = 0; k < MOST_TIMES && status == LAG_OK && model->nfriction > 0; ++k) {
-        lag_contacts_solve(modes->contacts, t, x);
-        status = lag_frictions_look(modes->frictions);
+        status = look_at_forces(modes, t, x);
         if (status != LAG_OK || is_consistent(modes)) {
             return status;
         }

@@ -12,19 +12,22 @@
 #ifndef LAG_MODES_H
 #define LAG_MODES_H
 
-#include "lag/events/friction.h"
+#include "lag/events/reserve.h"
 
 typedef struct lag_modes {
     lag_motion *motion;
     lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
+    lag_reserve reserve;
     lag_impulse *impulse;
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
+    int jumped;              /* rates have jumped at this instant: what sticks may slip now */
     double *normal;          /* (ncontact) contacts in the problem */
     double *loose;           /* (nfriction) friction that may stick */
-    double *kinetic;         /* (nfriction) that slips with the limit of sliding */
+    double *kinetic;         /* (nfriction) that slips with the limit of sliding, */
+    double *began;           /* (nfriction) as it does that began to slip at this instant */
     double *heading;         /* (nslip) directions of those that slide */
     double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
     double *loads;           /* (nload) at no force of these rows; */
@@ -40,7 +43,8 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
 
 /*
  * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all
- * friction, at x at time t. Friction flagged in `left` (nfriction, or null), whose reserve passed zero with motion->lam, slips along its force.
+ * friction, at x at time t. Of those flagged in `left` (ncontact + nfriction, or null) contacts open, whose force passed zero, and friction slips against its
+ * force, whose reserve did; one whose slip passed zero may stick.
  * LAG_NO_FORCES: no accelerations satisfy the law: friction wedges.
  */
 lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left);

@@ -72,7 +72,9 @@ static double contact(const lag_zero_crossing *crossings, size_t k)
 {
     const lag_motion *motion = crossings->motion;
     const double *open = lag_contacts_is_one_way(crossings->contacts, k) ? crossings->speed : crossings->gap;
-    return is_closed(crossings, k) ? motion->lam[motion->model->contact_rows[k]] : open[k];
+    const int shares = !isnan(crossings->frictions->reserve[k]); /* friction of its group is watched */
+    const double force = shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
+    return is_closed(crossings, k) ? force : open[k];
 }
 
 static double contact_noise(const lag_zero_crossing *crossings, size_t k)
@@ -87,7 +89,8 @@ static size_t count_frictions(const lag_zero_crossing *crossings)
 
 static lag_status look_at_frictions(lag_zero_crossing *crossings)
 {
-    return lag_frictions_look(crossings->frictions);
+    const lag_status status = lag_frictions_look(crossings->frictions);
+    return status == LAG_OK ? lag_reserve_look(crossings->reserve) : status;
 }
 
 static double friction(const lag_zero_crossing *crossings, size_t k)
@@ -181,14 +184,15 @@ size_t lag_zero_crossing_memory(const lag_model *model)
     return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (6 + LAG_LOOKS) * count;
 }
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_frictions *frictions, lag_noise *noise, double *memory)
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t count = lag_guards(model) + model->ncorner;
     crossings->motion = motion;
     crossings->places = lag_places_of(model);
-    crossings->contacts = frictions->contacts;
-    crossings->frictions = frictions;
+    crossings->contacts = reserve->frictions->contacts;
+    crossings->frictions = reserve->frictions;
+    crossings->reserve = reserve;
     crossings->noise = noise;
     crossings->changed = lag_take(&memory, count);
     crossings->depth = lag_take(&memory, count);

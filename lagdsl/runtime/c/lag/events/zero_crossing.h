@@ -8,8 +8,8 @@
 #define LAG_ZERO_CROSSING_H
 
 #include "lag/equations/projection.h"
-#include "lag/events/friction.h"
 #include "lag/events/noise.h"
+#include "lag/events/reserve.h"
 #include "lag/linalg/minimum.h"
 
 typedef struct lag_zero_crossing {
@@ -17,6 +17,7 @@ typedef struct lag_zero_crossing {
     lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
+    lag_reserve *reserve;
     lag_noise *noise;
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
     double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
@@ -48,7 +49,7 @@ static inline size_t lag_guards(const lag_model *model)
 /* Doubles for it. */
 size_t lag_zero_crossing_memory(const lag_model *model);
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_frictions *frictions, lag_noise *noise, double *memory);
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
 
 /* So many guards are looked at: relations, contacts, friction, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);

@@ -174,6 +174,9 @@ static lag_status change_by_inequalities(const lag_impulse *impulse, step_system
         }
     }
     memcpy(rows->after, problem.rates, size * sizeof(double));
+    for (size_t i = 0; i < size; ++i) {
+        rows->compliance[i] = problem.compliance[i * size + i];
+    }
     const lag_status status = lag_friction_problem_solve(&problem, rows->force, memory);
     for (size_t i = 0; i < size; ++i) {
         rows->scale[i] = fabs(rows->after[i]);

@@ -7,7 +7,7 @@
 size_t lag_inequalities_memory(const lag_model *model)
 {
     const size_t most = model->ngap + model->nslip;
-    return most * (2 * model->nq + 6) + model->ngap + 2 * model->nfriction + model->nfriction * model->ngap;
+    return most * (2 * model->nq + 7) + model->ngap + 2 * model->nfriction + model->nfriction * model->ngap;
 }
 
 void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, double *memory)
@@ -19,6 +19,7 @@ void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *mod
     inequalities->force = lag_take(&memory, most);
     inequalities->after = lag_take(&memory, most);
     inequalities->scale = lag_take(&memory, most);
+    inequalities->compliance = lag_take(&memory, most);
     inequalities->start = lag_take(&memory, most);
     inequalities->first = lag_take(&memory, most);
     inequalities->restitution = lag_take(&memory, model->ngap);

@@ -19,6 +19,7 @@ typedef struct lag_inequalities {
     double *coefficients; /* (frictions, normals) and this part for unit ones */
     double *force;        /* (size) forces or impulses that were found, */
     double *after, *scale; /* (size) speeds with them, and the magnitudes of what these are sums of */
+    double *compliance;   /* (size) what a unit force of each adds to its own speed */
     double *start, *first; /* (size) speeds before a blow, impulses of its compression */
 } lag_inequalities;
 

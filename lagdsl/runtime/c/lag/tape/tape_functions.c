@@ -219,6 +219,18 @@ static lag_status load(const lag_arguments *at, double *load, double *by_acceler
     return run(at, 1 + LAG_LOAD, results);
 }
 
+static lag_status load_tangent(const lag_arguments *at, double *load)
+{
+    double *const results[] = {load};
+    return run(at, 1 + LAG_LOAD_TANGENT, results);
+}
+
+static lag_status load_gain(const lag_arguments *at, double *motion, double *rates, double *y, double *load)
+{
+    double *const results[] = {motion, rates, y, load};
+    return run(at, 1 + LAG_LOAD_GAIN, results);
+}
+
 static lag_status momentum_tangent(const lag_arguments *at, double *momentum)
 {
     double *const results[] = {momentum};
@@ -322,6 +334,8 @@ static void give(lag_tape *tape)
     tape->model.turn = lag_tape_has(tape, LAG_TURN) ? turn : NULL;
     tape->model.friction = lag_tape_has(tape, LAG_FRICTION) ? friction : NULL;
     tape->model.load = lag_tape_has(tape, LAG_LOAD) ? load : NULL;
+    tape->model.load_tangent = lag_tape_has(tape, LAG_LOAD_TANGENT) ? load_tangent : NULL;
+    tape->model.load_gain = lag_tape_has(tape, LAG_LOAD_GAIN) ? load_gain : NULL;
     tape->model.momentum_tangent = lag_tape_has(tape, LAG_MOMENTUM_TANGENT) ? momentum_tangent : NULL;
     tape->model.definition = lag_tape_has(tape, LAG_DEFINITION) ? definition : NULL;
     tape->model.definition_tangent = lag_tape_has(tape, LAG_DEFINITION_TANGENT) ? definition_tangent : NULL;

@@ -248,7 +248,7 @@ static int functions_there(const lag_tape_parts *parts)
         const int written_out = i == LAG_MASS_MATRIX || i == LAG_DYNAMICS;
         const int every = i < LAG_ELIMINATION && !(written_out && by_columns);
         const int of_events = i >= LAG_DISCRETE_START && i <= LAG_TIME_EVENT && n[LAG_TAPE_NW] > 0;
-        const int of_forces = (i == LAG_FRICTION && n[LAG_TAPE_NFRICTION] > 0) || (i == LAG_LOAD && n[LAG_TAPE_NLOAD] > 0);
+        const int of_forces = (i == LAG_FRICTION && n[LAG_TAPE_NFRICTION] > 0) || (i >= LAG_LOAD && i <= LAG_LOAD_GAIN && n[LAG_TAPE_NLOAD] > 0);
         const int of_kept = i == LAG_ELIMINATION && n[LAG_TAPE_NK] > 0;
         const int named = i == LAG_DEFINITION && n[LAG_TAPE_ND] > 0;
         if ((every || of_events || of_forces || of_kept || named) && table[2 * (1 + i) + 1] == 0) {

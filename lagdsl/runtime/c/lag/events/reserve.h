@@ -1,0 +1,38 @@
+/*
+ * What is left of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
+ * many ways, and a mode lasts as long as some forces within their limits exist. So there is one reserve for each group of rows that share
+ * undetermined forces: the largest least one, a linear program
+ *
+ *     max s   subject to   J' d = 0,   norm(lam_t + d_t) + s size_t <= R_0(lam_n + d_n),   s size_n <= lam_n + d_n
+ *
+ * with lam the smallest forces. A disc of friction in a plane is met by tangents, which are added where a solution is outside of it.
+ */
+#ifndef LAG_RESERVE_H
+#define LAG_RESERVE_H
+
+#include "lag/events/friction.h"
+
+typedef struct lag_reserve {
+    lag_motion *motion;
+    lag_frictions *frictions;
+    double *jacobian, *residual; /* (nc, nq) (nc) of the present mode */
+    double force_size;       /* the largest force of the rows of a group, as if they had unit length */
+    double *active;          /* (nc) its rows that act, so many: */
+    size_t count;
+    double *length;          /* (nc) of these rows */
+    double *shared;          /* (count, count) the projection onto forces without effect, by unit rows */
+    double *group;           /* (nc) the group of an active row; zero: it shares nothing */
+    double *force;           /* (nc) multipliers with the largest least reserve, */
+    double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
+    double *work;
+} lag_reserve;
+
+/* Doubles for it. */
+size_t lag_reserve_memory(const lag_model *model);
+
+void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *memory);
+
+/* Fills frictions->reserve for what sticks, and of contacts that share forces with it, at the state that `motion` was solved at last, with frictions looked at. */
+lag_status lag_reserve_look(lag_reserve *reserve);
+
+#endif
