@@ -23,8 +23,6 @@ enum { SERIES = 2 };
 static const double DEEP = 16.0;
 static const double LOW = 1e4;
 static const double SHORT = 1e-3;
-/* A value beyond this many times its last known round-off is clear of it. */
-static const double CLEARLY = 1e6;
 
 static lag_status indicate(lag_event_iteration *iteration, double t, const double *x, double *g)
 {
@@ -117,7 +115,7 @@ static int are_clear(const lag_event_iteration *iteration, double window)
     const size_t count = iteration->motion->model->nindicator;
     const double *rate = noise->value + count + iteration->motion->model->ncorner;
     size_t i = 0;
-    while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
+    while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(LAG_CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
         ++i;
     }
     return i == count;

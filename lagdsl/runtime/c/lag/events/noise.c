@@ -9,6 +9,12 @@
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
 static const double CHANGE = 16.0 * DBL_EPSILON;
+/* Rows hold a relation if they take all but this part of what it does at other rates. */
+static const double HELD = 1e-9;
+/* Places are changed by this part of themselves to look at them. */
+static const double NUDGE = 1e-11;
+/* Multiples of it are irregular. */
+static const double GOLDEN = 0.6180339887498949;
 
 static size_t count_of(const lag_model *model)
 {
@@ -190,6 +196,74 @@ double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)
     const double own = fmax(noise->peak[j], fabs(x[j]));
     return own > 0.0 ? own : 1.0;
 }
+
+/* ---- relations that rows hold ---- */
+
+/* A number that is only a small part of what it is without the rows, or of the largest one so far. */
+static int vanishes(double with, double without, double largest)
+{
+    return fabs(with) <= HELD * fmax(fabs(without), largest);
+}
+
+/*
+ * x with other rates and states, by about as much as they have been so far, each in its own way, and with slightly other places: at a corner of `abs` a
+ * relation has no rate.
+ */
+static void turn_aside(const lag_noise *noise, const double *x, double *point)
+{
+    const lag_model *model = noise->motion->model;
+    for (size_t j = 0; j < lag_motion_size(model); ++j) {
+        const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
+        const double by = copysign(0.5, irregular) + 0.5 * irregular;
+        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(noise, x, j);
+    }
+}
+
+/* True if relation i may rest: it is zero and does not move, as far as the motion is known to the tolerance. */
+static int may_rest(const lag_noise *noise, size_t i, double tolerance)
+{
+    const double rate = noise->value[count_of(noise->motion->model) + i];
+    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i, tolerance));
+    return (fabs(noise->value[i]) <= near || noise->sigma[i] == 0.0) && fabs(rate) <= HELD * noise->largest[i];
+}
+
+/*
+ * True if relation i does not move at any rates that the rows admit, by its values, rates and accelerations at rates `without` and `with` the rows. One of
+ * places needs its acceleration: its rate may vanish at one state only. One of rates is zero at all of them.
+ */
+static int is_held(const lag_noise *noise, size_t i, const double *without, const double *with)
+{
+    const size_t count = noise->motion->model->nindicator;
+    const size_t rate = count_of(noise->motion->model) + i;
+    const int of_rates = without[i] != with[i];
+    const int is_zero = of_rates && vanishes(with[i], without[i], 0.0);
+    const int is_straight = !of_rates && vanishes(with[rate + count], without[rate + count], noise->largest[count + i]);
+    return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
+}
+
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held)
+{
+    const size_t count = noise->motion->model->nindicator;
+    lag_fill(count, 0.0, held);
+    if (count == 0 || lag_noise_look(noise, t, x) != LAG_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        held[i] = may_rest(noise, i, tolerance);
+    }
+    if (!lag_any(count, held)) {
+        return;
+    }
+    turn_aside(noise, x, point);
+    lag_status status = lag_noise_evaluate(noise, t, point, noise->other);
+    status = status == LAG_OK ? lag_projection_rates(projection, t, point, NULL) : status;
+    status = status == LAG_OK ? lag_noise_evaluate(noise, t, point, noise->opposite) : status;
+    for (size_t i = 0; i < count; ++i) {
+        held[i] = held[i] != 0.0 && status == LAG_OK && is_held(noise, i, noise->other, noise->opposite);
+    }
+}
+
+/* ---- gradients ---- */
 
 /* A line through x: along coordinate or rate j, or along time with the states, the positions held. */
 typedef struct lag_line {

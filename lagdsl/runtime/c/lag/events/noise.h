@@ -8,6 +8,10 @@
 #define LAG_NOISE_H
 
 #include "lag/equations/motion.h"
+#include "lag/equations/projection.h"
+
+/* A value beyond this many times its last known rounding error is clear of it. */
+static const double LAG_CLEARLY = 1e6;
 
 typedef struct lag_noise {
     lag_motion *motion;
@@ -38,6 +42,13 @@ void lag_noise_find(lag_noise *noise, double t, const double *x);
 
 /* Error of indicator `which` if the numbers have this relative one; after lag_noise_find. */
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);
+
+/*
+ * Flags in `held` (nindicator) of relations that the rows of constraints hold at x at time t: they are zero, as far as the motion is known to the relative
+ * tolerance, and their gradients and time derivatives are combinations of the rows. These are the derivatives at other rates that the rows admit. `point`
+ * (2 nq + nz) is for its own use.
+ */
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held);
 
 /* The size of coordinate j, or of rate j - nq. */
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);

@@ -6,15 +6,6 @@
 
 #include "lag/linalg/arena.h"
 
-/* A value beyond this many times its last known rounding error is clear of it. */
-static const double CLEARLY = 1e6;
-/* Rows hold a relation if they take all but this part of what it does at other rates. */
-static const double HELD = 1e-9;
-/* Places are changed by this part of themselves to look at them. */
-static const double NUDGE = 1e-11;
-/* Multiples of it are irregular. */
-static const double GOLDEN = 0.6180339887498949;
-
 /* ---- kinds of guards ---- */
 
 /* Guards of one kind: how many there are, how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
@@ -267,7 +258,7 @@ static int is_unclear(const lag_zero_crossing *crossings, size_t i)
 {
     const double beyond = -lag_zero_crossing_value(crossings, i) - crossings->depth[i];
     const double sigma = lag_zero_crossing_noise(crossings, i);
-    const int is_clear = sigma > 0.0 && beyond > CLEARLY * sigma;
+    const int is_clear = sigma > 0.0 && beyond > LAG_CLEARLY * sigma;
     return lag_zero_crossing_has_noise(crossings, i) && crossings->band[i] == 0.0 && ((beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i));
 }
 
@@ -298,7 +289,7 @@ static int has_left(const lag_zero_crossing *crossings, size_t i)
     const int has_begun_below = crossings->locating && crossings->depth[i] > 0.0;
     const double noise = lag_zero_crossing_has_noise(crossings, i) ? crossings->band[i] : lag_zero_crossing_noise(crossings, i);
     const double band = has_begun_below ? 0.0 : noise;
-    const int ends = ends_at_zero(crossings, i) && crossings->top[i] > CLEARLY * noise;
+    const int ends = ends_at_zero(crossings, i) && crossings->top[i] > LAG_CLEARLY * noise;
     return -lag_zero_crossing_value(crossings, i) > crossings->depth[i] + band || ends;
 }
 
@@ -343,74 +334,7 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
     return status;
 }
 
-/* ---- relations that rows hold ---- */
-
-/* A number that is only a small part of what it is without the rows, or of the largest one so far. */
-static int vanishes(double with, double without, double largest)
-{
-    return fabs(with) <= HELD * fmax(fabs(without), largest);
-}
-
-/*
- * x with other rates and states, by about as much as they have been so far, each in its own way, and with slightly other places: at a corner of `abs` a
- * relation has no rate.
- */
-static void change(const lag_zero_crossing *crossings, const double *x, double *point)
-{
-    const lag_model *model = crossings->motion->model;
-    for (size_t j = 0; j < lag_motion_size(model); ++j) {
-        const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
-        const double by = copysign(0.5, irregular) + 0.5 * irregular;
-        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(crossings->noise, x, j);
-    }
-}
-
-/* True if relation i may rest: it is zero and does not move, as far as the motion is known. */
-static int may_rest(const lag_zero_crossing *crossings, size_t i)
-{
-    const lag_noise *noise = crossings->noise;
-    const double rate = noise->value[crossings->motion->model->nindicator + crossings->motion->model->ncorner + i];
-    const double near = fmax(CLEARLY * noise->sigma[i], lag_zero_crossing_known(crossings, i));
-    return (fabs(noise->value[i]) <= near || noise->sigma[i] == 0.0) && fabs(rate) <= HELD * noise->largest[i];
-}
-
-/*
- * True if relation i does not move at any rates that the rows admit, by its values, rates and accelerations at rates `without` and `with` the rows. One of
- * places needs its acceleration: its rate may vanish at one state only. One of rates is zero at all of them.
- */
-static int is_held(const lag_zero_crossing *crossings, size_t i, const double *without, const double *with)
-{
-    const lag_noise *noise = crossings->noise;
-    const size_t count = crossings->motion->model->nindicator;
-    const size_t rate = count + crossings->motion->model->ncorner + i;
-    const int of_rates = without[i] != with[i];
-    const int is_zero = of_rates && vanishes(with[i], without[i], 0.0);
-    const int is_straight = !of_rates && vanishes(with[rate + count], without[rate + count], noise->largest[count + i]);
-    return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
-}
-
 void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point)
 {
-    lag_noise *noise = crossings->noise;
-    const size_t count = crossings->motion->model->nindicator;
-    size_t i = 0;
-    lag_fill(count, 0.0, crossings->held);
-    if (count == 0 || lag_noise_look(noise, t, x) != LAG_OK) {
-        return;
-    }
-    while (i < count && !may_rest(crossings, i)) {
-        ++i;
-    }
-    if (i == count) {
-        return;
-    }
-    change(crossings, x, point);
-    double *without = noise->other;
-    double *with = noise->opposite;
-    lag_status status = lag_noise_evaluate(noise, t, point, without);
-    status = status == LAG_OK ? lag_projection_rates(projection, t, point, NULL) : status;
-    status = status == LAG_OK ? lag_noise_evaluate(noise, t, point, with) : status;
-    for (i = 0; i < count && status == LAG_OK; ++i) {
-        crossings->held[i] = may_rest(crossings, i) && is_held(crossings, i, without, with);
-    }
+    lag_noise_hold(crossings->noise, projection, t, x, crossings->tolerance, point, crossings->held);
 }
