@@ -129,7 +129,7 @@ static lag_status look_behind(lag_event_iteration *iteration, double t, const do
     double *side = iteration->soon;
     size_t left = 0;
     for (size_t i = 0; i < count; ++i) {
-        left += is_unknown(iteration, i, 1) || waits(iteration, i);
+        left += (size_t)(is_unknown(iteration, i, 1) || waits(iteration, i));
     }
     for (double step = iteration->lookahead; left > 0 && step <= longest; step *= LONGER) {
         probe(iteration, t, x, step);
@@ -144,7 +144,7 @@ static lag_status look_behind(lag_event_iteration *iteration, double t, const do
                 const double later = sign_of(moved, LAG_MOVES_CLEARLY * iteration->noise->sigma[i]);
                 side[i] = later != 0.0 ? later : side[i];
             }
-            left += waits(iteration, i);
+            left += (size_t)waits(iteration, i);
         }
     }
     return LAG_OK;
@@ -246,17 +246,17 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
 /* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
 static int is_too_deep(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight, double low)
 {
-    const lag_motion *motion = iteration->motion;
-    const double *truth = motion->w + iteration->places.relation;
+    const lag_model *model = iteration->motion->model;
+    const double *truth = iteration->motion->w + iteration->places.relation;
     const double *stood = iteration->stood + iteration->places.relation;
+    const double *g = iteration->noise->value;
+    const double *rate = g + model->nindicator + model->ncorner;
     int any = 0;
-    const lag_status status = lag_event_iteration_look_ahead(iteration, t, x, iteration->moment);
-    for (size_t i = 0; i < motion->model->nindicator && status == LAG_OK; ++i) {
-        const double depth = fabs(iteration->now[i]);
-        const double rise = (depth - (truth[i] != 0.0 ? iteration->then[i] : -iteration->then[i])) / iteration->moment;
-        const int changed = turned[i] != 0.0 && truth[i] != stood[i];
-        const int stands = changed && holds(motion->model, i, iteration->now[i]) == (truth[i] != 0.0);
-        any = any || (stands && rise > 0.0 && rise * flight < low * depth);
+    const lag_status status = lag_noise_look(iteration->noise, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const double rise = truth[i] != 0.0 ? -rate[i] : rate[i];
+        const int stands = turned[i] != 0.0 && truth[i] != stood[i] && holds(model, i, g[i]) == (truth[i] != 0.0);
+        any = any || (stands && rise > 0.0 && rise * flight < low * fabs(g[i]));
     }
     return any;
 }

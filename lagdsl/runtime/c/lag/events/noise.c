@@ -96,7 +96,9 @@ lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, doubl
     if (status == LAG_OK && model->nindicator > 0) {
         status = model->indicator(&motion->at, values);
     }
-    if (status == LAG_OK && model->nindicator > 0) {
+    if (model->indicator_rate == NULL) {
+        lag_fill(2 * model->nindicator, (double)NAN, rates);
+    } else if (status == LAG_OK) {
         status = model->indicator_rate(&motion->at, rates, rates + model->nindicator);
     }
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;

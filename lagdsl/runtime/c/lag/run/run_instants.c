@@ -31,11 +31,12 @@ static void hold(lag_run *run, const double *changed)
     const size_t count = run->motion.model->nindicator;
     const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
     double *least = crossings->found;
+    const double *located = changed == crossings->changed ? crossings->root : changed;
     memcpy(crossings->root, crossings->changed, bytes);
     const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) : LAG_SINGULAR;
     for (size_t i = 0; i < count; ++i) {
         const double value = lag_zero_crossing_value(crossings, i);
-        const int is_located = changed != NULL && changed[i] != 0.0 && -value <= crossings->depth[i] + 2.0 * crossings->band[i];
+        const int is_located = located != NULL && located[i] != 0.0 && -value <= crossings->depth[i] + 2.0 * crossings->band[i];
         const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
         least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
     }
