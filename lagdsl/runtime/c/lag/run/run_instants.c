@@ -36,7 +36,8 @@ static void hold(lag_run *run, const double *changed)
     const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) : LAG_SINGULAR;
     for (size_t i = 0; i < count; ++i) {
         const double value = lag_zero_crossing_value(crossings, i);
-        const int is_located = located != NULL && located[i] != 0.0 && -value <= crossings->depth[i] + 2.0 * crossings->band[i];
+        const int is_near = -value <= crossings->depth[i] + 2.0 * crossings->band[i] && value <= lag_zero_crossing_known(crossings, i);
+        const int is_located = located != NULL && located[i] != 0.0 && is_near; /* inputs may jump and take it away */
         const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
         least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
     }
