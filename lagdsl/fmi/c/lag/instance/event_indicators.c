@@ -19,11 +19,6 @@
 static const double WIDER = 4.0;
 /* A relation that changes at zero does so early by this part of its round-off. */
 static const double EARLY = 0.5;
-/*
- * A relation rests if it moves by no more than tolerance times speed times time. If the motion changes in the time T, an acceleration shows after
- * tolerance*T, a jerk after tolerance^(1/2)*T: this power of the tolerance lies between them.
- */
-static const double BRIEF = 0.75;
 
 size_t lag_instance_crossing_count(const lag_instance *instance)
 {
@@ -135,49 +130,13 @@ static double resting(const lag_instance *instance, size_t which)
     return which < instance->fmu->model->nindicator ? instance->resting[which] : 0.0;
 }
 
-/* So short a time that a motion with these rates is a parabola in it as far as it is known, and so long that accelerations show. */
-static double brief(const lag_instance *instance, const double *rate)
+/* Relations that rows hold at zero are shown to change when they leave that, as far as the motion is known. */
+static void find_resting(lag_instance *instance)
 {
-    const lag_run *run = instance->run;
-    const size_t n = run->motion.model->nq;
-    double scale = run->instants.contacts.length;
-    for (size_t j = 0; j < n; ++j) {
-        const double speed = run->instants.noise.peak[n + j];
-        scale = speed > 0.0 && fabs(rate[n + j]) * scale > speed ? speed / fabs(rate[n + j]) : scale;
+    const lag_zero_crossing *crossings = &instance->run->crossings;
+    for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
+        instance->resting[i] = crossings->held[i] != 0.0 ? lag_zero_crossing_known(crossings, i) : 0.0;
     }
-    return pow(run->crossings.tolerance, BRIEF) * scale;
-}
-
-/* Relations that have turned and stay at zero, as far as the motion is known. They are shown to change when they leave that. */
-static lag_status find_resting(lag_instance *instance, double t, const double *x)
-{
-    lag_run *run = instance->run;
-    lag_zero_crossing *crossings = &run->crossings;
-    const lag_model *model = instance->fmu->model;
-    double *rate = instance->tangent;
-    lag_fill(model->nindicator, 0.0, instance->resting);
-    if (!lag_any(model->nindicator, crossings->hovers)) {
-        return LAG_OK;
-    }
-    lag_status status = lag_zero_crossing_begin(crossings, t, x);
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        const int hovers = crossings->hovers[i] != 0.0 && !lag_instance_is_held(instance, i);
-        instance->resting[i] = hovers ? lag_zero_crossing_known(crossings, i) : 0.0;
-    }
-    if (status != LAG_OK || !lag_any(model->nindicator, instance->resting) || run->motion.ode.rates(&run->motion, t, x, rate) != LAG_OK) {
-        lag_fill(model->nindicator, 0.0, instance->resting);
-        return status;
-    }
-    const double ahead = brief(instance, rate);
-    memcpy(instance->point, x, lag_motion_size(model) * sizeof(double));
-    lag_axpy(lag_motion_size(model), ahead, rate, instance->point);
-    lag_axpy(model->nq, 0.5 * ahead * ahead, rate + model->nq, instance->point);
-    lag_zero_crossing_creep(crossings, t, x, ahead);
-    status = lag_zero_crossing_look(crossings, t + ahead, instance->point);
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        instance->resting[i] = lag_zero_crossing_rests(crossings, i) ? instance->resting[i] : 0.0;
-    }
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
@@ -187,8 +146,8 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
         lag_noise_find(&instance->run->instants.noise, t, x);
     }
     lag_contacts_follow(&instance->run->instants.contacts, x);
-    lag_status status = find_resting(instance, t, x);
-    status = status == LAG_OK ? lag_instance_look_at_crossings(instance, t, x) : status;
+    find_resting(instance);
+    const lag_status status = lag_instance_look_at_crossings(instance, t, x);
     instance->known = 0;
     instance->held.latched_at = t;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {

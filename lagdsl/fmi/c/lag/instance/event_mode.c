@@ -95,8 +95,7 @@ static void hold(lag_instance *instance)
     for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
         const int changes = instance->run->crossings.changed[i] != 0.0 || lag_instance_changes_at_zero(instance, i);
         const double behind = fmax(0.0, -lag_instance_crossing_value(instance, i));
-        instance->run->crossings.hovers[i] = instance->resting[i] > 0.0;
-        instance->run->crossings.band[i] = changes ? 0.0 : fmin(behind, instance->latched[i]);
+        instance->run->crossings.depth[i] = changes ? 0.0 : fmin(behind, instance->latched[i]);
     }
 }
 

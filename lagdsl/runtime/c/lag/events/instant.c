@@ -377,7 +377,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     lag_fill(model->ncontact, 0.0, instants->contacts.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
-    const int sunk = status == LAG_OK && any && instants->late > 0.0 &&
+    const int sunk = status == LAG_OK && any &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
     const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
     if (any && (status == LAG_OK || status == LAG_EVENT_ITERATION_FAILED)) {
