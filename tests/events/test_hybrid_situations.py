@@ -1,4 +1,4 @@
-"""Who has read docs/explanation/hybrid_model.md alone tells what happens in these situations and which file decides."""
+"""A reader of docs/explanation/hybrid_model.md alone tells what happens in these situations and which file decides."""
 
 from __future__ import annotations
 

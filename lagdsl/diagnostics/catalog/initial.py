@@ -224,8 +224,8 @@ ROWS: dict[str, Row] = {
     "E0843": error(
         "no forces satisfy the law of friction of {text} at t = {time} s, and the simulation cannot continue",
         label="friction wedges here",
-        help="check the sign and the size of the limit: above a critical friction a sliding body presses itself against "
-        "the surface that it slides on, and no finite force holds it",
+        help="check the sign and the size of the limit: above a critical friction a sliding body presses itself "
+        "against the surface that it slides on, and no finite force holds it",
     ),
     "E0845": error(
         "input `{name}` takes {what}, not {value}",

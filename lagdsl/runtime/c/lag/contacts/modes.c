@@ -14,7 +14,7 @@ static const double SPARED = 1e-7;
 static const double PULL = 1e-9;
 /* In `normal`: a contact that is open and may close. */
 static const double CANDIDATE = 2.0;
-/* Where limits depend on other forces than those of the problem it is solved again with these, so often. */
+/* The problem is solved again, so often, as limits may depend on other forces than its own. */
 enum { MOST_TIMES = 20 };
 
 size_t lag_modes_memory(const lag_model *model)
@@ -169,7 +169,7 @@ static void open_left(lag_modes *modes, const double *left)
     }
 }
 
-/* Friction that slides, with its heading; friction that may stick. What is off is neither. */
+/* Friction that slides, with its heading; friction that may stick. Neither of both is off. */
 static void sort_frictions(lag_modes *modes, const double *left)
 {
     const lag_frictions *frictions = modes->frictions;

@@ -124,7 +124,7 @@ static void add_contacts(lag_modes *modes)
     }
 }
 
-/* What friction k bears: the part that normal forces of the problem do not change, and that they do. */
+/* The limit of friction k: the part that normal forces of the problem do not change, and the one that they do. */
 static void set_limits(lag_modes *modes, size_t k, size_t number)
 {
     const lag_frictions *frictions = modes->frictions;

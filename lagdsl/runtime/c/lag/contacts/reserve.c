@@ -72,7 +72,7 @@ static lag_status find_active(lag_reserve *r)
     return status;
 }
 
-/* How forces of rows bring loads along, as those of friction that slides: nothing where nobody asks for it. */
+/* Loads that forces of rows bring along, as those of friction that slides. */
 static lag_status find_loads(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;

@@ -1,5 +1,5 @@
 /*
- * What is left of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
+ * The rest of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
  * many ways, and a mode lasts as long as some forces within their limits exist. So there is one reserve for each group of rows that share
  * undetermined forces: the largest least one, a linear program
  *

@@ -182,7 +182,7 @@ static int is_in(const lag_reserve *r, size_t k, double group)
     return *lag_frictions_sticks(r->frictions, k) != 0.0 && (group_of(r, row) == group || group_of(r, other) == group);
 }
 
-/* What friction k bears with the forces of the program, and the length of its own. */
+/* The limit of friction k with the forces of the program, and the length of its own force. */
 static double limit_of(const lag_reserve *r, size_t k, double *length)
 {
     const lag_model *model = r->motion->model;

@@ -193,30 +193,21 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
-static void exchange(size_t count, double *a, double *b)
-{
-    for (size_t i = 0; i < count; ++i) {
-        const double value = a[i];
-        a[i] = b[i];
-        b[i] = value;
-    }
-}
-
-/* The momenta at x with other inputs. */
-static lag_status keep_with(lag_instants *instants, double t, const double *x, double *u)
+/* The momenta at x with other inputs u (nu). */
+static lag_status keep_with(lag_instants *instants, double t, const double *x, const double *u)
 {
     lag_motion *motion = instants->motion;
     lag_inputs *const inputs = motion->inputs;
-    lag_motion_look(motion, t, x);
     motion->inputs = NULL;
-    exchange(motion->model->nu, motion->u, u);
+    motion->at.u = u;
     const lag_status status = lag_impulse_keep(&instants->impulse, t, x, motion->w);
-    exchange(motion->model->nu, motion->u, u);
+    motion->at.u = motion->u;
     motion->inputs = inputs;
+    lag_motion_look(motion, t, x);
     return status;
 }
 
-lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, double *before, int blow)
+lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, const double *before, int blow)
 {
     int jumped = 0;
     lag_status status = keep_with(instants, t, x, before);
