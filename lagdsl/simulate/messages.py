@@ -221,8 +221,8 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             laws = (Contact, Friction)
             names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
-            others = (*resets, *flat.events.frictions, *flat.events.contacts)
-            return _BLAMED[status], items[0] if items else others[0], told
+            candidates = [*items, *resets, *flat.events.frictions, *flat.events.contacts]
+            return _BLAMED[status], candidates[0], told
         case Status.CONFLICT:
             return "E0832", resets[fault.which], resets[fault.which].name
         case Status.ASSERTION_FAILED:
