@@ -69,8 +69,7 @@ class Status(IntEnum):
     BAD_CLOCK = 19
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
-    VALLEY = 22
-    NO_FORCES = 23
+    NO_FORCES = 22
 
 
 class InitialFault(IntEnum):

@@ -127,8 +127,6 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative", t, guilty(instance));
     case LAG_WAY_JUMP:
         return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, displacing(instance));
-    case LAG_VALLEY:
-        return lag_instance_fail(instance, status, "t = %.10g s: the motion comes to rest between two sides of the gap of %s", t, guilty(instance));
     default:
         break;
     }

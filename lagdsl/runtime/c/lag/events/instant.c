@@ -181,7 +181,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     remember(instants, x);
     status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
     status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
-    return status == LAG_OK ? lag_event_iteration_lie(&instants->iteration, t, x, instants->departed, 0) : status;
+    return status;
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
@@ -371,10 +371,6 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     const int sunk = status == LAG_OK && any &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
     const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
-    if (any && (status == LAG_OK || status == LAG_EVENT_ITERATION_FAILED)) {
-        const lag_status lies = lag_event_iteration_lie(&instants->iteration, t, x, changed, crowds || status != LAG_OK);
-        status = lies == LAG_OK ? status : lies;
-    }
     if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
