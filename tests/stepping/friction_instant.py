@@ -116,7 +116,7 @@ class FrictionInstant:
         return self.reserve(rows, mode)[1] if redundant and fired else f
 
     def _leaving(self, t: float, mode: Mode | None, fired: Sequence[int], f: Floats) -> dict[int, int]:
-        """A contact that pulled opens; friction that stuck without reserve slips against its force. It does so for the whole
+        """A contact that pulled opens; friction that stuck without reserve slips against its force, for the whole
         instant."""
         if t - self._since > 1e-13 * self._length:
             self._left = {}

@@ -158,7 +158,7 @@ def needs_completed_steps(table: Table) -> bool:
     """True if anything is to be done after steps of the importer's integrator."""
     flat = table.flat
     watched = flat.assertions or flat.invariants or any(output.turn is not None for output in flat.outputs)
-    return bool(flat.constraints or watched or has_events(table) or table.program.has("corner"))
+    return bool(flat.constraints or watched or has_events(table))
 
 
 def has_events(table: Table) -> bool:

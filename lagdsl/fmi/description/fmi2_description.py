@@ -18,7 +18,7 @@ from lagdsl.fmi.description.description import (
     unit_elements,
 )
 from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
-from lagdsl.fmi.variables.builtin_variables import indicator_count
+from lagdsl.fmi.variables.builtin_variables import has_derivatives, indicator_count
 from lagdsl.fmi.variables.scalar import Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
@@ -79,7 +79,7 @@ def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequ
             **own,
             canGetAndSetFMUstate=True,
             canSerializeFMUstate=True,
-            providesDirectionalDerivative=True,
+            providesDirectionalDerivative=has_derivatives(table.program),
         )
         if source_files:
             files = element("SourceFiles", interface)

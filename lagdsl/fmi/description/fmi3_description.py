@@ -18,6 +18,7 @@ from lagdsl.fmi.description.description import (
     unit_elements,
 )
 from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
+from lagdsl.fmi.variables.builtin_variables import has_derivatives
 from lagdsl.fmi.variables.scalar import Attributes, Role, Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
@@ -89,8 +90,8 @@ def _interfaces(root: Element, table: Table, identifier: str) -> None:
             modelIdentifier=identifier,
             canGetAndSetFMUState=True,
             canSerializeFMUState=True,
-            providesDirectionalDerivatives=True,
-            providesAdjointDerivatives=True,
+            providesDirectionalDerivatives=has_derivatives(table.program),
+            providesAdjointDerivatives=has_derivatives(table.program),
             providesPerElementDependencies=True,
             **own[kind],
         )

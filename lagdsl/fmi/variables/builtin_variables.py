@@ -45,9 +45,13 @@ def indicators(flat: FlatModel, program: Program, taken: Iterable[str]) -> Itera
 
 
 def indicator_count(flat: FlatModel, program: Program) -> int:
-    """Relations, contacts, and corners of the equations."""
-    corners = program.function("corner").results[0].elements if program.has("corner") else ()
-    return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(corners)
+    """Relations that the motion changes, contacts, and dry friction."""
+    return held_relations(flat, program).count(False) + len(flat.events.contacts) + len(flat.events.frictions)
+
+
+def has_derivatives(program: Program) -> bool:
+    """Directional derivatives: not where loads depend on the forces that they cause."""
+    return not program.has("load")
 
 
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:

@@ -7,7 +7,7 @@ constraints, everything else follows from the accelerations of the model. Discre
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TypeAlias, assert_never
 
 from lagdsl.analysis.sparsity.accelerations import Accelerations, bits_of
@@ -149,20 +149,36 @@ class _Search:
         return {(role, first + index): resolve(influences[node]) for index, node in enumerate(elements)}
 
     def _indicators(self) -> dict[Entry, Influence]:
-        """Of relations; of contacts, that open as a multiplier tells and close as a gap does; of corners."""
-        found: dict[Entry, Influence] = {}
-        if self._program.has("indicator"):
-            found = self._relations_and_contacts()
-        return found | (self._values(Role.INDICATOR, "corner", 0, len(found)) if self._program.has("corner") else {})
-
-    def _relations_and_contacts(self) -> dict[Entry, Influence]:
+        """Of relations; of contacts, that open as a multiplier tells and close as a gap or a rate does; of friction,
+        whose limits are compared with its force, and which comes to rest as its slip does."""
+        if not self._program.has("indicator"):
+            return {}
         found = self._values(Role.INDICATOR, "indicator", 0)
         count, n = len(found), len(self._program.layout.coordinates)
-        gaps = self._program.function("contact").results[0].elements
-        for contact, row in enumerate(self._program.layout.instants.contact_rows):
-            gap = self._influences[gaps[contact]]
+        instants = self._program.layout.instants
+        gaps, rates = (block.elements for block in self._program.function("contact").results[:2])
+        for contact, row in enumerate(instants.contact_rows):
+            one_way = contact < len(instants.one_way) and instants.one_way[contact]
+            gap = self._influences[(rates if one_way else gaps)[contact]]
             found[(Role.INDICATOR, count + contact)] = union(gap, self._solution.solved[n + row])
-        return found
+        count += len(instants.contact_rows)
+        return found | {(Role.INDICATOR, count + friction): row for friction, row in enumerate(self._frictions())}
+
+    def _frictions(self) -> Iterator[Influence]:
+        """Of each friction, what it is compared with: its slip, its limit, its force, and forces that share a load."""
+        if not self._program.has("friction"):
+            return
+        instants, n = self._program.layout.instants, len(self._program.layout.coordinates)
+        slips, _, _, sticking, *_ = (block.elements for block in self._program.function("friction").results)
+        forces = NONE
+        for row in (*instants.contact_rows, *instants.friction_rows):
+            forces = union(forces, self._solution.solved[n + row])
+        first = 0
+        for friction, components in enumerate(instants.friction_slips):
+            nodes = (*slips[first : first + components], sticking[friction])
+            total = union(self._solution.resolve(self._influences.of_all(nodes)), forces)
+            yield raised(total, Kind.DEPENDENT)
+            first += components
 
     # ---- until initialization ends -----------------------------------------------------------------------------------
 

@@ -62,7 +62,8 @@ lag_status lag_derivatives_residuals(lag_derivatives *derivatives, double *phi, 
 
 /*
  * The same accelerations (nq) and multipliers (nc) for a motion, which is there then. Other than lag_motion_solve() it takes the whole
- * system, and has an answer off the constraints, too, where rows depend on each other.
+ * system, and has an answer off the constraints, too, where rows depend on each other. Loads that depend on these are found without pull, and
+ * stay those in w with it.
  */
 lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam);
 

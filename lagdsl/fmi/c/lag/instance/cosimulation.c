@@ -70,19 +70,15 @@ static int is_event(const lag_run *run)
 }
 
 /*
- * Carries out the rest of the last step; updates the margins if an event occurred. A step that was cut short at this communication
- * point may have ended on a singular position, which is looked at where a run begins only.
+ * Carries out the rest of the last step. One that was cut short at this communication point may have ended on a singular position, which is
+ * looked at where a run begins only.
  */
 static lag_status finish(lag_instance *instance, double far)
 {
     lag_run *run = instance->run;
-    const size_t before = run->events;
     const int cut = run->half.open && run->stepper.t == instance->held.t && lag_run_crosses(run->motion.model, &run->options);
     lag_status status = lag_run_finish(run, far);
-    if (status == LAG_OK && cut) {
-        status = lag_run_restart(run, far);
-    }
-    return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && cut ? lag_run_restart(run, far) : status;
 }
 
 /* True if the step must stop at the time up to which the motion is known, for event mode. */
@@ -120,13 +116,7 @@ static lag_status end_at_the_stop(lag_instance *instance)
 {
     lag_run *run = instance->run;
     lag_status status = finish(instance, run->stepper.t);
-    const size_t before = run->events;
-    if (status == LAG_OK) {
-        status = lag_run_ticks(run);
-    }
-    if (status == LAG_OK && run->events > before) {
-        status = lag_instance_latch(instance, run->stepper.t, run->stepper.x);
-    }
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
     return status == LAG_OK ? deliver(instance, run->stepper.t) : status;
 }
 
@@ -156,14 +146,10 @@ static lag_status go_fixed(lag_instance *instance, double end)
     }
     lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        const size_t before = run->events;
         status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
             status = LAG_NOT_FINITE;
-        }
-        if (status == LAG_OK && run->events > before) {
-            status = lag_instance_latch(instance, run->stepper.t, run->stepper.x);
         }
         if (status == LAG_OK) {
             status = lag_instance_assert(instance, run->stepper.t, run->stepper.x);
@@ -179,9 +165,6 @@ static lag_status go_fixed(lag_instance *instance, double end)
 static lag_status begin(lag_instance *instance, double far)
 {
     lag_held *held = &instance->held;
-    if (held->latched_at != held->t) {
-        memset(instance->latched, 0, lag_instance_watched(instance->fmu) * sizeof(double));
-    }
     lag_status status = lag_instance_carry_out(instance);
     if (status == LAG_OK && !held->stopped) {
         status = lag_run_restart(instance->run, far);

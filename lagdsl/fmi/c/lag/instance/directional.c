@@ -1,6 +1,6 @@
 /*
  * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
- * ones are the same, known by known. Only where constraints decide about the start it takes differences (start_slopes.c).
+ * ones are the same, known by known. Only where constraints decide about the start it takes differences (start_derivatives.c).
  */
 #include "lag/instance/instance_internal.h"
 

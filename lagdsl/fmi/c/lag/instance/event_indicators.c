@@ -1,117 +1,110 @@
 /*
- * Event indicators. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
- * dead band, the margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
- * has located it. The margin is round-off, until events without effect tell that the importer is less exact. A value that an event leaves behind zero
- * is latched there: it is no event until it goes further by the margin, or comes back. A relation that changes at zero itself, as
- * `limit(u, -1, 1) >= 1` does, may never get behind it: its indicator changes a little early. An importer compares signs at its steps: what changes and
- * changes back between them is not seen.
+ * Event indicators. A guard is a relation, a contact or dry friction; its value passes zero downward when it changes (lag/events/zero_crossing.h). Importers
+ * compare the signs of indicators at their steps, so an indicator is clearly of one sign behind every event:
+ *
+ * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
+ *   because its value may never get behind.
+ * - One that an event leaves within its dead band, or behind zero, is not armed: it leaves so far behind zero as the event left it, and the band more.
+ *   The band is what the tolerance lets the value do. Importers may be less exact than they have told, or tell nothing: a guard that leaves
+ *   without having been armed gets a band that is larger by a factor.
+ * - It is armed once an importer has asked where it is farther before zero than that.
  */
 #include "lag/instance/instance_internal.h"
-
-#include "lag/linalg/arena.h"
-#include "lag/linalg/vector.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-/* A margin becomes so many times larger after an event without effect: a factor, not an error, holds for a gap and for a force. */
-static const double WIDER = 4.0;
-/* A relation that changes at zero does so early by this part of its round-off. */
+/* A guard that changes at zero leaves so early, as a part of its round-off. */
 static const double EARLY = 0.5;
+/* In event mode guards leave together that are nearer to the zeros of their indicators than so many round-offs; behind an event none is. */
+static const double TOGETHER = 4.0;
+/* The band of a guard that has left without having been armed becomes so many times larger. */
+static const double WIDER = 4.0;
 
-size_t lag_instance_crossing_count(const lag_instance *instance)
+/* True for a relation that the motion does not change. */
+static int is_held(const lag_fmu *fmu, size_t i)
 {
-    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
+    return fmu->held_relations != NULL && i < fmu->model->nindicator && fmu->held_relations[i];
 }
 
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    size_t count = lag_instance_watched(fmu);
-    for (size_t i = 0; i < fmu->model->nindicator && fmu->held_relations != NULL; ++i) {
-        count -= fmu->held_relations[i];
+    size_t count = 0;
+    for (size_t i = 0; i < lag_guards(fmu->model); ++i) {
+        count += !is_held(fmu, i);
     }
     return count;
 }
 
-int lag_instance_is_held(const lag_instance *instance, size_t i)
+/* True for a relation that does not hold now. */
+static int is_false(const lag_instance *instance, size_t i)
 {
-    return instance->fmu->held_relations != NULL && i < instance->fmu->model->nindicator && instance->fmu->held_relations[i];
+    const lag_run *run = instance->run;
+    return i < instance->fmu->model->nindicator && run->motion.w[run->crossings.places.relation + i] == 0.0;
 }
 
-double lag_instance_crossing_value(const lag_instance *instance, size_t i)
+/* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
+static int changes_at_zero(const lag_instance *instance, size_t i)
 {
-    return lag_zero_crossing_value(&instance->run->crossings, i);
+    const lag_model *model = instance->fmu->model;
+    return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
+}
+
+/* What is off does not change; FMI wants numbers. */
+static double value_of(const lag_instance *instance, size_t i)
+{
+    const double value = lag_zero_crossing_value(&instance->run->crossings, i);
+    return isinf(value) ? 1.0 : value;
 }
 
 /* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
-double lag_instance_round_off(const lag_instance *instance, size_t i)
+static double round_off(const lag_instance *instance, size_t i)
 {
     return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
 }
 
-double lag_instance_margin(const lag_instance *instance, size_t i)
+static double dead_band(const lag_instance *instance, size_t i)
 {
-    return fmax(1.0, instance->widened[i]) * lag_instance_round_off(instance, i);
+    return fmax(round_off(instance, i), lag_zero_crossing_known(&instance->run->crossings, i));
 }
 
-void lag_instance_widen(lag_instance *instance, size_t i)
+int lag_instance_is_armed(const lag_instance *instance, size_t i)
 {
-    instance->widened[i] = WIDER * fmax(1.0, instance->widened[i]);
+    return instance->held.t > instance->armed[i];
 }
 
-int lag_instance_changes_at_zero(const lag_instance *instance, size_t i)
+/* What is left until guard i leaves; negative: it has left. */
+static double room(const lag_instance *instance, size_t i)
 {
-    const lag_model *model = instance->fmu->model;
-    const int holds = i < model->nindicator && instance->run->motion.w[instance->run->crossings.places.relation + i] != 0.0;
-    return i < model->nindicator && holds == (model->strict[i] != 0);
+    const double sigma = round_off(instance, i);
+    const double before = lag_zero_crossing_touches(&instance->run->crossings, i) ? dead_band(instance, i) : 0.0;
+    const double behind = lag_instance_is_armed(instance, i) ? -before : instance->latched[i];
+    return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 
-double lag_instance_room(const lag_instance *instance, size_t i)
+int lag_instance_leaves(lag_instance *instance, size_t i)
 {
-    const double margin = lag_instance_margin(instance, i);
-    return lag_instance_crossing_value(instance, i) + (lag_instance_changes_at_zero(instance, i) ? -EARLY * margin : margin);
-}
-
-double lag_instance_side(const lag_instance *instance, size_t i)
-{
-    const lag_run *run = instance->run;
-    const size_t corner = lag_instance_first_corner(instance);
-    const int relation = i < instance->fmu->model->nindicator;
-    const int below = i >= corner && instance->side[i - corner] < 0.0;
-    return below || (relation && run->motion.w[run->crossings.places.relation + i] == 0.0) ? -1.0 : 1.0;
-}
-
-lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, const double *x)
-{
-    const lag_status status = lag_instance_crossing_count(instance) > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-/* Room of everything at the present state, as far as it is not latched. */
-static lag_status look(lag_instance *instance, double *room)
-{
-    const double t = instance->held.t;
-    const double *x = instance->x;
-    const size_t count = lag_instance_crossing_count(instance);
-    const lag_status status = lag_instance_look_at_crossings(instance, t, x);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        room[i] = lag_instance_is_held(instance, i) ? 1.0 : lag_instance_room(instance, i) + instance->latched[i];
-    }
-    return status == LAG_OK ? lag_instance_look_at_corners(instance, t, x, room) : status;
+    const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
+    const int leaves = room(instance, i) < near;
+    instance->run->crossings.seen[0][i] = value_of(instance, i);
+    instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
+    return leaves;
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->g;
-    const lag_status status = look(instance, instance->room);
-    for (size_t i = 0; i < lag_instance_watched(instance->fmu) && status == LAG_OK; ++i) {
-        if (!lag_instance_is_held(instance, i)) {
-            *g++ = lag_instance_side(instance, i) * instance->room[i];
+    const size_t count = lag_guards(instance->fmu->model);
+    lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
+    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        if (!is_held(instance->fmu, i)) {
+            *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
         }
-    }
-    if (status == LAG_OK) {
-        lag_instance_pass_corners(instance);
+        if (value_of(instance, i) > instance->latched[i]) {
+            instance->armed[i] = fmin(instance->armed[i], instance->held.t);
+        }
     }
     return status;
 }
@@ -125,49 +118,30 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return status;
 }
 
-static double resting(const lag_instance *instance, size_t which)
+/* True if guard i was armed, and the event has not changed its value. */
+static int goes_on(const lag_instance *instance, size_t i)
 {
-    return which < instance->fmu->model->nindicator ? instance->resting[which] : 0.0;
+    const double sigma = round_off(instance, i);
+    const double value = value_of(instance, i);
+    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.seen[0][i]) <= sigma;
 }
 
-/* Relations that rows hold at zero are shown to change when they leave that, as far as the motion is known. */
-static void find_resting(lag_instance *instance)
+lag_status lag_instance_latch(lag_instance *instance)
 {
-    const lag_zero_crossing *crossings = &instance->run->crossings;
-    for (size_t i = 0; i < instance->fmu->model->nindicator; ++i) {
-        instance->resting[i] = crossings->held[i] != 0.0 ? lag_zero_crossing_known(crossings, i) : 0.0;
-    }
-}
-
-lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
-{
-    const size_t count = lag_instance_crossing_count(instance);
-    if (instance->fmu->model->nindicator + instance->fmu->model->ncorner > 0) {
-        lag_noise_find(&instance->run->instants.noise, t, x);
-    }
-    lag_contacts_follow(&instance->run->instants.contacts, x);
-    find_resting(instance);
-    const lag_status status = lag_instance_look_at_crossings(instance, t, x);
+    lag_run *run = instance->run;
+    const double t = instance->held.t;
     instance->known = 0;
-    instance->held.latched_at = t;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = fmax(0.0, lag_instance_margin(instance, i) - lag_instance_room(instance, i));
-        instance->latched[i] = behind + resting(instance, i);
+    if (instance->fmu->model->nindicator > 0) {
+        lag_noise_find(&run->instants.noise, t, instance->x);
     }
-    return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
-}
-
-lag_status lag_instance_release(lag_instance *instance)
-{
-    const size_t count = lag_instance_watched(instance->fmu);
-    const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
-    for (size_t i = 0; i < lag_instance_crossing_count(instance) && status == LAG_OK; ++i) {
-        if (lag_instance_room(instance, i) > 2.0 * lag_instance_margin(instance, i) + resting(instance, i)) {
-            instance->latched[i] = 0.0;
+    const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
+    for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
+        if (goes_on(instance, i)) {
+            continue;
         }
-    }
-    if (status == LAG_OK && instance->fmu->model->ncorner > 0) {
-        lag_noise_follow(&instance->run->instants.noise, instance->x);
+        const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
+        instance->latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
+        instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
     }
     return status;
 }

@@ -3,10 +3,9 @@
 
 #include <math.h>
 
-/* Projections are too many where there are less than so many steps between them; the limit becomes so many times larger, up to this. */
-static const double SELDOM = 50.0;
-static const double RELAXED = 4.0;
-static const double MOST_LIMIT = 1e-4;
+/* Stabilized accelerations keep residuals of constraints within so many tolerances of the importer, or this if it is less. */
+static const double KEPT = 100.0;
+static const double MOST_KEPT = 1e-4;
 
 lag_status lag_instance_set_time(lag_instance *instance, double t)
 {
@@ -50,21 +49,11 @@ lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
     return status;
 }
 
-/*
- * True if the constraint residuals are too large. A less accurate importer would have to restart again and again; after
- * frequent requests the bound is raised, and the stabilized accelerations reduce the rest.
- */
-static int is_off(lag_instance *instance)
+/* True if they do not: event mode moves the state onto the constraints. */
+static int is_off(const lag_instance *instance)
 {
-    lag_held *held = &instance->held;
-    held->limit = fmax(held->limit, held->tolerance);
-    held->since += 1.0;
-    if (fmax(instance->residual[0], instance->slip) <= held->limit) {
-        return 0;
-    }
-    held->limit = held->since < SELDOM ? fmin(fmax(held->limit, MOST_LIMIT), RELAXED * held->limit) : held->limit;
-    held->since = 0.0;
-    return 1;
+    const double tolerance = instance->held.tolerance;
+    return fmax(instance->residual[0], instance->slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
 }
 
 lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate)
@@ -74,18 +63,13 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
     if (status == LAG_OK) {
         *events = is_off(instance);
-        status = lag_instance_release(instance);
-    }
-    if (status == LAG_OK) {
+        lag_noise_follow(&instance->run->instants.noise, instance->x);
+        lag_contacts_follow(&instance->run->instants.contacts, instance->x);
         status = lag_instance_judge(instance, lag_instance_assert(instance, held->t, instance->x));
     }
     if (status == LAG_OK) {
         status = lag_instance_judge(instance, lag_run_count_turns(instance->run, held->t, instance->x));
     }
     lag_instance_leave_inputs(instance);
-    if (held->t != held->last) {
-        held->span = held->t - held->last;
-        held->last = held->t;
-    }
     return status;
 }

@@ -19,9 +19,6 @@ static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
-/* Doubles of a path. */
-enum { PATH = sizeof(lag_path) / sizeof(double) };
-
 static size_t padded(size_t bytes)
 {
     return (bytes + 15) / 16 * 16;
@@ -40,15 +37,15 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_watched(fmu) +
-           model->nindicator + model->ncorner + fmu->ndependent;
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guards(fmu->model) +
+           fmu->ndependent;
 }
 
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
     return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) +
-           lag_instance_watched(fmu) + fmu->model->ncorner + fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni +
+           fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni +
            lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
 
@@ -96,7 +93,6 @@ static void lay_out(lag_instance *instance, double *memory)
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     const size_t size = lag_motion_size(model);
-    const size_t watched = lag_instance_watched(fmu);
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
@@ -106,17 +102,11 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->left = lag_take(&memory, model->nu);
-    instance->paths = (lag_path *)(void *)lag_take(&memory, PATH * model->nu);
-    instance->largest = lag_take(&memory, model->ncorner);
-    instance->latched = lag_take(&memory, watched);
-    instance->widened = lag_take(&memory, watched - model->ncorner);
-    instance->resting = lag_take(&memory, model->nindicator);
-    instance->side = lag_take(&memory, model->ncorner);
+    instance->latched = lag_take(&memory, lag_guards(fmu->model));
+    instance->armed = lag_take(&memory, lag_guards(fmu->model));
     instance->offsets = lag_take(&memory, fmu->ndependent);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
-    instance->room = lag_take(&memory, watched);
-    instance->far = lag_take(&memory, model->ncorner);
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);
     instance->local = lag_take(&memory, fmu->model->nd);
@@ -189,7 +179,7 @@ lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double sta
     if (!(tolerance >= 0.0) || !isfinite(tolerance)) {
         return lag_instance_fail(instance, LAG_NOT_FINITE, "the tolerance %g is no positive number", tolerance);
     }
-    held->start = held->t = held->last = start;
+    held->start = held->t = start;
     held->stop = stop;
     held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
     held->integration = integration_tolerance(instance, kind);

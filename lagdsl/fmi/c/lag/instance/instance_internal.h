@@ -13,6 +13,11 @@
 enum { LAG_INPUT_ORDER = 3 };
 enum { LAG_MESSAGE = 512 };
 
+/* Central differences at two distances, extrapolated: so many points, parts of a distance, and weights. */
+enum { LAG_POINTS = 4 };
+static const double LAG_POINT[LAG_POINTS] = {1.0, -1.0, 0.5, -0.5};
+static const double LAG_WEIGHT[LAG_POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
+
 typedef enum lag_phase {
     LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
     LAG_PHASE_MOTION
@@ -36,18 +41,12 @@ typedef struct lag_held {
     double start, stop;     /* of the experiment; infinite stop: none given */
     double tolerance;       /* of the importer, */
     double integration;     /* and of the run */
-    double last, span;      /* time of the last completed step, and its length */
-    double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
-    double followed;        /* time of the last point of `paths`, */
-    int following;          /* if there is one; importers that set the time have none */
     double left_at;         /* time of `left`, */
     double left_for;        /* and since inputs were set before that */
     int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
     double step;            /* LAG_OPTION_STEP */
     int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
-    double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
-    double since;           /* completed steps since the last projection */
     lag_phase phase;
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
@@ -58,11 +57,6 @@ typedef struct lag_held {
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
 } lag_held;
-
-/* An input on its path at a communication point. */
-typedef struct lag_path {
-    double value, rate, acceleration;
-} lag_path;
 
 struct lag_instance {
     const lag_fmu *fmu;
@@ -76,19 +70,13 @@ struct lag_instance {
     double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
     double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
     double *given_inputs;   /* (nu) flags: this one was set */
-    lag_path *paths;        /* (nu) */
     double *left;           /* (nu) inputs on the left of the present, before any was set there */
-    double *largest;        /* (ncorner) magnitudes of distances of corners seen since they stand as they do */
-    double *latched;        /* (relations, contacts, corners) what is nearer to zero than this had changed already at the last event */
-    double *widened;        /* (relations, contacts) factors of margins, beyond one: errors of the importer, as events without effect tell */
-    double *resting;        /* (relations) those that rest at zero at the last event are known to this only; zero: it moves */
-    double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
+    double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
+    double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
-    double *room;           /* (relations, contacts, corners) what is left until each changes; negative: it has changed */
-    double *far;            /* (ncorner) distances of corners, as looked at last */
     double *unasked;        /* (nc) multipliers of accelerations that are pulled */
     double *point, *tangent; /* (2 nq + nz) */
     double *entry;          /* as many as the longest variable has */
@@ -116,12 +104,6 @@ static inline lag_run_options lag_instance_plan(void)
 }
 
 /* ---- instance.c ---- */
-
-/* Number of relations, contacts and corners. */
-static inline size_t lag_instance_watched(const lag_fmu *fmu)
-{
-    return fmu->model->nindicator + fmu->model->ncontact + fmu->model->ncorner;
-}
 
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
@@ -164,21 +146,6 @@ lag_status lag_instance_know(lag_instance *instance, unsigned what);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 
-/* ---- corner_indicators.c ---- */
-
-/* The first corner among all that is watched: they come after relations and contacts. */
-static inline size_t lag_instance_first_corner(const lag_instance *instance)
-{
-    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
-}
-
-/* Room of corners at x at time t. */
-lag_status lag_instance_look_at_corners(lag_instance *instance, double t, const double *x, double *room);
-/* An event at x at time t: corners that have been passed are on the other side from now on. */
-lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x);
-/* The importer is at the state looked at last: magnitudes follow. */
-void lag_instance_pass_corners(lag_instance *instance);
-
 /* ---- variables.c ---- */
 
 /* By this the value of a variable is that of the model. */
@@ -213,47 +180,23 @@ void lag_instance_tell_inputs(lag_instance *instance);
 
 /* ---- input_paths.c ---- */
 
-/*
- * The inputs of a communication point are set: LAG_POSITION_JUMP if one that may not jump is off its derivatives since the last point, or jumps at an
- * instant. Where an importer sets the time, only the latter is judged.
- */
+/* LAG_POSITION_JUMP: an input that may not jump is off its derivatives, from what it was on the left of the present. */
 lag_status lag_instance_follow_inputs(lag_instance *instance);
-
 /* The inputs are those on the left of the present. */
 void lag_instance_leave_inputs(lag_instance *instance);
-/*
- * The run is at the present state, and inputs have jumped: rates follow if these prescribe velocities, as far as the balance of
- * momenta tells.
- */
+/* The run is at the present state: where inputs have jumped, rates follow from the balance of momenta if these prescribe velocities. */
 lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* ---- event_indicators.c ---- */
 
-/* Relations and contacts, in this order. */
-size_t lag_instance_crossing_count(const lag_instance *instance);
-/* Their values at x at time t; then value number `which`, which passes zero downward when the relation or contact changes. */
-lag_status lag_instance_look_at_crossings(lag_instance *instance, double t, const double *x);
-double lag_instance_crossing_value(const lag_instance *instance, size_t which);
-/* Round-off of that, as far as it is known: more than zero. */
-double lag_instance_round_off(const lag_instance *instance, size_t which);
-/* The dead band around zero: round-off, or more for an importer whose errors have shown. */
-double lag_instance_margin(const lag_instance *instance, size_t which);
-/* An event at this value had no effect: the importer is less exact than it has told. */
-void lag_instance_widen(lag_instance *instance, size_t which);
-/* 1: a relation that changes where its value is zero: `>=` or `<=` that does not hold, `>` or `<` that does. */
-int lag_instance_changes_at_zero(const lag_instance *instance, size_t which);
-/* The value with its margin, which passes zero where an importer is to have the event. */
-double lag_instance_room(const lag_instance *instance, size_t which);
 /* Indicators at the present state, into g. */
 lag_status lag_instance_find_indicators(lag_instance *instance);
-/* 1: a relation that the motion does not change. */
-int lag_instance_is_held(const lag_instance *instance, size_t which);
-/* Sign of an indicator while nothing changes: 1, or -1 for relations that do not hold and corners that are below zero. */
-double lag_instance_side(const lag_instance *instance, size_t which);
-/* A value that is behind zero now is no event until it goes further. */
-lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
-/* Releases values that are farther from zero than their margin; updates the magnitudes. */
-lag_status lag_instance_release(lag_instance *instance);
+/* True if guard i has been clear of its dead band since the last event. */
+int lag_instance_is_armed(const lag_instance *instance, size_t i);
+/* Event mode: true if guard i, looked at last at the present state, has left its side. */
+int lag_instance_leaves(lag_instance *instance, size_t i);
+/* An event has ended at the present state: what is behind zero now is no event until it goes further. */
+lag_status lag_instance_latch(lag_instance *instance);
 
 /* ---- event_mode.c ---- */
 

@@ -71,70 +71,77 @@ static const char *broken(const lag_instance *instance)
     return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
 }
 
-/* Words for a status that names nothing of the model; null for the others. */
-static const char *plain_words(lag_status status)
+/* Faults of nothing that has a name; null: the others. */
+static const char *const PLAIN[] = {
+    [LAG_NOT_FINITE] = "a value is infinite or not a number",
+    [LAG_MISSING] = "a function is missing",
+    [LAG_EVENT_PENDING] = "an event is left",
+    [LAG_BAD_STATE_DATA] = "these bytes are no state of this FMU",
+    [LAG_STEP_TOO_SMALL] = "steps became as short as the round-off of time",
+    [LAG_PROJECTION_FAILED] = "the constraints cannot be reached from here",
+    [LAG_ATTENTION] = "the constraints are about to lose rank",
+    [LAG_BRANCH_POINT] = "branches of the motion meet, and the equations do not determine the branch",
+    [LAG_POSITION_JUMP] = "a constraint becomes active, but the current position violates it",
+    [LAG_BAD_CLOCK] = "a clock has no positive period, or no first instant",
+    [LAG_TOO_LONG] = "this takes too many steps",
+};
+
+/* A sentence about a fault, and in its middle the name of what is to blame. */
+typedef struct words {
+    const char *before, *name, *after;
+} words;
+
+/* The rows of friction, into `rows`. */
+static const char *wedging(const lag_model *model, char *rows, size_t size)
 {
+    size_t length = 0;
+    for (size_t k = 0; k < model->nslip && length < size; ++k) {
+        const char *name = name_of(model->nc, model->constraints, model->friction_rows[k]);
+        length += (size_t)snprintf(rows + length, size - length, "%s%s", k > 0 ? ", " : "", name);
+    }
+    return rows;
+}
+
+static words words_of(const lag_instance *instance, lag_status status, char *rows)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_run *run = instance->run;
+    const size_t fault = run->instants.iteration.fault;
+    const char *coordinate = name_of(model->nq, model->coordinates, run->motion.coordinate);
     switch (status) {
-    case LAG_NOT_FINITE:
-        return "a value is infinite or not a number";
-    case LAG_STEP_TOO_SMALL:
-        return "steps became as short as the round-off of time";
-    case LAG_PROJECTION_FAILED:
-        return "the constraints cannot be reached from here";
-    case LAG_ATTENTION:
-        return "the constraints are about to lose rank";
-    case LAG_BRANCH_POINT:
-        return "branches of the motion meet, and the equations do not determine the branch";
-    case LAG_POSITION_JUMP:
-        return "a constraint becomes active, but the current position violates it";
-    case LAG_BAD_CLOCK:
-        return "a clock has no positive period, or no first instant";
-    case LAG_TOO_LONG:
-        return "this takes too many steps";
+    case LAG_SINGULAR:
+        return (words){"the acceleration of ", coordinate, " is not determined"};
+    case LAG_MOMENTUM_UNREACHABLE:
+        return (words){"no rate of ", coordinate, " has the momentum or the energy that the event leaves"};
+    case LAG_VIOLATED:
+        return (words){"", broken(instance), ""};
+    case LAG_CHATTER:
+        return (words){"events of ", guilty(instance), " accumulate"};
+    case LAG_EVENT_ITERATION_FAILED:
+        return (words){"event iteration did not converge; still changing: ", guilty(instance), ""};
+    case LAG_CONFLICT:
+        return (words){"two clauses reset ", fault < model->nreset ? model->resets[fault] : "a state", " to different values"};
+    case LAG_ASSERTION_FAILED:
+        return (words){"", fault < model->nfail ? model->failures[fault] : "an assertion failed", ""};
+    case LAG_PENETRATION:
+        return (words){"the gap of ", guilty(instance), " is negative"};
+    case LAG_WAY_JUMP:
+        return (words){"the position of a mass would jump with ", displacing(instance), ""};
+    case LAG_NO_FORCES:
+        return (words){"no forces satisfy the law of friction of ", wedging(model, rows, LAG_MESSAGE), ": it wedges"};
     default:
-        return NULL;
+        return (words){PLAIN[status], "", ""};
     }
 }
 
 lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
-    const lag_model *model = instance->fmu->model;
-    const lag_run *run = instance->run;
-    const double t = instance->held.t;
-    switch (status) {
-    case LAG_OK:
-    case LAG_STOPPED:
+    char rows[LAG_MESSAGE] = "";
+    if (status == LAG_OK || status == LAG_STOPPED) {
         return status;
-    case LAG_SINGULAR:
-        return lag_instance_fail(instance, status, "t = %.10g s: the acceleration of %s is not determined", t,
-            name_of(model->nq, model->coordinates, run->motion.coordinate));
-    case LAG_MOMENTUM_UNREACHABLE:
-        return lag_instance_fail(instance, status, "t = %.10g s: no rate of %s has the momentum or the energy that the event leaves", t,
-            name_of(model->nq, model->coordinates, run->motion.coordinate));
-    case LAG_VIOLATED:
-        return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
-    case LAG_CHATTER:
-        return lag_instance_fail(instance, status, "t = %.10g s: events of %s accumulate", t, guilty(instance));
-    case LAG_EVENT_ITERATION_FAILED:
-        return lag_instance_fail(instance, status, "t = %.10g s: event iteration did not converge; still changing: %s", t, guilty(instance));
-    case LAG_CONFLICT:
-        return lag_instance_fail(instance, status, "t = %.10g s: two clauses reset %s to different values", t,
-            run->instants.iteration.fault < model->nreset ? model->resets[run->instants.iteration.fault] : "a state");
-    case LAG_ASSERTION_FAILED:
-        return lag_instance_fail(instance, status, "t = %.10g s: %s", t,
-            run->instants.iteration.fault < model->nfail ? model->failures[run->instants.iteration.fault] : "an assertion failed");
-    case LAG_PENETRATION:
-        return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative", t, guilty(instance));
-    case LAG_WAY_JUMP:
-        return lag_instance_fail(instance, status, "t = %.10g s: the position of a mass would jump with %s", t, displacing(instance));
-    default:
-        break;
     }
-    const char *words = plain_words(status);
-    if (words != NULL) {
-        return lag_instance_fail(instance, status, "t = %.10g s: %s", t, words);
-    }
-    return lag_instance_fail(instance, status, "t = %.10g s: status %d", t, (int)status);
+    const words told = words_of(instance, status, rows);
+    return lag_instance_fail(instance, status, "t = %.10g s: %s%s%s", instance->held.t, told.before, told.name, told.after);
 }
 
 lag_status lag_instance_give_up(lag_instance *instance)

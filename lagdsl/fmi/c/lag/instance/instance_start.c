@@ -134,7 +134,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     lag_turns_clear(&run->turns);
-    held->stopped = held->following = held->tied = 0;
+    held->stopped = held->tied = 0;
     held->left_at = held->t;
     held->left_for = 0.0;
     held->implicit = -1;
@@ -146,8 +146,10 @@ lag_status lag_instance_settle(lag_instance *instance)
     status = lag_run_enter(run);
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     lag_instance_note_stop(instance, status);
+    lag_fill(lag_guards(instance->fmu->model), 0.0, instance->latched);
+    lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->armed);
     if (status == LAG_OK || status == LAG_STOPPED) {
-        status = lag_instance_latch(instance, held->t, instance->x);
+        status = lag_instance_latch(instance);
     }
     if (status == LAG_OK) {
         status = lag_run_count_turns(instance->run, held->t, instance->x);
@@ -173,9 +175,6 @@ lag_status lag_instance_begin(lag_instance *instance)
     const lag_status status = lag_instance_ready(instance);
     if (status == LAG_OK) {
         held->phase = LAG_PHASE_MOTION;
-        held->last = held->t;
-        held->span = held->limit = 0.0;
-        held->since = (double)INFINITY;
     }
     return status;
 }

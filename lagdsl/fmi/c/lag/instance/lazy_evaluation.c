@@ -122,11 +122,11 @@ static lag_status find(lag_instance *instance, unsigned what)
     }
 }
 
-/* Values to compute for `what`: stabilized accelerations do not need the plain ones. */
+/* Values to compute for `what`: stabilized accelerations need the plain ones only where loads follow from these. */
 static unsigned with_accelerations(const lag_instance *instance, unsigned what)
 {
     const lag_model *model = instance->fmu->model;
-    return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
+    return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz + model->nload == 0 ? what : what | LAG_KNOWN_MOTION;
 }
 
 /*

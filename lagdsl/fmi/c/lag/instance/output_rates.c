@@ -1,7 +1,4 @@
-/*
- * Rates of change of variables along the motion: central differences, along the tangent of the motion, at two distances. The
- * remaining curvature is even in the distance and cancels; extrapolation removes the leading part of the rest.
- */
+/* Rates of change of variables along the motion: differences along the tangent. The remaining curvature is even in the distance and cancels. */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
@@ -32,8 +29,6 @@ static lag_status values_at(lag_instance *instance, size_t variable, double t, c
 
 lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values)
 {
-    static const double parts[4] = {1.0, -1.0, 0.5, -0.5};
-    static const double weights[4] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
     const size_t size = lag_instance_order(instance);
     const double t = instance->held.t;
     const double s = distance(instance);
@@ -45,10 +40,10 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     memcpy(instance->point, instance->x, size * sizeof(double));
     memcpy(instance->tangent, instance->xd, size * sizeof(double));
     memset(values, 0, count * sizeof(double));
-    for (size_t k = 0; k < 4 && status == LAG_OK; ++k) {
-        status = values_at(instance, variable, t, instance->point, instance->tangent, parts[k] * s, instance->entry);
+    for (size_t k = 0; k < LAG_POINTS && status == LAG_OK; ++k) {
+        status = values_at(instance, variable, t, instance->point, instance->tangent, LAG_POINT[k] * s, instance->entry);
         for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-            values[i] += weights[k] * instance->entry[i] / s;
+            values[i] += LAG_WEIGHT[k] * instance->entry[i] / s;
         }
     }
     memcpy(instance->x, instance->point, size * sizeof(double));

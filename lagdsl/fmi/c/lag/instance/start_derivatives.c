@@ -1,6 +1,6 @@
 /*
  * Derivatives of a start that constraints or initial equations determine, and of free parameters. The start is the result of a
- * search, so the search is repeated beside the present values: central differences of tenth order.
+ * search, so the search is repeated beside the present values, for differences.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -9,78 +9,49 @@
 
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
-enum { PAIRS = 5 };
-static const double WEIGHT[PAIRS] = {5.0 / 6.0, -5.0 / 21.0, 5.0 / 84.0, -5.0 / 504.0, 1.0 / 1260.0};
-/* The largest change of a value in a step, as a part of its size. */
-static const double PART = 1e-2;
-/* Values smaller than this have this size. */
+/* The largest change of a value, as a part of its size; smaller values than this have this size. */
+static const double PART = 1e-3;
 static const double SMALLEST = 1e-2;
-
-typedef struct search {
-    lag_instance *instance;
-    double *p, *u, *w;  /* (np) moved, (nu) (nw) as they were */
-    double *x, *sum;    /* (2 nq + nz) */
-    double *found;      /* (np) sums of the free parameters */
-    double *direction;  /* (2 nq + nz + nu + np) of starts, inputs and parameters */
-} search;
 
 size_t lag_instance_start_slopes_memory(const lag_model *model)
 {
-    const size_t size = lag_motion_size(model);
-    return 3 * size + 3 * model->np + 2 * model->nu + model->nw;
+    return 2 * lag_motion_size(model) + 2 * model->np + model->nu + model->nw;
 }
 
-/* A length of steps that moves no value by more than a part of its size. */
-static double length_of(const search *s)
+/* The largest entry of a direction, in sizes of the values. */
+static double most_of(size_t count, const double *direction, const double *values, double smallest)
 {
-    const lag_instance *instance = s->instance;
-    const lag_model *model = instance->fmu->model;
-    const size_t size = lag_motion_size(model);
-    const double *values[3] = {instance->x, s->u, instance->p};
-    const size_t counts[3] = {size, model->nu, model->np};
-    const double *seed = s->direction;
-    double most = fabs(instance->derivatives.time) / fmax(fabs(instance->held.t), 1.0);
-    for (size_t group = 0; group < 3; ++group) {
-        for (size_t i = 0; i < counts[group]; ++i) {
-            most = fmax(most, fabs(*seed++) / fmax(fabs(values[group][i]), SMALLEST));
-        }
+    double most = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        most = fmax(most, fabs(direction[i]) / fmax(fabs(values[i]), smallest));
     }
-    return PART / most;
+    return most;
 }
 
-/* The start so far along the direction, added to the sum with a weight. */
-static lag_status add(search *s, double along, double weight)
+/* The start (2 nq + nz) so far along the direction, with the inputs u (nu) there, and the parameters (np). */
+static lag_status search(lag_instance *instance, double along, const double *u, double *x, double *p)
 {
-    lag_instance *instance = s->instance;
     const lag_model *model = instance->fmu->model;
+    const lag_derivatives *d = &instance->derivatives;
     lag_motion *motion = &instance->run->motion;
     const size_t size = lag_motion_size(model);
-    const double t = instance->held.t + along * instance->derivatives.time;
-    for (size_t i = 0; i < model->np; ++i) {
-        s->p[i] = instance->p[i] + along * s->direction[size + model->nu + i];
-    }
-    lag_status status = lag_motion_parameters(motion, s->p);
+    const double t = instance->held.t + along * d->time;
+    lag_initial told = {.p = p};
+    memcpy(p, instance->p, model->np * sizeof(double));
+    lag_axpy(model->np, along, d->x + size + model->nu, p);
+    lag_status status = lag_motion_parameters(motion, p);
     if (status == LAG_OK) {
-        status = lag_motion_start(motion, t, s->x);
+        status = lag_motion_start(motion, t, x);
     }
     for (size_t i = 0; i < size; ++i) {
-        s->x[i] = (instance->given[i] != 0.0 ? instance->begin[i] : s->x[i]) + along * s->direction[i];
+        x[i] = (instance->given[i] != 0.0 ? instance->begin[i] : x[i]) + along * d->x[i];
     }
-    for (size_t i = 0; i < model->nu; ++i) {
-        motion->u[i] = s->u[i] + along * s->direction[size + i];
-    }
-    if (status == LAG_OK && model->nc + model->ne > 0) {
-        lag_initial told = {.p = s->p};
-        status = lag_initial_find(motion, instance->fmu->start, instance->written, t, s->x, instance->initial_memory, &told);
-    }
-    for (size_t i = 0; i < model->np; ++i) {
-        s->found[i] += weight * s->p[i];
-    }
-    for (size_t i = 0; i < size; ++i) {
-        s->sum[i] += weight * s->x[i];
-    }
-    return status;
+    memcpy(motion->u, u, model->nu * sizeof(double));
+    lag_axpy(model->nu, along, d->x + size, motion->u);
+    const int searched = status == LAG_OK && model->nc + model->ne > 0;
+    return searched ? lag_initial_find(motion, instance->fmu->start, instance->written, t, x, instance->initial_memory, &told) : status;
 }
 
 lag_status lag_instance_start_slopes(lag_instance *instance)
@@ -88,41 +59,38 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
     lag_inputs *const inputs = motion->inputs;
+    double *direction = instance->derivatives.x;
     const size_t size = lag_motion_size(model);
     double *memory = instance->slopes;
-    search s = {.instance = instance};
-    s.p = lag_take(&memory, model->np);
-    s.u = lag_take(&memory, model->nu);
-    s.w = lag_take(&memory, model->nw);
-    s.x = lag_take(&memory, size);
-    s.sum = lag_take(&memory, size);
-    s.found = lag_take(&memory, model->np);
-    s.direction = lag_take(&memory, size + model->nu + model->np);
-    memcpy(s.u, motion->u, model->nu * sizeof(double));
-    memcpy(s.w, motion->w, model->nw * sizeof(double));
-    memcpy(s.direction, instance->derivatives.x, (size + model->nu + model->np) * sizeof(double));
-    lag_fill(size, 0.0, s.sum);
-    lag_fill(model->np, 0.0, s.found);
+    double *u = lag_take(&memory, model->nu);
+    double *w = lag_take(&memory, model->nw);
+    double *x = lag_take(&memory, size);
+    double *p = lag_take(&memory, model->np);
+    double *slope = lag_take(&memory, size + model->np);
+    memcpy(u, motion->u, model->nu * sizeof(double));
+    memcpy(w, motion->w, model->nw * sizeof(double));
+    lag_fill(size + model->np, 0.0, slope);
     for (size_t i = 0; i < size; ++i) {
         instance->written[i] = instance->given[i] != 0.0;
     }
-    const double h = length_of(&s);
+    const double time = most_of(1, &instance->derivatives.time, &instance->held.t, 1.0);
+    const double states = fmax(time, most_of(size, direction, instance->x, SMALLEST));
+    const double set = fmax(most_of(model->nu, direction + size, u, SMALLEST), most_of(model->np, direction + size + model->nu, instance->p, SMALLEST));
+    const double h = PART / fmax(states, set);
     lag_status status = LAG_OK;
     motion->inputs = NULL;
-    for (size_t k = 0; k < PAIRS && h < (double)INFINITY && status == LAG_OK; ++k) {
-        status = add(&s, (double)(k + 1) * h, WEIGHT[k] / h);
-        if (status == LAG_OK) {
-            status = add(&s, -(double)(k + 1) * h, -WEIGHT[k] / h);
-        }
+    for (size_t k = 0; k < LAG_POINTS && h < (double)INFINITY && status == LAG_OK; ++k) {
+        status = search(instance, LAG_POINT[k] * h, u, x, p);
+        lag_axpy(size, LAG_WEIGHT[k] / h, x, slope);
+        lag_axpy(model->np, LAG_WEIGHT[k] / h, p, slope + size);
     }
     motion->inputs = inputs;
-    memcpy(motion->u, s.u, model->nu * sizeof(double));
-    memcpy(motion->w, s.w, model->nw * sizeof(double));
-    memcpy(instance->derivatives.x, s.sum, size * sizeof(double));
-    const unsigned char *free = instance->fmu->start->free;
-    for (size_t i = 0; i < model->np && free != NULL; ++i) {
-        double *slope = instance->derivatives.x + size + model->nu + i;
-        *slope = free[i] ? s.found[i] : *slope;
+    memcpy(motion->u, u, model->nu * sizeof(double));
+    memcpy(motion->w, w, model->nw * sizeof(double));
+    memcpy(direction, slope, size * sizeof(double));
+    for (size_t i = 0; i < model->np && instance->fmu->start->free != NULL; ++i) {
+        double *of_parameter = direction + size + model->nu + i;
+        *of_parameter = instance->fmu->start->free[i] ? slope[size + i] : *of_parameter;
     }
     instance->known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
     const lag_status restored = lag_motion_parameters(motion, instance->p);

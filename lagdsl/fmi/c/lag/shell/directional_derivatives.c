@@ -49,6 +49,9 @@ lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *
     size_t nknown, const double *seed, size_t nseed, double *sensitivity, size_t nsensitivity, int adjoint)
 {
     size_t unknown = 0, known = 0;
+    if (shell->fmu->model->nload > 0) {
+        return lag_shell_say(shell, LAG_ANSWER_ERROR, "loads depend on the forces that they cause: there are no directional derivatives");
+    }
     if (lag_shell_lacks(shell, nunknown > 0 && unknowns == NULL, "the array of unknowns") ||
         lag_shell_lacks(shell, nknown > 0 && knowns == NULL, "the array of knowns") ||
         lag_shell_lacks(shell, nseed > 0 && seed == NULL, "the seed") ||

@@ -188,8 +188,13 @@ double lag_frictions_guard(const lag_frictions *frictions, size_t k)
     return *lag_frictions_direction(frictions, k) * frictions->slip[(size_t)frictions->first[k]];
 }
 
+double lag_frictions_size(const lag_frictions *frictions, size_t k)
+{
+    return *lag_frictions_sticks(frictions, k) != 0.0 ? frictions->force[k] : lag_frictions_length(frictions, frictions->fast, k);
+}
+
 double lag_frictions_band(const lag_frictions *frictions, size_t k)
 {
     const double part = isnan(frictions->reserve[frictions->motion->model->ncontact + k]) ? NO_FORCE : NO_SHARED_FORCE;
-    return *lag_frictions_sticks(frictions, k) != 0.0 ? part * frictions->force[k] : lag_frictions_slow(frictions, k);
+    return *lag_frictions_sticks(frictions, k) != 0.0 ? part * lag_frictions_size(frictions, k) : lag_frictions_slow(frictions, k);
 }

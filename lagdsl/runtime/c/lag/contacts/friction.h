@@ -47,10 +47,11 @@ int lag_frictions_acts(const lag_frictions *frictions, size_t k);
 
 /*
  * Guard of friction k, positive while its mode lasts: what it bears beyond its force while it sticks; its slip, in the sense of its direction, while it
- * slides; infinite while it is off. And its dead band.
+ * slides; infinite while it is off. Its dead band, and the size of the numbers that enter it.
  */
 double lag_frictions_guard(const lag_frictions *frictions, size_t k);
 double lag_frictions_band(const lag_frictions *frictions, size_t k);
+double lag_frictions_size(const lag_frictions *frictions, size_t k);
 
 /* The length of slip k, and below which it is zero. */
 double lag_frictions_speed(const lag_frictions *frictions, size_t k);

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/discretes.h"
+#include "lag/equations/feedback.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
@@ -24,7 +26,7 @@ size_t lag_derivatives_memory(const lag_model *model)
     return variables(model) + timed(model) + n * n + 2 * m * n + 5 * n + 7 * m + lag_system_memory(n, m);
 }
 
-/* Memory that the accelerations alone need; less than lag_jacobian_memory(). */
+/* Memory that the accelerations alone need; with lag_feedback_memory() less than lag_jacobian_memory(). */
 static void place_system(lag_derivatives *d, const lag_model *model, double **memory)
 {
     const size_t n = model->nq;
@@ -150,16 +152,38 @@ lag_status lag_derivatives_look(lag_derivatives *d, const lag_arguments *at, dou
     return status;
 }
 
+/* The system with other loads; at the last one the coordinate that is not determined. */
+typedef struct pulled {
+    lag_derivatives d;
+    size_t *coordinate;
+} pulled;
+
+static lag_status solve_with_loads(void *context, const lag_arguments *at, int again, double *qdd, double *lam)
+{
+    pulled *one = context;
+    (void)again;
+    one->d.at = *at;
+    return solve(&one->d, qdd, lam, one->coordinate);
+}
+
 lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam)
 {
-    lag_derivatives d;
+    const lag_model *model = motion->model;
+    pulled one = {.coordinate = &motion->coordinate};
     double *memory = motion->memory;
     lag_motion_look(motion, t, x);
-    place_system(&d, motion->model, &memory);
-    lag_derivatives_size(&d, motion->sizes, motion->row_sizes);
-    d.rate = rate;
-    d.at = motion->at;
-    return solve(&d, qdd, lam, &motion->coordinate);
+    place_system(&one.d, model, &memory);
+    lag_derivatives_size(&one.d, motion->sizes, motion->row_sizes);
+    one.d.rate = rate;
+    if (model->nload == 0 || rate > 0.0) {
+        return solve_with_loads(&one, &motion->at, 0, qdd, lam);
+    }
+    double *slopes = motion->loads;
+    lag_arguments at = motion->at;
+    at.qdd = qdd;
+    at.lam = lam;
+    const lag_status status = lag_feedback_solve(model, &motion->at, solve_with_loads, &one, memory, qdd, lam);
+    return status == LAG_OK ? model->load(&at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq) : status;
 }
 
 /* `alone`, in the order of lag/model.h; filled once for a state. */

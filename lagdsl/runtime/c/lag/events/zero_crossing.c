@@ -162,9 +162,28 @@ int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which
     return k == RELATIONS || k == CORNERS;
 }
 
+int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which)
+{
+    const lag_model *model = crossings->motion->model;
+    const size_t k = which - model->nindicator - model->ncontact; /* large for others */
+    return k < model->nfriction && lag_frictions_components(crossings->frictions, k) > 1 && *lag_frictions_sticks(crossings->frictions, k) == 0.0;
+}
+
+/* The size of the numbers that enter the guard of a contact or of friction. */
+static double size_of(const lag_zero_crossing *crossings, size_t which)
+{
+    const lag_contacts *contacts = crossings->contacts;
+    const size_t i = which - crossings->motion->model->nindicator;
+    if (i >= crossings->motion->model->ncontact) {
+        return lag_frictions_size(crossings->frictions, i - crossings->motion->model->ncontact);
+    }
+    return is_closed(crossings, i) ? contacts->force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->pace[i] : contacts->scale[i];
+}
+
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 {
-    return lag_noise_known(crossings->noise, which, crossings->tolerance);
+    return !lag_zero_crossing_has_noise(crossings, which) ? crossings->tolerance * size_of(crossings, which) :
+        lag_noise_known(crossings->noise, which, crossings->tolerance);
 }
 
 /* ---- memory ---- */

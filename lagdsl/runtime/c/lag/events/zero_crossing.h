@@ -57,13 +57,16 @@ size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
 /* Value of guard `which`, that of the last look; 1 where it is held. */
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
 
+/* True if that value hardly gets behind zero, as that of a slip in a plane, which turns round there. */
+int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which);
+
 /* Rounding error of that, as far as it is known. */
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
 
 /* True if lag/events/noise.h finds it: contacts and friction have bounds of their own. */
 int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
 
-/* A relation nearer to zero than this is zero, as far as the tolerance lets the motion be known. */
+/* A guard nearer to zero than this is zero, as far as the tolerance lets the motion be known. */
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which);
 
 /* A step begins at x at time t, or an event has ended there. */
