@@ -21,6 +21,7 @@ from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.substitute import Substitution
+from lagdsl.graph.taylor import TimeDerivative
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
@@ -35,9 +36,11 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     if not entries(flat.events):
         return ()
     graph = lowering.graph
+    indicators = _indicators(lowering, flat)
     found = {
         "discrete_start": [_vector("w", _starts(lowering, flat))],
-        "indicator": [_vector("g", _indicators(lowering, flat))],
+        "indicator": [_vector("g", indicators)],
+        "indicator_rate": _rates(lowering, flat, indicators),
         "standing": [_vector("w", _standing(lowering, flat))],
         "contact": _gaps(lowering, flat),
         "clock": [
@@ -59,6 +62,23 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
     pushing = {force: lowering.graph.binary(Op.MAX, force, lowering.graph.constant(0.0)) for force in forces}
     differences = [lowering.scalar(each.difference) for each in flat.events.relations]
     return Substitution(lowering.graph, pushing).of_all(differences)
+
+
+def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> list[Block]:
+    """First and second derivatives along the motion. Of what the equations do not differentiate, accelerations,
+    multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are."""
+    graph = lowering.graph
+    differentiated_inputs = {item.derivative_of for item in flat.inputs}
+    given = {Group.U: Group.DIRECTION_U, Group.QDD: Group.DIRECTION_QDD, Group.LAMBDA: Group.DIRECTION_LAMBDA}
+
+    def rate(symbol: int) -> int:
+        index, group = graph.b[symbol], graph.group(symbol)
+        is_known = group is Group.Z or (group is Group.U and flat.inputs[index].name in differentiated_inputs)
+        return lowering.rate.of(symbol) if is_known else graph.symbol(given[group], index)
+
+    along = TimeDerivative(graph, rate)
+    rates = [along.of(node) for node in indicators]
+    return [_vector("rate", rates), _vector("acceleration", [along.of(node) for node in rates])]
 
 
 def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:

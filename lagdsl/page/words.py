@@ -16,7 +16,6 @@ WORDS = {
     Status.PENETRATION: "Two bodies that touch are inside each other.",
     Status.POSITION_JUMP: "A constraint that an event switches on asks for other positions than there are.",
     Status.WAY_JUMP: "The position of a mass would jump.",
-    Status.VALLEY: "A contact whose gap has two sides holds the motion on one of them only.",
     Status.NO_FORCES: "No forces satisfy the law of friction: it wedges.",
     Status.MOMENTUM_UNREACHABLE: "No rates have the momentum or the energy that an event leaves.",
     Status.BRANCH_POINT: "Branches of the motion meet here; the equations do not tell which one it takes.",

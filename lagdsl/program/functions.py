@@ -157,6 +157,14 @@ FUNCTIONS: tuple[Signature, ...] = (
     ),
     _function("discrete_start", _PARAMETERS, "w0[nw]", "start values of w", Presence.DISCRETES),
     _function("indicator", SOLVED, "g[nindicator]", "indicators of relations", Presence.DISCRETES),
+    _function(
+        "indicator_rate",
+        (*SOLVED, Group.DIRECTION_U, Group.DIRECTION_QDD, Group.DIRECTION_LAMBDA),
+        "rate[nindicator] acceleration[nindicator]",
+        "first and second derivatives of indicators along the motion, with du, dqdd and dlam as the rates of inputs, "
+        "accelerations and multipliers, whose own rates are zero",
+        Presence.DISCRETES,
+    ),
     _function("standing", SOLVED, "next[nw]", "w with relations as they stand", Presence.DISCRETES),
     _function(
         "contact",

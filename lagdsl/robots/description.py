@@ -203,14 +203,15 @@ class Servo(Part):
 
 @record(kw_only=True)
 class Tendon(Part):
-    """Spring, damper and inertia along a combination of coordinates. The spring is without force between both ends of
-    `slack`."""
+    """Spring, damper, dry friction and inertia along a combination of coordinates. The spring is without force between
+    both ends of `slack`."""
 
     name: str
     way: Way
     stiffness: float
     slack: tuple[float, float]
     damping: float
+    friction: float
     armature: float
     limits: Bounds
 

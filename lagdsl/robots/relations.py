@@ -45,7 +45,8 @@ def acting(plan: Plan) -> list[str]:
             value = _imitated(plan, joint, of[joint.mimic.joint], joint.mimic)
             found.append(f"constraint {plan.parts[name, 'gear']}: {coordinate} = {value};")
         if joint.passive.friction:
-            found += _friction(joint, plan.parts[name, "friction"], coordinate)
+            effort = "N" if joint.kind == "prismatic" else "N.m"
+            found.append(friction(plan.parts[name, "friction"], coordinate, joint.passive.friction, effort))
         if plan.style.limits == "contact":
             found += _stops(plan, joint, name, coordinate)
     return found
@@ -113,16 +114,9 @@ def _imitated(plan: Plan, joint: Joint, leader: Joint, mimic: Mimic) -> str:
     return sum_of(terms)
 
 
-def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
-    """The library's dry friction, which begins to slide smoothly."""
-    library, symbol, port = (
-        ("Translational", "f_c", "s") if joint.kind == "prismatic" else ("Rotational", "tau_c", "phi")
-    )
-    value = number(joint.passive.friction)
-    return [
-        f"Lag.{library}.CoulombFriction {name}({symbol} = {value});",
-        f"connect({coordinate}, {name}.{port});",
-    ]
+def friction(name: str, along: str, limit: float, unit: str) -> str:
+    """Dry friction along the rate of a coordinate or a length whose effort has this unit."""
+    return f"friction {name}: der({along}) with limit = {quantity(limit, unit)};"
 
 
 def _stops(plan: Plan, joint: Joint, name: str, coordinate: str) -> Iterator[str]:

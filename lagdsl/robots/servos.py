@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from lagdsl.robots.description import Affine, Bounds, Joint, Tendon, Way
 from lagdsl.robots.numbers import number, quantity
 from lagdsl.robots.plan import NamedServo, Plan, coordinate_of
-from lagdsl.robots.relations import difference, sum_of
+from lagdsl.robots.relations import difference, friction, sum_of
 
 
 def servo_inputs(plan: Plan) -> Iterator[str]:
@@ -21,7 +21,7 @@ def servo_inputs(plan: Plan) -> Iterator[str]:
 
 
 def tendons(plan: Plan) -> Iterator[str]:
-    """Lengths, springs, dampers, inertia and limits of tendons."""
+    """Lengths, springs, dampers, dry friction, inertia and limits of tendons."""
     for name, tendon in plan.tendons:
         unit = unit_along(plan, tendon.way)
         yield f"{_type(unit)} {name} = {_combination(plan, tendon.way)};"
@@ -29,6 +29,8 @@ def tendons(plan: Plan) -> Iterator[str]:
         effort = _effort_unit(unit)
         if tendon.damping:
             yield f"dissipation 1/2*{quantity(tendon.damping, f'{effort}.s/{unit}')}*der({name})^2;"
+        if tendon.friction:
+            yield friction(plan.parts[name, "friction"], name, tendon.friction, effort)
         if tendon.armature:
             yield f"kinetic 1/2*{quantity(tendon.armature, 'kg.m2' if unit == 'rad' else 'kg')}*der({name})^2;"
         yield from _limits(plan, name, tendon.limits, unit)

@@ -69,8 +69,7 @@ class Status(IntEnum):
     BAD_CLOCK = 19
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
-    VALLEY = 22
-    NO_FORCES = 23
+    NO_FORCES = 22
 
 
 class InitialFault(IntEnum):
@@ -130,7 +129,9 @@ class Model(Structure):
         *_all(_evaluated(1), "initial_equation"),
         *_all(_evaluated(2), "constraint_tangent"),
         *_all(_evaluated(7), "elimination"),
-        *_all(_evaluated(1), "discrete_start indicator standing"),
+        *_all(_evaluated(1), "discrete_start indicator"),
+        *_all(_evaluated(2), "indicator_rate"),
+        *_all(_evaluated(1), "standing"),
         *_all(_evaluated(6), "contact"),
         *_all(_evaluated(2), "clock"),
         *_all(_evaluated(7), "event time_event"),

@@ -34,14 +34,12 @@ _EventStatus: TypeAlias = Literal[
     Status.ASSERTION_FAILED,
     Status.POSITION_JUMP,
     Status.WAY_JUMP,
-    Status.VALLEY,
 ]
 _BLAMED = {
     Status.EVENT_ITERATION_FAILED: "E0804",
     Status.CHATTER: "E0833",
     Status.PENETRATION: "E0834",
     Status.WAY_JUMP: "E0836",
-    Status.VALLEY: "E0841",
 }
 
 
@@ -96,7 +94,6 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.ASSERTION_FAILED
             | Status.POSITION_JUMP
             | Status.WAY_JUMP
-            | Status.VALLEY
         ):
             code, item, text = _of_event(course, status, fault, u)
             return _told(course, code, fault, item, sink, text=text)
@@ -212,7 +209,7 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
     resets = [action for action in actions if isinstance(action, Reset)]
     checks = [action for action in actions if isinstance(action, Check)]
     match status:
-        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP | Status.VALLEY:
+        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
             if status == Status.WAY_JUMP:
@@ -221,8 +218,8 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             laws = (Contact, Friction)
             names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
             told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
-            others = (*resets, *flat.events.frictions, *flat.events.contacts)
-            return _BLAMED[status], items[0] if items else others[0], told
+            candidates = [*items, *resets, *flat.events.frictions, *flat.events.contacts]
+            return _BLAMED[status], candidates[0], told
         case Status.CONFLICT:
             return "E0832", resets[fault.which], resets[fault.which].name
         case Status.ASSERTION_FAILED:

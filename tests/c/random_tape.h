@@ -180,12 +180,14 @@ static inline void draw_sizes(random_tape *tape)
     n[LAG_TAPE_RANK] = any(&tape->seed, n[LAG_TAPE_NC]);
     n[LAG_TAPE_NK] = any(&tape->seed, n[LAG_TAPE_NC] < 2 ? n[LAG_TAPE_NC] : 2);
     if (n[LAG_TAPE_NC] == 0) {
-        n[LAG_TAPE_NCONTACT] = n[LAG_TAPE_NSWITCHED] = 0;
+        n[LAG_TAPE_NCONTACT] = n[LAG_TAPE_NSWITCHED] = n[LAG_TAPE_NFRICTION] = 0;
     }
+    n[LAG_TAPE_NSLIP] = n[LAG_TAPE_NFRICTION];
     if (2 * n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ] == 0) {
         n[LAG_TAPE_NRESET] = 0;
     }
-    n[LAG_TAPE_NW] = 1 + 2 * n[LAG_TAPE_NCONTACT] + n[LAG_TAPE_NINDICATOR] + n[LAG_TAPE_NTIMED] + n[LAG_TAPE_NCLOCK] + 3;
+    n[LAG_TAPE_NW] = 1 + 2 * n[LAG_TAPE_NCONTACT] + n[LAG_TAPE_NINDICATOR] + n[LAG_TAPE_NTIMED] + n[LAG_TAPE_NCLOCK] + 3 +
+                     2 * n[LAG_TAPE_NFRICTION] + n[LAG_TAPE_NLOAD];
     n[LAG_TAPE_PREPARED] = 4 + any(&tape->seed, 4);
     n[LAG_TAPE_ROW] = n[LAG_TAPE_PREPARED] + 4 + any(&tape->seed, MOST_PLACES);
     n[LAG_TAPE_NAME] = 0;
@@ -234,13 +236,14 @@ static inline void put_rows(random_tape *tape, uint32_t count, uint32_t limit)
 static inline void put_kinds(random_tape *tape)
 {
     const uint32_t *n = tape->size;
-    const uint32_t counts[LAG_KIND_TERMINAL + 1] = {[LAG_KIND_VARIABLE] = 1, [LAG_KIND_CONTACT] = n[LAG_TAPE_NCONTACT],
+    const uint32_t counts[LAG_KIND_LOAD + 1] = {[LAG_KIND_VARIABLE] = 1, [LAG_KIND_CONTACT] = n[LAG_TAPE_NCONTACT],
         [LAG_KIND_IMPACTS] = n[LAG_TAPE_NCONTACT], [LAG_KIND_RELATION] = n[LAG_TAPE_NINDICATOR],
         [LAG_KIND_TIMED] = n[LAG_TAPE_NTIMED], [LAG_KIND_CONDITION] = 1, [LAG_KIND_CLOCK] = n[LAG_TAPE_NCLOCK],
-        [LAG_KIND_INITIAL] = 1, [LAG_KIND_TERMINAL] = 1};
+        [LAG_KIND_INITIAL] = 1, [LAG_KIND_TERMINAL] = 1, [LAG_KIND_STICKS] = n[LAG_TAPE_NFRICTION],
+        [LAG_KIND_DIRECTION] = n[LAG_TAPE_NSLIP], [LAG_KIND_LOAD] = n[LAG_TAPE_NLOAD]};
     unsigned char kinds[64];
     uint32_t end = 0;
-    for (unsigned kind = 0; kind <= LAG_KIND_TERMINAL; ++kind) {
+    for (unsigned kind = 0; kind <= LAG_KIND_LOAD; ++kind) {
         for (uint32_t i = 0; i < counts[kind]; ++i) {
             kinds[end++] = (unsigned char)kind;
         }
@@ -254,6 +257,7 @@ static inline size_t write_random_tape(random_tape *tape)
 {
     static const double numbers[64] = {1.0, -1.0, 0.5, 1e5, 1e6, -2.0};
     static const unsigned char flags[64] = {1, 0, 1};
+    static const uint32_t ones[8] = {1, 1, 1, 1, 1, 1, 1, 1};
     static const char texts[] = "Model\0x\0m/s\0place:1";
     uint32_t indices[3 * 128];
     lag_tape_parts parts = {.size = tape->size};
@@ -275,8 +279,12 @@ static inline size_t write_random_tape(random_tape *tape)
     put_kinds(tape);
     put_section(tape, flags, n[LAG_TAPE_NINDICATOR]);
     put_section(tape, flags, any(&tape->seed, 1) == 0 ? n[LAG_TAPE_NU] : 0);
+    put_section(tape, flags, any(&tape->seed, 1) == 0 ? n[LAG_TAPE_NCONTACT] : 0);
     put_rows(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NCONTACT], n[LAG_TAPE_NC]);
+    put_rows(tape, n[LAG_TAPE_NSLIP], n[LAG_TAPE_NC]);
+    put_section(tape, ones, n[LAG_TAPE_NFRICTION] * sizeof *ones);
+    put_rows(tape, n[LAG_TAPE_NFRICTION], n[LAG_TAPE_NCONTACT] + 1);
     put_rows(tape, n[LAG_TAPE_NSWITCHED], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NRESET], state);
     const uint32_t entries = any(&tape->seed, n[LAG_TAPE_NC] * n[LAG_TAPE_NQ]);
@@ -301,7 +309,7 @@ static inline size_t write_random_tape(random_tape *tape)
         indices[i] = i % 3 == 2 && any(&tape->seed, 1) == 0 ? 0xFFFFFFFFu : any(&tape->seed, sizeof texts - 1);
     }
     put_section(tape, indices, 3 * slots * sizeof *indices);
-    const uint32_t messages = n[LAG_TAPE_NA] + n[LAG_TAPE_NRESET] + n[LAG_TAPE_NSTOP] + n[LAG_TAPE_NFAIL];
+    const uint32_t messages = n[LAG_TAPE_NA] + n[LAG_TAPE_NFRICTION] + n[LAG_TAPE_NRESET] + n[LAG_TAPE_NSTOP] + n[LAG_TAPE_NFAIL];
     memset(indices, 0, sizeof indices);
     put_section(tape, indices, messages * sizeof *indices);
     put_section(tape, texts, sizeof texts);

@@ -179,7 +179,7 @@ class TestExplain:
         assert said in result.stderr
 
     def test_classes_of_one_name_and_about_one_thing_are_listed(self, invoke: Invoke) -> None:
-        named, about = invoke("explain", "Spring"), invoke("explain", "friction")
+        named, about = invoke("explain", "Spring"), invoke("explain", "shafts")
         assert named.exit_code == about.exit_code == 0
         assert "- `Lag.Planar.Spring`: Linear spring between two points\n" in named.stdout
         assert "- `Lag.Translational.Spring`: " in named.stdout
@@ -191,7 +191,7 @@ class TestExplain:
             ("force", ["force F at P;", "A force vector.", "section Forces and torques"]),
             ("dissipation", ["Rayleigh function", "section Energies and masses"]),
             ("reaction", ["reaction(A).force", "reaction(C).force;", "section Results"]),
-            ("contact", ["contact c: gap >= 0", "contact surface: h >= table", "docs/reference/events.md"]),
+            ("contact", ["contact c: gap >= 0", "contact floor: h >= 0", "docs/reference/events.md"]),
             ("when", ["elsewhen", "reinit(der(h), -e*pre(der(h)));", "section Events"]),
             ("Angle", ["`Angle` is a Real in `rad`"]),
         ],

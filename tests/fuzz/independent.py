@@ -129,7 +129,7 @@ def _told(run: Run) -> list[tuple[float, str, str]]:
 
 
 def _of_interest(told: Sequence[Happening]) -> list[tuple[float, str, str]]:
-    """What both tell by one name. A contact that strikes, closes or opens says of the friction under it that it
+    """Names that both tell. A contact that strikes, closes or opens says of the friction under it that it
     begins or ends."""
     own = [each for each in told if each.kind in TOLD]
     of_contacts = [(each.time, each.name) for each in own if each.kind in ("impact", "closed", "opened")]

@@ -1,4 +1,4 @@
-"""What the models with dry friction are for: what sticks does not creep, what slides follows Coulomb's law, and
+"""The purpose of the models with dry friction: what sticks does not creep, what slides follows Coulomb's law, and
 what has no motion is told. Their motions by default are compared in test_motions."""
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from lagdsl.analysis.point import System, point_of
 from lagdsl.diagnostics import Sink
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from models.corpus import compiled, path_of
-from models.references.drives import _stribeck
+from models.references.components_with_friction import _stribeck
 from models.references.integrate import G_N
 
 
@@ -67,7 +67,7 @@ def test_the_gyroscope_precesses_steadily_at_both_rates(which: int) -> None:
 
 def test_the_lubricated_shaft_reaches_the_speed_where_friction_balances_the_drive() -> None:
     p = _parameters("library/stribeck_bearing")
-    law = [p[f"bearing.{name}"] for name in ("tau_b", "tau_c", "w_s", "w_0", "c")]
+    law = [p[f"bearing.{name}"] for name in ("tau_b", "tau_c", "w_s", "c")]
     expected = brentq(lambda w: 3 - _stribeck(w, *law), 20, 60, xtol=1e-13)
     motion = _model("library/stribeck_bearing").simulate(stop=40, tolerance=1e-11)
     assert motion["der(shaft.phi)"][-1] == pytest.approx(expected, rel=1e-9)

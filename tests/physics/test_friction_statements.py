@@ -52,7 +52,7 @@ def test_drag_of_a_guide_and_added_mass() -> None:
 @pytest.mark.parametrize(("e", "error"), [(0.0, 1e-9), (0.2, 1e-6)])  # bounces shorter than a millionth are left out
 def test_block_that_bounces_skids_as_long_as_one_that_slides(e: float, error: float) -> None:
     # from rest to rest of the height the impulse of the ground is m g t, so that the slip ends at v/(mu g)
-    motion = lagdsl.compile(SKIDDING.format(e=e), engine="tape").simulate(stop=1.0)
+    motion = lagdsl.compile(SKIDDING.replace("{e}", str(e)), engine="tape").simulate(stop=1.0)
     (event,) = [each for each in motion.events if each.name == "floor.friction"]
     assert event.kind == "sticks"
     assert event.time == pytest.approx(2.0 / (0.3 * G), rel=error)

@@ -108,8 +108,6 @@ def compare_with_mujoco(path: Path, states: int, lenient: bool = False) -> dict[
     text = lagdsl.import_robot(path, lenient=lenient)
     model = lagdsl.compile(with_places(text, plan, seen), engine="tape")
     peer, random, compared = MuJoCo(path, plan, model), np.random.default_rng(1), Compared({})
-    p = np.array(model.initial_state().p)
-    p[[k for k, name in enumerate(model.parameters) if name.endswith(("_friction.tau_c", "_friction.f_c"))]] = 0.0
     order, d, m = peer.inputs(), peer.d, peer.m
     for _ in range(states):
         peer.at(random)
@@ -118,9 +116,9 @@ def compare_with_mujoco(path: Path, states: int, lenient: bool = False) -> dict[
         u[order] = d.ctrl
         z, T, q = np.array(d.act), peer.T, peer.q
         mass, acceleration, driven = peer.mass(), np.array(d.qacc), np.array(d.qfrc_actuator)
-        compared.note("mass matrix", T.T @ model.mass_matrix(0.0, q, p=p) @ T, mass)
+        compared.note("mass matrix", T.T @ model.mass_matrix(0.0, q) @ T, mass)
         qd = T @ d.qvel
-        found = model.forward_dynamics(0.0, q, qd, z=z, u=u, p=p)
+        found = model.forward_dynamics(0.0, q, qd, z=z, u=u)
         own = np.linalg.lstsq(T, found - peer.bias, rcond=None)[0]
         size = float((np.abs(mass) @ np.abs(acceleration)).max())
         compared.note("forward dynamics", mass @ own, mass @ acceleration, size)
@@ -129,20 +127,20 @@ def compare_with_mujoco(path: Path, states: int, lenient: bool = False) -> dict[
         peer.mujoco.mj_inverse(m, d)
         efforts = np.array(d.qfrc_inverse)
         qdd = T @ a + peer.bias
-        inverse = T.T @ model.inverse_dynamics(0.0, q, qd, qdd, z=z, u=u, p=p) + driven
+        inverse = T.T @ model.inverse_dynamics(0.0, q, qd, qdd, z=z, u=u) + driven
         compared.note("inverse dynamics", inverse, efforts, float(np.abs(driven).max(initial=0.0)))
         if m.na:  # equations of activations are linear in activations and controls
-            by_state = model.state_jacobian(0.0, q, qd, z=z, u=u, p=p)[-m.na :, -m.na :]
-            rates = by_state @ z + model.input_jacobian(0.0, q, qd, z=z, u=u, p=p)[-m.na :] @ u
+            by_state = model.state_jacobian(0.0, q, qd, z=z, u=u)[-m.na :, -m.na :]
+            rates = by_state @ z + model.input_jacobian(0.0, q, qd, z=z, u=u)[-m.na :] @ u
             compared.note("activations", rates, np.array(d.act_dot))
-        _places(compared, model, peer, seen, (z, u, p))
+        _places(compared, model, peer, seen, (z, u))
     return compared.worst
 
 
 def _places(compared: Compared, model: lagdsl.Model, peer: MuJoCo, seen: list[str], others: tuple[Any, ...]) -> None:
     m, d = peer.m, peer.d
-    z, u, p = others
-    rows = model.output(0.0, np.tile(peer.q, (m.nv, 1)), peer.T.T.copy(), z=z, u=u, p=p)
+    z, u = others
+    rows = model.output(0.0, np.tile(peer.q, (m.nv, 1)), peer.T.T.copy(), z=z, u=u)
     columns = rows[:, -15 * len(seen) :].reshape(-1, len(seen), 5, 3)
     jacobian = np.zeros((2, 3, m.nv))
     for index, name in enumerate(seen):

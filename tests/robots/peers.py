@@ -133,13 +133,12 @@ class Pinocchio:
 
 
 def passive(plan: Plan, place: dict[str, int], QD: np.ndarray) -> np.ndarray:
-    """Dampers and friction, which Pinocchio leaves out."""
+    """Dampers, which Pinocchio leaves out; friction has no force as long as no direction is given."""
     found = np.zeros(len(QD))
     for joint in plan.robot.joints:
         if joint.kind in ("revolute", "prismatic"):
             at = place[coordinate_of(plan, joint)]
-            creep = 0.01 if joint.kind == "revolute" else 0.001
-            found[at] = joint.passive.damping * QD[at] + joint.passive.friction * np.tanh(QD[at] / creep)
+            found[at] = joint.passive.damping * QD[at]
     return found
 
 

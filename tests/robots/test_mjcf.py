@@ -110,12 +110,6 @@ REFUSED = [
     ("nameless joint", body(joint='<joint type="ball" stiffness="1"/>'), "E1016", 2),
     ("limit in space", body(joint='<joint type="ball" range="0 60"/>'), "E1016", 2),
     (
-        "dry tendon",
-        body(after='<tendon><fixed name="t" frictionloss="1"><joint joint="j" coef="1"/></fixed></tendon>'),
-        "E1016",
-        3,
-    ),
-    (
         "spatial tendon",
         body(inside='<site name="s" pos="1 0 0"/>', after=SPATIAL).replace("<body", '<site name="w"/><body'),
         "E1016",

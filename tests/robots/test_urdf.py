@@ -58,6 +58,12 @@ def by_name(values: np.ndarray) -> dict[str, float]:
     return dict(zip(COORDINATES, values, strict=True))
 
 
+def sliding(model: lagdsl.Model, qd: np.ndarray) -> list[float]:
+    """The discretes with the friction of the shoulder, the first coordinate, against its rate."""
+    modes = {"sticks(shoulder_friction)": 0.0, "direction(shoulder_friction)": float(np.sign(qd[0]))}
+    return [modes[name] for name in model.discretes]
+
+
 def test_coordinates_have_the_names_of_the_joints(model: lagdsl.Model) -> None:
     assert list(model.coordinates) == list(COORDINATES.values())
     assert list(model.inputs) == ["tau_shoulder", "f_slide"]
@@ -66,20 +72,20 @@ def test_coordinates_have_the_names_of_the_joints(model: lagdsl.Model) -> None:
 def test_inverse_dynamics_are_newtons_and_eulers_equations(model: lagdsl.Model, robot: Robot) -> None:
     for q, qd, qdd in states():
         efforts = robot.efforts(by_name(q), by_name(qd), by_name(qdd))
-        efforts["shoulder"] += 0.7 * qd[0] + 0.1 * np.tanh(qd[0] / 0.01)
+        efforts["shoulder"] += 0.7 * qd[0] + 0.1 * np.sign(qd[0])
         efforts["slide"] += 12.0 * qd[1]
         expected = np.array([efforts[name] for name in COORDINATES])
-        found = model.inverse_dynamics(0.0, q, qd, qdd)
+        found = model.inverse_dynamics(0.0, q, qd, qdd, w=sliding(model, qd))
         assert np.abs(found - expected).max() < 1e-12 * np.abs(expected).max()
 
 
 def test_forward_dynamics_invert_them_along_the_gear(model: lagdsl.Model, robot: Robot) -> None:
     efforts = np.array([7.0, -30.0, 0.0, 0.0, 0.0])
     for q, qd, _ in states():
-        qdd = model.forward_dynamics(0.0, q, qd, u=efforts[:2])
+        qdd = model.forward_dynamics(0.0, q, qd, u=efforts[:2], w=sliding(model, qd))
         assert abs(qdd[4] + 0.8 * qdd[3]) < 1e-10 * np.abs(qdd).max()
         needed = robot.efforts(by_name(q), by_name(qd), by_name(qdd))
-        needed["shoulder"] += 0.7 * qd[0] + 0.1 * np.tanh(qd[0] / 0.01)
+        needed["shoulder"] += 0.7 * qd[0] + 0.1 * np.sign(qd[0])
         needed["slide"] += 12.0 * qd[1]
         left = GEAR.T @ (np.array([needed[name] for name in COORDINATES]) - efforts)
         assert np.abs(left).max() < 1e-10 * max(map(abs, needed.values()))

@@ -249,7 +249,7 @@ def test_static_friction_lets_go_where_its_multiplier_is_too_large() -> None:
         ("contact c: x >= 0 with compliance = -1 N/m;", "E0334"),
         ("contact c: d >= 0 with restitution = 0;", "E0382"),
         ("contact c: d - (1 m/s)*time >= 0 with restitution = 0;", "E0382"),
-        ("contact c: der(x) >= 0 with restitution = 0;", "E0382"),
+        ("contact c: der(x) >= 0 with restitution = 0;", "E0389"),
         ("contact c: x >= 0;", "E0383"),
     ],
 )

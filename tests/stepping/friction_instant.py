@@ -116,7 +116,7 @@ class FrictionInstant:
         return self.reserve(rows, mode)[1] if redundant and fired else f
 
     def _leaving(self, t: float, mode: Mode | None, fired: Sequence[int], f: Floats) -> dict[int, int]:
-        """What pulled opens, what stuck and has no reserve slips against its force. It does so for the whole
+        """A contact that pulled opens; friction that stuck without reserve slips against its force, for the whole
         instant."""
         if t - self._since > 1e-13 * self._length:
             self._left = {}
@@ -201,7 +201,7 @@ class FrictionInstant:
         return replace(s, v=system.projected(now, system.bilateral + touching + slips, s.v, speed))
 
     def _decided(self, s: State, touching: list[int], left: dict[int, int]) -> Mode:
-        """The mode of the accelerations. What slips at the limit of rest slips with that of sliding: again with it."""
+        """The mode of the accelerations. Friction that slips at the limit of rest has that of sliding then."""
         system = self._system
         rows = system.rows(s)
         speed = rows.speed

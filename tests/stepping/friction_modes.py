@@ -23,7 +23,7 @@ from scipy.optimize import linprog
 Floats = NDArray[np.float64]
 Codes = NDArray[np.int8]
 
-# What a row is in a mode. OFF: a friction under a contact that is open.
+# The state of a row in a mode. OFF: a friction under a contact that is open.
 OPEN, CLOSED, STICK, PLUS, MINUS, OFF = range(6)
 
 # Of the largest forces and rates: what misses an inequality by less satisfies it.
@@ -172,7 +172,7 @@ def _equations(problem: Problem, modes: Codes, kinetic: Collection[int]) -> tupl
 
 
 def _reserves(problem: Problem, modes: Codes, f: Floats, kinetic: Collection[int], given: Mapping[int, int]) -> Floats:
-    """What must not be negative (modes, rows and frictions)."""
+    """Numbers that must not be negative (modes, rows and frictions)."""
     g = f @ problem.G.T + problem.c
     free = np.array([row not in given for row in range(len(problem.c))], dtype=bool)
     contacts = np.isin(np.arange(len(problem.c)), problem.contacts)

@@ -41,7 +41,7 @@ def test_forces_satisfy_the_law(solve: Solver, planar: bool) -> None:
 
 @SOLVERS
 def test_rates_are_those_of_the_only_mode(solve: Solver) -> None:
-    """Where several modes hold, it finds one of them."""
+    """It finds one of several modes that hold."""
     wrong = {}
     for seed, problem in _problems(planar=False, most=MOST, count=COUNT // 4):
         f = solve(problem)

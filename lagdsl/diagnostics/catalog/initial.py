@@ -22,7 +22,7 @@ ROWS: dict[str, Row] = {
         "event iteration did not converge at t = {time} s; still changing: {text}",
         label="still changing",
         help="two clauses may trigger each other, a force may reverse at every crossing (smooth it, `tanh(v/v0)`), "
-        "or a drive may lead through a contact",
+        "a drive may lead through a contact, or a gap may have two sides (write one contact for each side)",
     ),
     "E0805": error(
         "there is no start value `{name}`",
@@ -171,7 +171,8 @@ ROWS: dict[str, Row] = {
     "E0833": error(
         "events of {text} accumulate at t = {time} s, and the simulation cannot continue",
         label="the time between events goes to zero",
-        help="use a `contact`, which comes to rest, a smooth force, or a condition with a margin",
+        help="use a `contact`, which comes to rest, one contact for each side of a gap with a corner, a smooth force, "
+        "or a margin",
     ),
     "E0834": error(
         "the gap of {text} is negative at t = {time} s",
@@ -210,12 +211,6 @@ ROWS: dict[str, Row] = {
         "its momentum does not grow with its rate without a limit",
         "write a Lagrangian whose derivative by `der({name})` grows without a limit, or change start values",
     ),
-    "E0841": error(
-        "the motion comes to rest between two sides of the gap of {text} at t = {time} s, "
-        "and the simulation cannot continue",
-        label="one contact pushes with one of its sides at a time",
-        help="write a contact for each side: `y >= x` and `y >= -x` instead of `y >= abs(x)`",
-    ),
     "E0842": error(
         "with these parameters the equations of `{name}` are {part} times as large as those of constraints beside it",
         "the simulation cannot tell it from round-off",
@@ -224,8 +219,8 @@ ROWS: dict[str, Row] = {
     "E0843": error(
         "no forces satisfy the law of friction of {text} at t = {time} s, and the simulation cannot continue",
         label="friction wedges here",
-        help="check the sign and the size of the limit: above a critical friction a sliding body presses itself against "
-        "the surface that it slides on, and no finite force holds it",
+        help="check the sign and the size of the limit: above a critical friction a sliding body presses itself "
+        "against the surface that it slides on, and no finite force holds it",
     ),
     "E0845": error(
         "input `{name}` takes {what}, not {value}",

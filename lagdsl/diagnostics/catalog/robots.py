@@ -81,7 +81,7 @@ ROWS: dict[str, Row] = {
     "N1024": note(
         "contacts between shapes are left out: MuJoCo lets {bodies} touch others",
         label="the first one",
-        help="write a `contact` or a `PlaneContact` for each point that touches something",
+        help="write `SphereOnPlane` or another contact of `Lag.Spatial` for each shape that touches something",
     ),
     "E1025": error(
         "the file is a template of xacro, which is not expanded",

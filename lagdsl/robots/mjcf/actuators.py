@@ -35,13 +35,9 @@ def tendons_of(places: Places, joints: list[Joint], tied: set[int], findings: Fi
             continue
         name = places.tendon(index)
         span, way = places.place("tendon", index), _way(places, index, joints)
-        if way is None or friction or is_curved:
-            what = f"the tendon {name}"
-            if way is not None:
-                what += ", whose friction or curved spring or damper" if friction or is_curved else ""
-            else:
-                what += ", which is no fixed one of hinges and slides,"
-            findings.error("E1016", span, what=what, instead=_LEFT_OUT)
+        if way is None or is_curved:
+            why = "which is no fixed one of hinges and slides," if way is None else "whose curved spring or damper"
+            findings.error("E1016", span, what=f"the tendon {name}, {why}", instead=_LEFT_OUT)
             continue
         low, high = map(float, model.tendon_lengthspring[index])
         ends = tuple(map(float, model.tendon_range[index])) if is_limited else (None, None)
@@ -52,6 +48,7 @@ def tendons_of(places: Places, joints: list[Joint], tied: set[int], findings: Fi
                 stiffness=stiffness,
                 slack=(low, high),
                 damping=damping,
+                friction=friction,
                 armature=armature,
                 limits=Bounds(low=ends[0], high=ends[1]),
                 span=span,

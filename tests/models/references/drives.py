@@ -1,11 +1,11 @@
-"""Shafts and slides: gears, elastic shafts, friction."""
+"""Shafts and slides: gears, elastic shafts."""
 
 from collections.abc import Mapping
 
 import numpy as np
 from scipy.linalg import eigh
 
-from models.references.integrate import Floats, linear, solve
+from models.references.integrate import Floats, linear
 
 Parameters = Mapping[str, float]
 
@@ -58,46 +58,6 @@ def turned_shaft(p: Parameters, t: Floats) -> dict[str, Floats]:
     )
     x = linear(a, [0, 0, 0, p["amplitude"] * omega, p["shaft.rest"]], t)
     return {"shaft.phi_b": x[0], "effort": -k * (x[0] - x[2] - x[4]) - c * (x[1] - x[3])}
-
-
-def _stopped(v: float, scale: float, rate: float, t: Floats) -> Floats:
-    """v' = -rate tanh(v/scale): sinh(v/scale) fades like an exponential."""
-    return np.asarray(scale * np.arcsinh(np.sinh(v / scale) * np.exp(-rate / scale * t)))
-
-
-def clutch_engagement(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """The slip fades as in `_stopped`, the angular momentum stays."""
-    a, b = p["engine.J"], p["wheels.J"]
-    slip = _stopped(100, p["clutch.w_0"], 30 * (1 / a + 1 / b), t)
-    mean = a * 100 / (a + b)
-    return {"der(engine.phi)": mean + b / (a + b) * slip, "der(wheels.phi)": mean - a / (a + b) * slip}
-
-
-def stopping_by_friction(p: Parameters, t: Floats) -> dict[str, Floats]:
-    return {
-        "der(block.s)": _stopped(p["v_i"], p["floor.v_0"], p["floor.f_c"] / p["block.m"], t),
-        "der(shaft.phi)": _stopped(p["w_i"], p["pads.w_0"], p["pads.tau_c"] / p["shaft.J"], t),
-    }
-
-
-def _stribeck(v: float, slow: float, fast: float, curve: float, scale: float, viscous: float) -> float:
-    return float((fast + (slow - fast) * np.exp(-((v / curve) ** 2))) * np.tanh(v / scale) + viscous * v)
-
-
-def stribeck_bearing(p: Parameters, t: Floats) -> dict[str, Floats]:
-    law = [p[f"bearing.{name}"] for name in ("tau_b", "tau_c", "w_s", "w_0", "c")]
-    x = solve(lambda _, x: [x[1], (3 - _stribeck(x[1], *law)) / p["shaft.J"]], [0, 0], t)
-    return {"shaft.phi": x[0], "der(shaft.phi)": x[1], "friction": np.array([_stribeck(w, *law) for w in x[1]])}
-
-
-def stick_slip(p: Parameters, t: Floats) -> dict[str, Floats]:
-    law = [p[f"belt.{name}"] for name in ("f_b", "f_c", "v_s", "v_0", "c")]
-
-    def rates(_: float, x: Floats) -> list[float]:
-        return [x[1], (-p["spring.k"] * x[0] - _stribeck(x[1] - 0.15, *law)) / p["block.m"]]
-
-    x = solve(rates, [0.04, 0], t)
-    return {"block.s": x[0]}
 
 
 def rack_drive(p: Parameters, t: Floats) -> dict[str, Floats]:

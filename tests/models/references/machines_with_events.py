@@ -72,7 +72,7 @@ def clutch(p: Parameters, t: Floats) -> dict[str, Floats]:
 
     motion = Motion(mode, "slips", [0.0, 0.0, 100.0, 0.0], t)
     a, b, da, db = motion.x
-    return {"a": a, "b": b, "der(a)": da, "der(b)": db, "slip": (motion.modes == "slips").astype(float)}
+    return {"a": a, "b": b, "der(a)": da, "der(b)": db}
 
 
 def escapement(p: Parameters, t: Floats) -> dict[str, Floats]:

@@ -66,7 +66,7 @@ def _pressed(
 
 def sliding_on_a_plane(p: Parameters, t: Floats) -> dict[str, Floats]:
     """The particle stays on the ground once it has landed, as this integration verifies."""
-    m, k, d, mu, v_0 = p["m"], p["ground.k"], p["ground.d"], p["ground.mu"], p["ground.v_0"]
+    m, k, d, mu, v_0 = p["m"], p["ground.k"], p["ground.d"], p["ground.mu"], 5e-3
     along, down = G_N * np.sin(p["slope"]), G_N * np.cos(p["slope"])
 
     def flight(_: float, x: Floats) -> ArrayLike:
@@ -81,11 +81,14 @@ def sliding_on_a_plane(p: Parameters, t: Floats) -> dict[str, Floats]:
         "pressed": Mode(pressed, [(lambda _, x: -x[1], lambda _, x: ("flight", x))]),
     }
     x = Motion(lambda name, _: modes[name], "flight", [0.0, 1e-3, 0.4, 0.0], t).x
-    low, high, v_s, scale = (p[f"pad.{name}"] for name in ("mu", "mu_b", "v_s", "v_0"))
+    low, high, v_s = (p[f"pad.{name}"] for name in ("mu", "mu_b", "v_s"))
 
     def pad(_: float, z: Floats) -> ArrayLike:
-        v = z[1]
-        return [v, -6.0 * (low + (high - low) * np.exp(-((v / v_s) ** 2))) * np.tanh(v / scale) / 2]
+        return [z[1], -6.0 * (low + (high - low) * np.exp(-((z[1] / v_s) ** 2))) / 2]
 
-    s = Motion(lambda *_: Mode(pad), "pad", [0.0, 0.5], t).x[0]
+    rubbing = {
+        "slides": Mode(pad, [(lambda _, z: z[1], lambda _, z: ("rests", [z[0], 0.0]))]),
+        "rests": Mode(lambda *_: [0.0, 0.0]),
+    }
+    s = Motion(lambda name, _: rubbing[name], "slides", [0.0, 0.5], t).x[0]
     return {"x": x[0], "y": x[1], "s": s}

@@ -77,7 +77,7 @@ def changes_with_loads(
 
 
 def _slope(evaluate: Evaluate, response: Sequence[Floats], *solved: Floats) -> Floats:
-    """How the loads asked for change with those that act, (..., count, count); `response` is that of accelerations and
+    """The change of loads with those that act, (..., count, count); `response` is that of accelerations and
     of multipliers, by columns."""
     _, by_acceleration, by_multiplier = evaluate("load", *solved)
     *_, own = evaluate("load_gain", *solved)

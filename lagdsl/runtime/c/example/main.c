@@ -169,8 +169,6 @@ static const char *reason(lag_status status)
         return "no rates have the momentum or the energy that an event leaves";
     case LAG_WAY_JUMP:
         return "the position of a mass would jump";
-    case LAG_VALLEY:
-        return "the motion comes to rest between two sides of one gap";
     case LAG_NO_FORCES:
         return "no forces satisfy the law of friction";
     case LAG_BAD_CLOCK:

@@ -28,6 +28,7 @@ typedef enum lag_function {
     LAG_ELIMINATION,
     LAG_DISCRETE_START,
     LAG_INDICATOR,
+    LAG_INDICATOR_RATE,
     LAG_STANDING,
     LAG_CONTACT,
     LAG_CLOCK,

@@ -171,6 +171,12 @@ typedef struct lag_model {
     lag_status (*discrete_start)(const lag_arguments *at, double *w0);
     /* t q qd z u w p qdd lam -> g (nindicator): indicators of relations. Only in models with discretes */
     lag_status (*indicator)(const lag_arguments *at, double *g);
+    /*
+     * t q qd z u w p qdd lam, du dqdd dlam -> rate (nindicator), acceleration (nindicator): first and second derivatives of
+     * indicators along the motion, with du, dqdd and dlam as the rates of inputs, accelerations and multipliers, whose own rates
+     * are zero. Only in models with discretes
+     */
+    lag_status (*indicator_rate)(const lag_arguments *at, double *rate, double *acceleration);
     /* t q qd z u w p qdd lam -> next (nw): w with relations as they stand. Only in models with discretes */
     lag_status (*standing)(const lag_arguments *at, double *next);
     /*

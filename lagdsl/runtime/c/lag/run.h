@@ -144,7 +144,7 @@ typedef struct lag_run_report {
     size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
     const double *w;            /* (nw) */
     const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
-    const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP, LAG_VALLEY, 1: because of this one */
+    const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP, 1: because of this one */
     const double *doubted;      /* (nindicator) first time at which a relation turned by what may be the method's error; infinite: none */
     size_t fault;               /* after LAG_CONFLICT a reset, after LAG_ASSERTION_FAILED an assertion of a clause */
     double next;                /* time of the next tick of the model's clocks; infinite: none */

@@ -27,8 +27,7 @@ typedef enum lag_status {
     LAG_BAD_CLOCK = 19,    /* a clock has no positive period, or no first instant */
     LAG_WAY_JUMP = 20,   /* the position of a mass would jump with what changes */
     LAG_MOMENTUM_UNREACHABLE = 21,    /* no rates have the momenta or the energy that an impulse leaves */
-    LAG_VALLEY = 22,   /* the motion comes to rest in a valley of a gap, which holds it on one side only */
-    LAG_NO_FORCES = 23  /* no forces, or impulses, satisfy the law of friction, or sliding leaves them undetermined: wedging */
+    LAG_NO_FORCES = 22  /* no forces, or impulses, satisfy the law of friction, or sliding leaves them undetermined: wedging */
 } lag_status;
 
 #endif

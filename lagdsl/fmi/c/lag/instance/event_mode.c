@@ -29,15 +29,12 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
         lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
-    if (!exchanged && status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, t, instance->x, NULL)) {
-        status = lag_zero_crossing_look(crossings, t, instance->x);
-    }
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const int leaves = exchanged ? lag_instance_leaves(instance, i) : crossings->changed[i] != 0.0;
         const double behind = i < relations ? fmax(0.0, -lag_zero_crossing_value(crossings, i)) : 0.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && lag_instance_is_armed(instance, i));
-        crossings->band[i] = !exchanged ? crossings->band[i] : left[i] != 0.0 ? 0.0 : behind;
+        crossings->depth[i] = !exchanged ? crossings->depth[i] : left[i] != 0.0 ? 0.0 : behind;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }

@@ -127,8 +127,6 @@ static words words_of(const lag_instance *instance, lag_status status, char *row
         return (words){"the gap of ", guilty(instance), " is negative"};
     case LAG_WAY_JUMP:
         return (words){"the position of a mass would jump with ", displacing(instance), ""};
-    case LAG_VALLEY:
-        return (words){"the motion comes to rest between two sides of the gap of ", guilty(instance), ""};
     case LAG_NO_FORCES:
         return (words){"no forces satisfy the law of friction of ", wedging(model, rows, LAG_MESSAGE), ": it wedges"};
     default:

@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
@@ -10,6 +11,8 @@
 static const double SLOW = 1e-12;
 /* in a plane, where it passes zero beside it, below this one. */
 static const double SLOW_IN_PLANE = 1e-8;
+/* It has ended where less than this part is left of what it was when the step began. */
+static const double ENDED = 0.05;
 /* Round-off of accelerations that add up. */
 static const double ROUNDING = 64.0 * DBL_EPSILON;
 /* A reserve is zero below this part of the force. */
@@ -18,7 +21,7 @@ static const double NO_SHARED_FORCE = 1e-10;
 
 size_t lag_frictions_memory(const lag_model *model)
 {
-    return model->ncontact + model->nfriction * (7 + 2 * model->nc) + model->nslip * (2 + model->nq);
+    return 2 * model->ncontact + model->nq + model->nz + model->nfriction * (6 + 2 * model->nc) + model->nslip * (3 + model->nq);
 }
 
 void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory)
@@ -32,21 +35,46 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
     frictions->gain = lag_take(&memory, model->nfriction * model->nc);
     frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
     frictions->slip = lag_take(&memory, model->nslip);
+    frictions->reference = lag_take(&memory, model->nslip);
     frictions->fast = lag_take(&memory, model->nslip);
-    frictions->push = lag_take(&memory, model->nfriction);
-    frictions->compliance = lag_take(&memory, model->nfriction);
+    frictions->push = lag_take(&memory, model->nq + model->nz);
+    frictions->compliance = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->reserve = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->jacobian = lag_take(&memory, model->nslip * model->nq);
     lag_fill(model->nfriction, 0.0, frictions->force);
     lag_fill(model->ncontact + model->nfriction, (double)NAN, frictions->reserve);
     lag_fill(model->nslip, 0.0, frictions->fast);
-    lag_fill(model->nfriction, 0.0, frictions->push);
-    lag_fill(model->nfriction, 0.0, frictions->compliance);
+    lag_fill(model->nslip, 0.0, frictions->reference);
+    lag_fill(model->nq + model->nz, 0.0, frictions->push);
+    lag_fill(model->ncontact + model->nfriction, 0.0, frictions->compliance);
     size_t next = 0;
     for (size_t k = 0; k < model->nfriction; ++k) {
         frictions->first[k] = (double)next;
         next += model->friction_slips[k];
     }
+}
+
+/* The component of the coordinates of a row (nq). */
+static size_t component_of(const lag_model *model, const double *row)
+{
+    size_t j = 0;
+    while (j + 1 < model->nq && row[j] == 0.0) {
+        ++j;
+    }
+    return model->components != NULL ? model->components[j] : 0;
+}
+
+static const double *row_of(const lag_frictions *frictions, size_t k)
+{
+    return frictions->jacobian + (size_t)frictions->first[k] * frictions->motion->model->nq;
+}
+
+/* The force of one side, a contact or behind them a friction, pushes at its component. */
+static void follow(lag_frictions *frictions, size_t side, const double *row, double force)
+{
+    const double push = frictions->compliance[side] * fabs(force);
+    double *most = frictions->push + component_of(frictions->motion->model, row);
+    *most = isfinite(push) ? fmax(*most, push) : *most;
 }
 
 lag_status lag_frictions_look(lag_frictions *frictions)
@@ -70,9 +98,11 @@ lag_status lag_frictions_look(lag_frictions *frictions)
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         const double limit = fabs(frictions->limit[k]);
-        const double push = frictions->compliance[k] * lag_frictions_force(frictions, k);
-        frictions->push[k] = isfinite(push) ? fmax(frictions->push[k], push) : frictions->push[k];
+        follow(frictions, model->ncontact + k, row_of(frictions, k), lag_frictions_force(frictions, k));
         frictions->force[k] = isfinite(limit) ? fmax(frictions->force[k], limit) : frictions->force[k];
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        follow(frictions, i, frictions->contacts->jacobian + i * n, motion->lam[model->contact_rows[i]]);
     }
     return status;
 }
@@ -97,7 +127,7 @@ double lag_frictions_speed(const lag_frictions *frictions, size_t k)
 
 double lag_frictions_slow(const lag_frictions *frictions, size_t k)
 {
-    const double crept = ROUNDING * frictions->push[k] * frictions->step;
+    const double crept = ROUNDING * frictions->push[component_of(frictions->motion->model, row_of(frictions, k))] * frictions->step;
     return SLOW * lag_frictions_length(frictions, frictions->fast, k) + crept;
 }
 
@@ -107,6 +137,39 @@ double lag_frictions_force(const lag_frictions *frictions, size_t k)
     const size_t *rows = model->friction_rows + (size_t)frictions->first[k];
     const double *lam = frictions->motion->lam;
     return lag_frictions_components(frictions, k) > 1 ? hypot(lam[rows[0]], lam[rows[1]]) : fabs(lam[rows[0]]);
+}
+
+void lag_frictions_begin(lag_frictions *frictions)
+{
+    const lag_model *model = frictions->motion->model;
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        const size_t first = (size_t)frictions->first[k];
+        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+        const double *from = moves ? frictions->slip + first : lag_frictions_direction(frictions, k);
+        memcpy(frictions->reference + first, from, lag_frictions_components(frictions, k) * sizeof(double));
+    }
+}
+
+/* The length of a slip in a plane at which it ends in any case. */
+static double slow_in_plane(const lag_frictions *frictions, size_t k)
+{
+    return SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k) + lag_frictions_slow(frictions, k);
+}
+
+/* The part of a slip along that of the beginning of the step. */
+static double along_reference(const lag_frictions *frictions, size_t k)
+{
+    const size_t first = (size_t)frictions->first[k];
+    const double length = lag_frictions_length(frictions, frictions->reference, k);
+    const double along = lag_dot(lag_frictions_components(frictions, k), frictions->reference + first, frictions->slip + first);
+    return length > 0.0 ? along / length : lag_frictions_speed(frictions, k);
+}
+
+int lag_frictions_turns(const lag_frictions *frictions, size_t k)
+{
+    const double speed = lag_frictions_speed(frictions, k);
+    return lag_frictions_components(frictions, k) > 1 && speed > 2.0 * slow_in_plane(frictions, k) &&
+           speed > ENDED * lag_frictions_length(frictions, frictions->reference, k);
 }
 
 double lag_frictions_guard(const lag_frictions *frictions, size_t k)
@@ -120,7 +183,7 @@ double lag_frictions_guard(const lag_frictions *frictions, size_t k)
         return isnan(shared) ? frictions->sticking[k] - lag_frictions_force(frictions, k) : shared;
     }
     if (plane) {
-        return lag_frictions_speed(frictions, k) - SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k) - lag_frictions_slow(frictions, k);
+        return along_reference(frictions, k) - slow_in_plane(frictions, k);
     }
     return *lag_frictions_direction(frictions, k) * frictions->slip[(size_t)frictions->first[k]];
 }

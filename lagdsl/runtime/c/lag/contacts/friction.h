@@ -17,9 +17,10 @@ typedef struct lag_frictions {
     lag_contacts *contacts;    /* the largest rates so far are theirs */
     double *first;             /* (nfriction) the first component of the slip of each */
     double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state looked at last, */
+    double *reference;         /* (nslip) slips where the step began: a slip in a plane ends where it has no part along them, */
     double *fast;              /* (nslip) the largest terms of each slip so far, */
-    double *compliance;        /* (nfriction) the acceleration of each slip for a unit force, */
-    double *push;              /* (nfriction) and the largest by forces that it balanced, whose round-off adds up in a step */
+    double *compliance;        /* (ncontact + nfriction) the acceleration of each gap and slip for a unit force of its own, */
+    double *push;              /* (nq + nz) by component: the largest by forces that balanced others, whose round-off adds up in a step */
     double step;               /* of this length [s]; */
     double *limit, *sticking;  /* (nfriction) what friction bears while it slides, and while it sticks, */
     double *gain, *sticking_gain; /* (nfriction, nc) and how that changes with multipliers */
@@ -34,6 +35,12 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
 
 /* Slips and limits at the state that `motion` looked at last, with its accelerations and multipliers. */
 lag_status lag_frictions_look(lag_frictions *frictions);
+
+/* A step begins at the state that was looked at last. */
+void lag_frictions_begin(lag_frictions *frictions);
+
+/* 1: the slip of friction k in a plane has turned away from where it led, but not ended. */
+int lag_frictions_turns(const lag_frictions *frictions, size_t k);
 
 /* 1: it acts; 0: it is off, as its contact is open. */
 int lag_frictions_acts(const lag_frictions *frictions, size_t k);

@@ -14,7 +14,7 @@ static const double SPARED = 1e-7;
 static const double PULL = 1e-9;
 /* In `normal`: a contact that is open and may close. */
 static const double CANDIDATE = 2.0;
-/* Where limits depend on other forces than those of the problem it is solved again with these, so often. */
+/* The problem is solved again, so often, as limits may depend on other forces than its own. */
 enum { MOST_TIMES = 20 };
 
 size_t lag_modes_memory(const lag_model *model)
@@ -115,6 +115,12 @@ static int find_touched(lag_modes *modes, const double *left)
     return any;
 }
 
+void lag_modes_let_go(lag_modes *modes)
+{
+    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->places.sticks);
+    modes->jumped = 1;
+}
+
 /* ---- what slides, and what may stick ---- */
 
 static int is_candidate(const lag_modes *modes, size_t contact)
@@ -134,26 +140,36 @@ static int shares(const lag_modes *modes, size_t side)
     return !isnan(modes->frictions->reserve[side]);
 }
 
-/* 1: of those that share undetermined forces, as their group has no reserve left, this one has none. */
-static int is_exhausted(const lag_modes *modes, size_t side)
+/* 1: what shares undetermined forces leaves, as its group has no reserve left, and itself it has none. */
+static int leaves_group(const lag_modes *modes, size_t side, const double *left)
 {
-    return modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+    const lag_model *model = modes->motion->model;
+    int leaves = 0;
+    for (size_t other = model->ncontact; other < model->ncontact + model->nfriction; ++other) {
+        leaves = leaves || (left[other] != 0.0 && shares(modes, other) && modes->reserve.member[other] == modes->reserve.member[side]);
+    }
+    return leaves && modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+}
+
+/* 1: a contact, or behind them a friction, was found to leave its mode. */
+static int leaves_mode(const lag_modes *modes, size_t side, const double *left)
+{
+    return left != NULL && (shares(modes, side) ? leaves_group(modes, side, left) : left[side] != 0.0);
 }
 
 /* Closed contacts that open in any case leave the problem. */
 static void open_left(lag_modes *modes, const double *left)
 {
     const lag_model *model = modes->motion->model;
-    const int any = left != NULL && lag_any(model->nfriction, left + model->ncontact);
     for (size_t i = 0; i < model->ncontact && left != NULL; ++i) {
         double *closed = lag_contacts_flag(modes->contacts, i);
-        if (*closed != 0.0 && (shares(modes, i) ? any && is_exhausted(modes, i) : left[i] != 0.0)) {
+        if (*closed != 0.0 && leaves_mode(modes, i, left)) {
             modes->normal[i] = *closed = 0.0;
         }
     }
 }
 
-/* Friction that slides, with its heading; friction that may stick. What is off is neither. */
+/* Friction that slides, with its heading; friction that may stick. Neither of both is off. */
 static void sort_frictions(lag_modes *modes, const double *left)
 {
     const lag_frictions *frictions = modes->frictions;
@@ -162,7 +178,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         const int acts = is_candidate(modes, model->friction_contacts[k]) && lag_modes_is_touched(modes, lag_modes_slip_row(modes, k));
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
         const size_t side = model->ncontact + k;
-        const int gone = left != NULL && left[side] != 0.0 && !(stuck && shares(modes, side) && !is_exhausted(modes, side));
+        const int gone = stuck ? leaves_mode(modes, side, left) : left != NULL && left[side] != 0.0;
         const double speed = lag_frictions_speed(frictions, k);
         const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
         double force[2] = {0.0, 0.0};
@@ -171,7 +187,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         }
         lag_modes_head(modes, k, force, 0.0, 0.0);
         modes->loose[k] = 0.0;
-        if (acts && moved && !(gone && !stuck)) {
+        if (acts && moved && (stuck || !gone || lag_frictions_turns(frictions, k))) {
             lag_modes_head(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
         } else if (acts && gone && stuck) {
             lag_modes_head(modes, k, force, hypot(force[0], force[1]), -1.0);

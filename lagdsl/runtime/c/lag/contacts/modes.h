@@ -23,7 +23,7 @@ typedef struct lag_modes {
     lag_impulse *impulse;
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
-    int jumped;              /* rates have jumped at this instant: what sticks may slip now */
+    int jumped;              /* rates may have jumped at this instant, or slips: what sticks may slip now */
     double *touched;         /* (nq + nz) by component: its modes are looked for */
     double *normal;          /* (ncontact) contacts in the problem */
     double *loose;           /* (nfriction) friction that may stick */
@@ -41,6 +41,9 @@ typedef struct lag_modes {
 size_t lag_modes_memory(const lag_model *model);
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
+
+/* Rates have been set: nothing sticks until modes are found. */
+void lag_modes_let_go(lag_modes *modes);
 
 /*
  * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all

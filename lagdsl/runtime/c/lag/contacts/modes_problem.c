@@ -124,7 +124,7 @@ static void add_contacts(lag_modes *modes)
     }
 }
 
-/* What friction k bears: the part that normal forces of the problem do not change, and that they do. */
+/* The limit of friction k: the part that normal forces of the problem do not change, and the one that they do. */
 static void set_limits(lag_modes *modes, size_t k, size_t number)
 {
     const lag_frictions *frictions = modes->frictions;
@@ -219,7 +219,7 @@ static int find_slipping(lag_modes *modes)
         }
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
         modes->kinetic[k] = slips ? 1.0 : modes->kinetic[k];
-        frictions->compliance[k] = fmax(modes->rows.compliance[row], modes->rows.compliance[row + count - 1]);
+        frictions->compliance[modes->motion->model->ncontact + k] = fmax(modes->rows.compliance[row], modes->rows.compliance[row + count - 1]);
         row += count;
         ++number;
     }
@@ -234,6 +234,7 @@ static void set_modes(lag_modes *modes)
     for (size_t i = 0; i < model->ncontact; ++i) {
         if (modes->normal[i] != 0.0) {
             const int opens = modes->rows.after[normal] > 0.0 && moves(modes, normal);
+            frictions->compliance[i] = modes->rows.compliance[normal];
             *lag_contacts_flag(modes->contacts, i) = opens ? 0.0 : 1.0;
             ++normal;
         }

@@ -1,5 +1,5 @@
 /*
- * What is left of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
+ * The rest of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
  * many ways, and a mode lasts as long as some forces within their limits exist. So there is one reserve for each group of rows that share
  * undetermined forces: the largest least one, a linear program
  *
@@ -24,6 +24,8 @@ typedef struct lag_reserve {
     double *group;           /* (nc) the group of an active row; zero: it shares nothing */
     double *force;           /* (nc) multipliers with the largest least reserve, */
     double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
+    double *member;          /* (ncontact + nfriction) the group of each */
+    double *by_load, *by_acceleration, *by_multiplier, *load; /* as in lag/contacts/modes.h */
     double *work;
 } lag_reserve;
 

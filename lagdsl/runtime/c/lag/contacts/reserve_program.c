@@ -182,7 +182,7 @@ static int is_in(const lag_reserve *r, size_t k, double group)
     return *lag_frictions_sticks(r->frictions, k) != 0.0 && (group_of(r, row) == group || group_of(r, other) == group);
 }
 
-/* What friction k bears with the forces of the program, and the length of its own. */
+/* The limit of friction k with the forces of the program, and the length of its own force. */
 static double limit_of(const lag_reserve *r, size_t k, double *length)
 {
     const lag_model *model = r->motion->model;
@@ -225,6 +225,7 @@ static void keep(lag_reserve *r, double group, double reserve)
             r->frictions->reserve[i] = reserve * size_of(r, row);
             r->slack[i] = r->force[row];
             r->size[i] = size_of(r, row);
+            r->member[i] = group;
         }
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
@@ -234,6 +235,7 @@ static void keep(lag_reserve *r, double group, double reserve)
             r->frictions->reserve[model->ncontact + k] = reserve * size_of_friction(r, k);
             r->slack[model->ncontact + k] = limit - length;
             r->size[model->ncontact + k] = size_of_friction(r, k);
+            r->member[model->ncontact + k] = group;
         }
     }
 }

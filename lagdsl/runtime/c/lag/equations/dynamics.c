@@ -170,7 +170,7 @@ lag_status lag_forward_dynamics_of_lane(
 
 /* ---- one state ---- */
 
-/* How the last state was solved, with its factors: other loads leave these as they are. */
+/* The way in which the last state was solved, with its factors: other loads leave these as they are. */
 typedef struct solver {
     const lag_model *model;
     places to;

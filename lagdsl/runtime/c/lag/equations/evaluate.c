@@ -145,6 +145,13 @@ static lag_status evaluate_indicator(const lag_model *model, const lag_arguments
     return model->indicator == NULL ? LAG_MISSING : model->indicator(at, results);
 }
 
+static lag_status evaluate_indicator_rate(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const rate = results;
+    double *const acceleration = rate + model->nindicator;
+    return model->indicator_rate == NULL ? LAG_MISSING : model->indicator_rate(at, rate, acceleration);
+}
+
 static lag_status evaluate_standing(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->standing == NULL ? LAG_MISSING : model->standing(at, results);
@@ -357,6 +364,7 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         [LAG_ELIMINATION] = evaluate_elimination,
         [LAG_DISCRETE_START] = evaluate_discrete_start,
         [LAG_INDICATOR] = evaluate_indicator,
+        [LAG_INDICATOR_RATE] = evaluate_indicator_rate,
         [LAG_STANDING] = evaluate_standing,
         [LAG_CONTACT] = evaluate_contact,
         [LAG_CLOCK] = evaluate_clock,

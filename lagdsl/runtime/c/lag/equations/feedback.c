@@ -31,6 +31,7 @@ typedef struct feedback {
     lag_solve_with_loads *solve;
     void *context;
     int again;
+    int wedged;              /* the determinant has passed zero */
 } feedback;
 
 size_t lag_feedback_memory(const lag_model *model)
@@ -79,7 +80,7 @@ static lag_status look(feedback *f, double *qdd, double *lam)
     return status == LAG_OK ? model->load_gain(&f->at, f->unused, rates, rates + model->nload * model->nz, f->by_load) : status;
 }
 
-/* How qdd and lam change with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
+/* Changes of qdd and lam with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
 static lag_status find_changes(feedback *f, const double *qdd, const double *lam)
 {
     const size_t n = f->model->nq;
@@ -100,7 +101,7 @@ static lag_status find_changes(feedback *f, const double *qdd, const double *lam
     return status;
 }
 
-/* ds - dL at the present loads, decomposed. LAG_NO_FORCES: its determinant has passed zero. */
+/* ds - dL at the present loads, decomposed. LAG_NO_FORCES: its determinant is zero. */
 static lag_status factor(feedback *f)
 {
     const size_t n = f->model->nq;
@@ -124,7 +125,8 @@ static lag_status factor(feedback *f)
         determinant *= f->slope[i * count + i];
         determinant = (size_t)f->pivot[i] == i ? determinant : -determinant;
     }
-    return determinant > WEDGED * size ? LAG_OK : LAG_NO_FORCES;
+    f->wedged = !(determinant > WEDGED * size);
+    return LAG_OK;
 }
 
 /* One step of Newton's method; *left: the largest change of a load, as a part of its size. */
@@ -165,7 +167,7 @@ lag_status lag_feedback_solve(
         status = step(&f, &left);
         status = status == LAG_OK ? look(&f, qdd, lam) : status;
         if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
-            return LAG_OK;
+            return f.wedged ? LAG_NO_FORCES : LAG_OK;
         }
         before = left;
     }

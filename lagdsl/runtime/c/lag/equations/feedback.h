@@ -24,7 +24,7 @@ typedef lag_status lag_solve_with_loads(void *context, const lag_arguments *at, 
 
 /*
  * qdd and lam with the loads that they cause; at->w does not change. `memory` is lag_feedback_memory() doubles.
- * LAG_NO_FORCES: there are none, or wedging leaves them undetermined. Any status of `solve`.
+ * LAG_NO_FORCES: there are none, or they are those beyond wedging, where forces that press make less of themselves. Any status of `solve`.
  */
 lag_status lag_feedback_solve(
     const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *qdd, double *lam);

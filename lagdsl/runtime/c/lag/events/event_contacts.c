@@ -6,9 +6,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* A gap that bends has a gradient that is another one behind a relation by this part of it. */
-static const double BENT = 1e-9;
-
 lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i)
 {
     iteration->contacts->until[i] = (double)INFINITY;
@@ -87,80 +84,6 @@ lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, co
         }
     }
     return status == LAG_OK && bends ? lag_event_iteration_part(iteration, t, x) : status;
-}
-
-/* The first closed contact whose gap has another gradient behind relation `which`; their number where none has. */
-static lag_status find_bent(lag_event_iteration *iteration, double t, const double *x, size_t which, size_t *bent)
-{
-    lag_contacts *contacts = iteration->contacts;
-    const size_t n = iteration->motion->model->nq;
-    const size_t count = iteration->motion->model->ncontact;
-    double *truth = iteration->motion->w + iteration->places.relation + which;
-    lag_status status = lag_contacts_look(contacts, t, x);
-    memcpy(contacts->blow.rows, contacts->jacobian, count * n * sizeof(double));
-    *truth = 1.0 - *truth;
-    status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
-    *truth = 1.0 - *truth;
-    *bent = count;
-    for (size_t i = 0; i < count * n && *bent == count; ++i) {
-        const double change = fabs(contacts->blow.rows[i] - contacts->jacobian[i]);
-        const int bends = change > BENT * (fabs(contacts->blow.rows[i]) + fabs(contacts->jacobian[i]));
-        *bent = bends && *lag_contacts_flag(contacts, i / n) != 0.0 ? i / n : *bent;
-    }
-    return status;
-}
-
-/* Acceleration away from the border of relation `which`, along refraction->gradient, on the side of this truth; no number where there is none. */
-static double leave(lag_event_iteration *iteration, double t, const double *x, size_t which, double truth)
-{
-    const size_t n = iteration->motion->model->nq;
-    double *now = iteration->motion->w + iteration->places.relation + which;
-    const double kept = *now;
-    *now = truth;
-    const lag_status status = iteration->motion->ode.rates(iteration->motion, t, x, iteration->rate);
-    *now = kept;
-    const double away = lag_dot(n, iteration->refraction->gradient, iteration->rate + n);
-    return status != LAG_OK ? (double)NAN : truth != 0.0 ? away : -away;
-}
-
-/*
- * True if contact i pushes back to the border of relation `which` on both of its sides, and the flights along them, from the border and back to it, are
- * too short to follow, or events `crowd`.
- */
-static int lies_between(lag_event_iteration *iteration, double t, const double *x, size_t which, size_t i, int crowd)
-{
-    const size_t n = iteration->motion->model->nq;
-    const double truth = iteration->motion->w[iteration->places.relation + which];
-    double *gradient = iteration->refraction->gradient;
-    double drift = 0.0;
-    lag_noise_find(iteration->noise, t, x);
-    const double back = iteration->motion->ode.rates(iteration->motion, t, x, iteration->rate) == LAG_OK &&
-            lag_noise_differentiate(iteration->noise, t, x, which, iteration->rate, iteration->contacts->length, gradient, &drift)
-        ? -leave(iteration, t, x, which, truth)
-        : -1.0;
-    const double rate = lag_dot(n, gradient, x + n) + drift;
-    const double speed = fmax(truth != 0.0 ? rate : -rate, 0.0);
-    const double came = fabs(lag_dot(n, gradient, iteration->from + n) + drift);
-    const double flight = 2.0 * speed / back;
-    const int is_lost = 0.125 * flight * speed < iteration->noise->sigma[which];
-    const int is_brief = crowd || is_lost || lag_contacts_are_brief(iteration->contacts, i, flight, speed / came);
-    return back > 0.0 && is_brief && leave(iteration, t, x, which, 1.0 - truth) < 0.0;
-}
-
-lag_status lag_event_iteration_lie(lag_event_iteration *iteration, double t, const double *x, const double *turned, int crowd)
-{
-    const lag_model *model = iteration->motion->model;
-    lag_status status = LAG_OK;
-    for (size_t k = 0; k < model->nindicator && status == LAG_OK && lag_any(model->ncontact, lag_contacts_flag(iteration->contacts, 0)); ++k) {
-        size_t bent = model->ncontact;
-        status = turned[k] != 0.0 ? find_bent(iteration, t, x, k, &bent) : LAG_OK;
-        if (status == LAG_OK && bent < model->ncontact && lies_between(iteration, t, x, k, bent, crowd)) {
-            lag_fill(model->nw, 0.0, iteration->guilty);
-            iteration->guilty[iteration->places.contact + bent] = 1.0;
-            status = LAG_VALLEY;
-        }
-    }
-    return status;
 }
 
 /* Multipliers a moment later, with contacts as they are now. */

@@ -204,7 +204,9 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     if (status == LAG_OK) {
         status = reset(iteration, t, x, acted);
     }
-    iteration->modes->jumped = iteration->modes->jumped || *acted;
+    if (*acted) {
+        lag_modes_let_go(iteration->modes);
+    }
     return status == LAG_OK && *acted ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
@@ -250,12 +252,12 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     if (is_settled(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
+    iteration->modes->jumped = 1; /* slips may depend on what has changed */
     const double *was = with_states(iteration, x, iteration->states);
     lag_status status = lag_impulse_keep(iteration->impulse, t, was, settled_before(iteration));
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
-        iteration->modes->jumped = iteration->modes->jumped || jumped;
     }
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }

@@ -84,12 +84,6 @@ lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, co
  */
 lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
 
-/*
- * LAG_VALLEY, and the flag of the contact in `guilty`, where relations flagged in `turned` have turned to and fro at the bottom of a valley of the gap
- * of a closed contact, which pushes back to it on both sides: flights along them become too short to follow, or events `crowd`.
- */
-lag_status lag_event_iteration_lie(lag_event_iteration *iteration, double t, const double *x, const double *turned, int crowd);
-
 /* Of the closed contacts flagged in `pulling` those that still pull a moment later: a force at a corner of time is there by round-off only. */
 void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
 

@@ -181,7 +181,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     remember(instants, x);
     status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
     status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
-    return status == LAG_OK ? lag_event_iteration_lie(&instants->iteration, t, x, instants->departed, 0) : status;
+    return status;
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
@@ -193,36 +193,27 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
-static void exchange(size_t count, double *a, double *b)
-{
-    for (size_t i = 0; i < count; ++i) {
-        const double value = a[i];
-        a[i] = b[i];
-        b[i] = value;
-    }
-}
-
-/* The momenta at x with other inputs. */
-static lag_status keep_with(lag_instants *instants, double t, const double *x, double *u)
+/* The momenta at x with other inputs u (nu). */
+static lag_status keep_with(lag_instants *instants, double t, const double *x, const double *u)
 {
     lag_motion *motion = instants->motion;
     lag_inputs *const inputs = motion->inputs;
-    lag_motion_look(motion, t, x);
     motion->inputs = NULL;
-    exchange(motion->model->nu, motion->u, u);
+    motion->at.u = u;
     const lag_status status = lag_impulse_keep(&instants->impulse, t, x, motion->w);
-    exchange(motion->model->nu, motion->u, u);
+    motion->at.u = motion->u;
     motion->inputs = inputs;
+    lag_motion_look(motion, t, x);
     return status;
 }
 
-lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, double *before, int blow)
+lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, const double *before, int blow)
 {
     int jumped = 0;
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
-        instants->modes.jumped = jumped;
+        instants->modes.jumped = 1;
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
@@ -240,9 +231,8 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
-    status = status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
-    instants->modes.jumped = instants->modes.jumped || *jumped;
-    return status;
+    instants->modes.jumped = 1;
+    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */
@@ -342,7 +332,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
     instants->iteration.acted = instants->iteration.acted || refracted;
-    instants->modes.jumped = instants->modes.jumped || refracted;
+    instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
     }
@@ -378,13 +368,9 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     lag_fill(model->ncontact, 0.0, instants->contacts.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
-    const int sunk = status == LAG_OK && any && instants->late > 0.0 &&
+    const int sunk = status == LAG_OK && any &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
     const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
-    if (any && (status == LAG_OK || status == LAG_EVENT_ITERATION_FAILED)) {
-        const lag_status lies = lag_event_iteration_lie(&instants->iteration, t, x, changed, crowds || status != LAG_OK);
-        status = lies == LAG_OK ? status : lies;
-    }
     if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }

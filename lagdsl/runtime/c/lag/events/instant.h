@@ -54,9 +54,9 @@ void lag_instants_take_back(const lag_instants *instants, double *x);
 
 /*
  * Inputs jump at t from `before` (nu) to the present ones: rates follow the momenta that inputs prescribe. If it is a `blow`, contacts open
- * and strike. `before` is written to, and is at the end as it was.
+ * and strike.
  */
-lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, double *before, int blow);
+lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, const double *before, int blow);
 
 /* The ticks of now, if there are any. */
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x);

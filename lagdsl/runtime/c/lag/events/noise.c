@@ -9,15 +9,39 @@
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
 static const double CHANGE = 16.0 * DBL_EPSILON;
+/* Rows hold a relation if they take all but this part of what it does at other rates. */
+static const double HELD = 1e-9;
+/* Places are changed by this part of themselves to look at them. */
+static const double NUDGE = 1e-11;
+/* Multiples of it are irregular. */
+static const double GOLDEN = 0.6180339887498949;
 
 static size_t count_of(const lag_model *model)
 {
     return model->nindicator + model->ncorner;
 }
 
+/* Values, and rates and accelerations of the indicators. */
+static size_t all_of(const lag_model *model)
+{
+    return count_of(model) + 2 * model->nindicator;
+}
+
 size_t lag_noise_memory(const lag_model *model)
 {
-    return count_of(model) > 0 ? 3 * model->nq + 2 * (lag_motion_size(model) + model->nu) + 5 * count_of(model) + model->nindicator : 0;
+    const size_t unknown = model->nu + model->nq + model->nc;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 3 * model->nindicator : 0;
+}
+
+/* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
+static void leave_unknown(lag_noise *noise, double *unknown)
+{
+    lag_motion *motion = noise->motion;
+    const lag_model *model = motion->model;
+    lag_fill(model->nu + model->nq + model->nc, (double)NAN, unknown);
+    motion->at.du = unknown;
+    motion->at.dqdd = unknown + model->nu;
+    motion->at.dlam = unknown + model->nu + model->nq;
 }
 
 void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
@@ -27,20 +51,20 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
     noise->peak = lag_take(&memory, size + inputs);
-    noise->recent = lag_take(&memory, size > 0 ? model->nq : 0);
-    noise->extra = lag_take(&memory, size > 0 ? 2 * model->nq : 0);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
-    noise->value = lag_take(&memory, count_of(model));
-    noise->other = lag_take(&memory, count_of(model));
-    noise->opposite = lag_take(&memory, count_of(model));
-    noise->kept = lag_take(&memory, count_of(model));
-    noise->sigma = lag_take(&memory, count_of(model));
+    noise->value = lag_take(&memory, all_of(model));
+    noise->other = lag_take(&memory, all_of(model));
+    noise->opposite = lag_take(&memory, all_of(model));
+    noise->sigma = lag_take(&memory, all_of(model));
+    if (size > 0) {
+        leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
+    }
+    noise->largest = lag_take(&memory, 2 * model->nindicator);
     noise->least = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
-    memset(noise->recent, 0, (size > 0 ? model->nq : 0) * sizeof(double));
-    memset(noise->extra, 0, (size > 0 ? 2 * model->nq : 0) * sizeof(double));
-    memset(noise->sigma, 0, count_of(model) * sizeof(double));
+    memset(noise->sigma, 0, all_of(model) * sizeof(double));
+    memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
     memset(noise->least, 0, model->nindicator * sizeof(double));
 }
 
@@ -53,15 +77,6 @@ void lag_noise_follow(lag_noise *noise, const double *x)
         const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
         noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
     }
-    for (size_t j = 0; j < model->nq && count > 0; ++j) {
-        noise->recent[j] = fmax(noise->recent[j], fabs(x[model->nq + j]));
-    }
-}
-
-void lag_noise_begin(lag_noise *noise)
-{
-    const lag_model *model = noise->motion->model;
-    lag_fill(count_of(model) > 0 ? model->nq : 0, 0.0, noise->recent);
 }
 
 /* Bit k of the number of an entry tells its sign in change k. */
@@ -70,23 +85,50 @@ static int same_sign(size_t entry, unsigned k)
     return ((entry >> k) & 1u) == 0;
 }
 
-/* Indicators, then distances of corners, with accelerations and multipliers of x at time t. */
-static lag_status evaluate(lag_motion *motion, double t, const double *x, double *values)
+/* Indicators, distances of corners, rates and accelerations of indicators, with accelerations and multipliers of x at time t. */
+lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values)
 {
+    lag_motion *motion = noise->motion;
     const lag_model *model = motion->model;
+    double *rates = values + count_of(model);
     double solved = 0.0;
     lag_status status = lag_motion_solve(motion, t, x);
     if (status == LAG_OK && model->nindicator > 0) {
         status = model->indicator(&motion->at, values);
     }
+    if (model->indicator_rate == NULL) {
+        lag_fill(2 * model->nindicator, (double)NAN, rates);
+    } else if (status == LAG_OK) {
+        status = model->indicator_rate(&motion->at, rates, rates + model->nindicator);
+    }
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
+}
+
+lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
+{
+    const lag_model *model = noise->motion->model;
+    const double *rates = noise->value + count_of(model);
+    const lag_status status = lag_noise_evaluate(noise, t, x, noise->value);
+    for (size_t i = 0; i < 2 * model->nindicator && status == LAG_OK; ++i) {
+        noise->largest[i] = isfinite(rates[i]) ? fmax(noise->largest[i], fabs(rates[i])) : noise->largest[i];
+    }
+    return status;
+}
+
+/* Sigma is at least this. Rates are sums of terms that may cancel: their round-off is that of the largest ones so far. */
+static double least_of(const lag_noise *noise, size_t i)
+{
+    const lag_model *model = noise->motion->model;
+    if (i >= count_of(model)) {
+        return fmax(DBL_MIN, CHANGE * noise->largest[i - count_of(model)]);
+    }
+    return i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
 }
 
 /* Number i after change k, or after the opposite one (`sign` -1). */
 static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
 {
-    const double extra = i < 2 * noise->motion->model->nq ? noise->extra[i] : 0.0;
-    const double by = sign * (CHANGE * noise->peak[i] + extra);
+    const double by = sign * CHANGE * noise->peak[i];
     return same_sign(i, k) ? number + by : number - by;
 }
 
@@ -114,7 +156,7 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
     memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
     motion->inputs = NULL;
     change_inputs(noise, k, sign);
-    const lag_status status = evaluate(motion, after, noise->point, values);
+    const lag_status status = lag_noise_evaluate(noise, after, noise->point, values);
     motion->inputs = inputs;
     memcpy(motion->u, noise->u, motion->model->nu * sizeof(double));
     return status;
@@ -124,13 +166,13 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     unsigned changes = 1;
-    const lag_status status = evaluate(noise->motion, t, x, noise->value);
+    const lag_status status = lag_noise_look(noise, t, x);
     lag_noise_follow(noise, x);
     if (status != LAG_OK) {
         return;
     }
-    for (size_t i = 0; i < count_of(model); ++i) {
-        noise->sigma[i] = i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
+    for (size_t i = 0; i < all_of(model); ++i) {
+        noise->sigma[i] = least_of(noise, i);
     }
     while (changes < 32 && ((lag_motion_size(model) + model->nu) >> changes) > 0) {
         ++changes;
@@ -139,28 +181,11 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
         if (change(noise, t, x, k, 1.0, noise->other) != LAG_OK || change(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
             continue;
         }
-        for (size_t i = 0; i < count_of(model); ++i) { /* a jump that is near lies on one side */
+        for (size_t i = 0; i < all_of(model); ++i) { /* a jump that is near lies on one side */
             const double by = fmin(fabs(noise->other[i] - noise->value[i]), fabs(noise->opposite[i] - noise->value[i]));
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }
-}
-
-void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep)
-{
-    const size_t n = noise->motion->model->nq;
-    const size_t count = count_of(noise->motion->model);
-    memcpy(noise->kept, noise->sigma, count * sizeof(double));
-    for (size_t j = 0; j < n; ++j) {
-        noise->extra[n + j] = part * noise->peak[n + j] + tolerance * noise->recent[j];
-        noise->extra[j] = span * noise->extra[n + j];
-    }
-    lag_noise_find(noise, t, x);
-    memset(noise->extra, 0, 2 * n * sizeof(double));
-    for (size_t i = 0; i < count && span > 0.0; ++i) {
-        creep[i] = noise->sigma[i] / span;
-    }
-    memcpy(noise->sigma, noise->kept, count * sizeof(double));
 }
 
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)
@@ -173,6 +198,74 @@ double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)
     const double own = fmax(noise->peak[j], fabs(x[j]));
     return own > 0.0 ? own : 1.0;
 }
+
+/* ---- relations that rows hold ---- */
+
+/* A number that is only a small part of what it is without the rows, or of the largest one so far. */
+static int vanishes(double with, double without, double largest)
+{
+    return fabs(with) <= HELD * fmax(fabs(without), largest);
+}
+
+/*
+ * x with other rates and states, by about as much as they have been so far, each in its own way, and with slightly other places: at a corner of `abs` a
+ * relation has no rate.
+ */
+static void turn_aside(const lag_noise *noise, const double *x, double *point)
+{
+    const lag_model *model = noise->motion->model;
+    for (size_t j = 0; j < lag_motion_size(model); ++j) {
+        const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
+        const double by = copysign(0.5, irregular) + 0.5 * irregular;
+        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(noise, x, j);
+    }
+}
+
+/* True if relation i may rest: it is zero and does not move, as far as the motion is known to the tolerance. */
+static int may_rest(const lag_noise *noise, size_t i, double tolerance)
+{
+    const double rate = noise->value[count_of(noise->motion->model) + i];
+    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i, tolerance));
+    return (fabs(noise->value[i]) <= near || noise->sigma[i] == 0.0) && fabs(rate) <= HELD * noise->largest[i];
+}
+
+/*
+ * True if relation i does not move at any rates that the rows admit, by its values, rates and accelerations at rates `without` and `with` the rows. One of
+ * places needs its acceleration: its rate may vanish at one state only. One of rates is zero at all of them.
+ */
+static int is_held(const lag_noise *noise, size_t i, const double *without, const double *with)
+{
+    const size_t count = noise->motion->model->nindicator;
+    const size_t rate = count_of(noise->motion->model) + i;
+    const int of_rates = without[i] != with[i];
+    const int is_zero = of_rates && vanishes(with[i], without[i], 0.0);
+    const int is_straight = !of_rates && vanishes(with[rate + count], without[rate + count], noise->largest[count + i]);
+    return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
+}
+
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held)
+{
+    const size_t count = noise->motion->model->nindicator;
+    lag_fill(count, 0.0, held);
+    if (count == 0 || lag_noise_look(noise, t, x) != LAG_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        held[i] = may_rest(noise, i, tolerance);
+    }
+    if (!lag_any(count, held)) {
+        return;
+    }
+    turn_aside(noise, x, point);
+    lag_status status = lag_noise_evaluate(noise, t, point, noise->other);
+    status = status == LAG_OK ? lag_projection_rates(projection, t, point, NULL) : status;
+    status = status == LAG_OK ? lag_noise_evaluate(noise, t, point, noise->opposite) : status;
+    for (size_t i = 0; i < count; ++i) {
+        held[i] = held[i] != 0.0 && status == LAG_OK && is_held(noise, i, noise->other, noise->opposite);
+    }
+}
+
+/* ---- gradients ---- */
 
 /* A line through x: along coordinate or rate j, or along time with the states, the positions held. */
 typedef struct lag_line {

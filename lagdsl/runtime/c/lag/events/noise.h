@@ -8,15 +8,18 @@
 #define LAG_NOISE_H
 
 #include "lag/equations/motion.h"
+#include "lag/equations/projection.h"
+
+/* A value beyond this many times its last known rounding error is clear of it. */
+static const double LAG_CLEARLY = 1e6;
 
 typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
-    double *recent;       /* (nq) that of each rate since the last event */
-    double *extra;        /* (2 nq) coordinates and rates change by this beside their round-off; zero but in lag_noise_creep */
     double *point, *u;    /* (2 nq + nz) (nu) */
-    double *value, *other, *opposite, *kept; /* (nindicator + ncorner) */
-    double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
+    double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
+    double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
+    double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
     double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
 } lag_noise;
 
@@ -28,20 +31,24 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 /* The motion passed through x, with the inputs that it has. */
 void lag_noise_follow(lag_noise *noise, const double *x);
 
-/* An event has changed the rates. */
-void lag_noise_begin(lag_noise *noise);
+/* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
+lag_status lag_noise_look(lag_noise *noise, double t, const double *x);
 
-/* sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
+/* The same into `values`, and they do not count among those so far. */
+lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values);
+
+/* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
-
-/*
- * Rates of indicators and distances into `creep` (nindicator + ncorner) [1/s], by what they do in `span` [s] if the rates of coordinates are off by `part`
- * of the largest ones and by `tolerance` as a part of the largest ones since the last event.
- */
-void lag_noise_creep(lag_noise *noise, double t, const double *x, double part, double tolerance, double span, double *creep);
 
 /* Error of indicator `which` if the numbers have this relative one; after lag_noise_find. */
 double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);
+
+/*
+ * Flags in `held` (nindicator) of relations that the rows of constraints hold at x at time t: they are zero, as far as the motion is known to the relative
+ * tolerance, and their gradients and time derivatives are combinations of the rows. These are the derivatives at other rates that the rows admit. `point`
+ * (2 nq + nz) is for its own use.
+ */
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held);
 
 /* The size of coordinate j, or of rate j - nq. */
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);

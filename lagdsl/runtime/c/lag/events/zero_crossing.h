@@ -1,13 +1,14 @@
 /*
- * Detects changes that are not in the discretes w of a model yet: relations whose truth changes, open contacts with negative
- * gaps, closed contacts that would pull, friction that comes to rest or breaks loose. Each has a value that is positive while nothing changes; if it was negative already
- * when the step began, or is so by no more than round-off, it must fall further. lag/events/instant.h carries out the
- * changes. Corners are values of the same kind, on request only: the discretes do not contain them.
+ * Guards between instants: relations, gaps of open contacts, forces of closed ones, friction that comes to rest or breaks loose. Each has a value that is
+ * positive while its mode lasts. It leaves its mode below its dead band: its rounding error, below where it was when the step began if that was below zero.
+ * A relation that the rows of its mode hold does not move, and is not watched. lag/events/instant.h carries out the changes. Corners are guards on request
+ * only: the discretes do not contain them.
  */
 #ifndef LAG_ZERO_CROSSING_H
 #define LAG_ZERO_CROSSING_H
 
 #include "lag/contacts/reserve.h"
+#include "lag/equations/projection.h"
 #include "lag/events/noise.h"
 #include "lag/linalg/minimum.h"
 
@@ -24,17 +25,16 @@ typedef struct lag_zero_crossing {
     size_t corners;                /* ncorner where corners are looked at, else 0 */
     int solved;                    /* they read accelerations or multipliers */
     double *changed;               /* (nindicator + ncontact + nfriction + ncorner) 1: this one, at the state looked at last */
-    double *depth;                 /* the same: how far below zero values were where they began, though nothing had changed */
-    double *band;                  /* the same: how far below zero they may be: their depth, round-off, and the creep of what rests */
-    double *start, *moved;         /* the same: values where they began, and their largest difference from that since */
-    double *creep;                 /* (nindicator + ncorner) so fast they may creep at rest; zero: nobody has asked since the step began */
+    double *depth;                 /* the same: how far below zero values were where the step began */
+    double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
+    double *top;                   /* the same: the largest values since then */
+    int locating;                  /* guards that have left are looked at to find the instant */
     double tolerance;              /* of the motion, relative */
-    double *hovers;                /* (nindicator) flags: it has turned, and has been no farther from zero since than the motion is known */
-    double *doubted;               /* (nindicator) first time at which it turned again while it hovered: by the method's error, perhaps; infinite: none */
-    int locating;                  /* values change as soon as they leave their depth and round-off: what crept before they were seen does not count */
-    double *seen[LAG_LOOKS];       /* the same: values, for those who look for the time */
+    double *held;                  /* (nindicator) flags: the rows of the mode hold it */
+    double *swing;                 /* (nindicator) largest magnitude since it turned last; infinite: it has not turned */
+    double *doubted;               /* (nindicator) first time at which it turned by the method's error, perhaps; infinite: none */
+    double *seen[LAG_LOOKS];       /* (nindicator + ncontact + nfriction + ncorner) values, for those who look for the time */
     double *root, *found;          /* the same */
-    double since;                  /* time at which the step began */
     double *when;                  /* (nindicator) time of the last change that was found */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
@@ -51,41 +51,31 @@ size_t lag_zero_crossing_memory(const lag_model *model);
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
 
-/* So many things are looked at: relations, contacts, corners. */
+/* So many guards are looked at: relations, contacts, friction, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
 
-/* Value that passes zero downward when relation, contact or corner number `which` changes; that of the last look. */
+/* Value of guard `which`, that of the last look; 1 where it is held. */
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
 
-/* True if that value does not get behind zero, as the length of a slip in a plane, which turns round there. */
+/* True if that value hardly gets behind zero, as that of a slip in a plane, which turns round there. */
 int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which);
 
-/* Round-off of that, as far as it is known. */
+/* Rounding error of that, as far as it is known. */
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
 
-/* True if lag/events/noise.h finds that round-off: contacts have bounds of their own. */
+/* True if lag/events/noise.h finds it: contacts and friction have bounds of their own. */
 int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
 
-/* So fast relations and corners at rest may creep, by what they do at x at time t in `span` [s]. */
-void lag_zero_crossing_creep(lag_zero_crossing *crossings, double t, const double *x, double span);
-
-/* True if a relation that hovers, or a corner, has rested at zero from where the step began to the last look, but for round-off and creep. */
-int lag_zero_crossing_rests(const lag_zero_crossing *crossings, size_t which);
-
-/* A value nearer to zero than this is zero, as far as the motion is known. */
+/* A guard nearer to zero than this is zero, as far as the tolerance lets the motion be known. */
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which);
 
 /* A step begins at x at time t, or an event has ended there. */
 lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const double *x);
 
-/* LAG_EVENT_PENDING if something happens at x at time t or happened before, with the discretes of `motion`. */
+/* LAG_EVENT_PENDING if a guard has left its mode at x at time t, with the discretes of `motion`. */
 lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x);
 
-/*
- * Widens the bands of relations that the last look, at x at time t, saw change, so that a change within round-off counts as
- * none, but for values that are zero itself and were clearly not `from` (before, or null), as one that `limit` ends at its border.
- * Returns 1 if another look is needed.
- */
-int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x, const double *from);
+/* Finds the relations that the rows of the mode hold from x at time t on. `point` (2 nq + nz) is for its own use. */
+void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point);
 
 #endif

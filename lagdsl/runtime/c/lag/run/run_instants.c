@@ -1,4 +1,5 @@
 /* Events of a run, with a report of the state before and after each. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -19,35 +20,34 @@ static lag_status tell(lag_run *run, lag_event_kind what)
     return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
 }
 
-/* Bands of relations that lie behind zero now, by no more than round-off beyond where they lay before. */
-static void find_bands(lag_run *run)
-{
-    lag_zero_crossing *crossings = &run->crossings;
-    const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
-    memcpy(crossings->root, crossings->changed, bytes);
-    if (lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) == LAG_EVENT_PENDING) {
-        (void)lag_zero_crossing_widen(crossings, run->stepper.t, run->stepper.x, NULL);
-    }
-    memcpy(crossings->changed, crossings->root, bytes);
-}
-
-/* Round-off of relations is no less than their bands in an event that does not change them: one that it does not move stays what it is. */
+/*
+ * Relations that lie in their dead bands are at their borders in an event, wherever a projection moves them: those that have left by no more than that, those that
+ * stay behind zero, and those that have drifted while rows held them.
+ */
 static void hold(lag_run *run, const double *changed)
 {
-    const lag_zero_crossing *crossings = &run->crossings;
+    lag_zero_crossing *crossings = &run->crossings;
     lag_noise *noise = crossings->noise;
     const size_t count = run->motion.model->nindicator;
-    if (count > 0) {
-        find_bands(run);
+    const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
+    double *least = crossings->found;
+    const double *located = changed == crossings->changed ? crossings->root : changed;
+    memcpy(crossings->root, crossings->changed, bytes);
+    const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) : LAG_SINGULAR;
+    for (size_t i = 0; i < count; ++i) {
+        const double value = lag_zero_crossing_value(crossings, i);
+        const int is_near = -value <= crossings->depth[i] + 2.0 * crossings->band[i] && value <= lag_zero_crossing_known(crossings, i);
+        const int is_located = located != NULL && located[i] != 0.0 && is_near; /* inputs may jump and take it away */
+        const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
+        least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
     }
-    if (!lag_any(count, crossings->band) && !lag_any(count, crossings->hovers)) {
+    memcpy(crossings->changed, crossings->root, bytes);
+    if ((status != LAG_OK && status != LAG_EVENT_PENDING) || !lag_any(count, least)) {
         return;
     }
     lag_noise_find(noise, run->stepper.t, run->stepper.x);
     for (size_t i = 0; i < count; ++i) {
-        const int is_near = crossings->band[i] > 0.0 || crossings->hovers[i] != 0.0;
-        const int stays = changed == NULL || changed[i] == 0.0;
-        noise->least[i] = stays && is_near ? crossings->band[i] + noise->sigma[i] : 0.0;
+        noise->least[i] = least[i] > 0.0 ? least[i] + noise->sigma[i] : 0.0;
     }
 }
 
@@ -62,24 +62,25 @@ static void release(lag_run *run)
 }
 
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
-static int is_doubtful(lag_run *run, size_t i)
+static int is_doubtful(const lag_run *run, size_t i)
 {
-    lag_zero_crossing *crossings = &run->crossings;
-    const double span = run->stepper.t - crossings->since;
-    const int is_near = crossings->hovers[i] != 0.0 && crossings->moved[i] <= lag_zero_crossing_known(crossings, i);
-    if (!is_near || !(span > 0.0)) {
-        return 0;
-    }
-    lag_noise_creep(crossings->noise, run->stepper.t, run->stepper.x, SLOW, 0.0, span, crossings->found);
-    return crossings->moved[i] <= crossings->found[i] * span;
+    const lag_zero_crossing *crossings = &run->crossings;
+    const double rate = crossings->noise->value[run->motion.model->nindicator + run->motion.model->ncorner + i];
+    const double known = lag_zero_crossing_known(crossings, i);
+    return crossings->swing[i] <= known && SLOW * run->instants.contacts.length * fabs(rate) <= known;
 }
 
 /* Notes relations that may turn by the method's error. */
 static void doubt(lag_run *run, const double *changed)
 {
-    double *doubted = run->crossings.doubted;
-    for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
-        doubted[i] = changed[i] != 0.0 && is_doubtful(run, i) ? fmin(doubted[i], run->stepper.t) : doubted[i];
+    lag_zero_crossing *crossings = &run->crossings;
+    const lag_stepper *s = &run->stepper;
+    const size_t count = run->motion.model->nindicator;
+    if (lag_any(count, changed)) {
+        lag_noise_find(crossings->noise, s->t, s->x);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        crossings->doubted[i] = changed[i] != 0.0 && is_doubtful(run, i) ? fmin(crossings->doubted[i], s->t) : crossings->doubted[i];
     }
 }
 
@@ -115,16 +116,20 @@ static lag_status over(lag_run *run, lag_status status)
         return ended;
     }
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
-        run->crossings.hovers[i] = truth[i] != before[i] ? 1.0 : run->crossings.hovers[i];
+        run->crossings.swing[i] = truth[i] != before[i] ? 0.0 : run->crossings.swing[i];
     }
-    lag_noise_begin(run->crossings.noise);
+    lag_zero_crossing_hold(&run->crossings, &run->projection, run->stepper.t, run->stepper.x, run->point);
     const lag_status seen = lag_zero_crossing_begin(&run->crossings, run->stepper.t, run->stepper.x);
     return seen == LAG_OK ? ended : seen;
 }
 
 lag_status lag_run_enter(lag_run *run)
 {
-    return has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
+    const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
+    if (status == LAG_OK) {
+        lag_zero_crossing_hold(&run->crossings, &run->projection, run->stepper.t, run->stepper.x, run->point);
+    }
+    return status;
 }
 
 /* Of the relations that have changed at the end of a row of inputs, those that turn by the inputs from then on. */
@@ -185,9 +190,6 @@ static lag_status find_turned(lag_run *run, int *any)
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
     lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
-    if (status == LAG_EVENT_PENDING && lag_zero_crossing_widen(crossings, s->t, s->x, NULL)) {
-        status = lag_zero_crossing_look(crossings, s->t, s->x);
-    }
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
         contacts[i] *= run->motion.w[crossings->places.contact + i];
     }

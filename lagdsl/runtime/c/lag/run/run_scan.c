@@ -45,16 +45,8 @@ static void remember(lag_run *run, int k)
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = lag_zero_crossing_value(&run->crossings, i);
         run->crossings.seen[k][i] = value;
-        run->crossings.moved[i] = fmax(run->crossings.moved[i], fabs(value - run->crossings.start[i]));
+        run->crossings.top[i] = fmax(run->crossings.top[i], value);
     }
-}
-
-/* LAG_EVENT_PENDING: something has changed at t by more than round-off. */
-static lag_status look(lag_run *run, double t)
-{
-    const lag_status status = lag_scan_look(run, t);
-    const int pending = status == LAG_EVENT_PENDING;
-    return pending && lag_zero_crossing_widen(&run->crossings, t, run->point, run->crossings.seen[0]) ? lag_scan_look(run, t) : status;
 }
 
 /* ---- what comes and goes between looks ---- */
@@ -74,7 +66,7 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
         if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
             return LAG_OK;
         }
-        const lag_status status = look(run, *t);
+        const lag_status status = lag_scan_look(run, *t);
         const double value = lag_zero_crossing_value(&run->crossings, i);
         if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
             return status;
@@ -161,7 +153,7 @@ static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
     for (int k = 1; k <= LAST && status == LAG_OK; ++k) {
         *a = place_of(in, k - 1);
         *b = place_of(in, k);
-        status = look(run, *b);
+        status = lag_scan_look(run, *b);
         remember(run, k);
         in->looks = k;
     }
@@ -216,16 +208,6 @@ static lag_status find_first(lag_run *run, piece *in, lag_status status, double 
     return status;
 }
 
-/* True if value i comes to its end from where it was no round-off: relations and corners, which may be slow, since the step began. */
-static int was_clear(lag_run *run, size_t i)
-{
-    const double before = run->crossings.seen[LAST - 1][i];
-    if (lag_zero_crossing_has_noise(&run->crossings, i)) {
-        return before > 0.0 && noise_of(run, i) > 0.0 && !lag_zero_crossing_rests(&run->crossings, i);
-    }
-    return before > lag_zero_crossing_noise(&run->crossings, i);
-}
-
 /* A value that changes within round-off of time behind the end changes at the end. */
 static lag_status look_at_end(lag_run *run, const piece *in)
 {
@@ -235,7 +217,7 @@ static lag_status look_at_end(lag_run *run, const piece *in)
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = run->crossings.seen[LAST][i];
         const double rate = (value - run->crossings.seen[LAST - 1][i]) / h;
-        run->crossings.changed[i] = rate < 0.0 && value <= -rate * soon && was_clear(run, i);
+        run->crossings.changed[i] = rate < 0.0 && value <= -rate * soon && run->crossings.top[i] > noise_of(run, i);
         any = any || run->crossings.changed[i] != 0.0;
     }
     return any ? LAG_EVENT_PENDING : LAG_OK;

@@ -36,8 +36,8 @@ static lag_status settle(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int moved = 0;
-    const int hovers = lag_any(run->motion.model->nindicator, run->crossings.hovers);
-    lag_status status = hovers ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
+    const int holds = lag_any(run->motion.model->nindicator, run->crossings.held);
+    lag_status status = holds ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
     if (status != LAG_OK) { /* to round-off it may not be possible */
         status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
     }
@@ -182,7 +182,7 @@ static lag_status advance_over_corners(lag_run *run, double limit)
 
 /*
  * A guard that was located at the end of a step that was done again up to there changes there, if it was clear of its border in the step and is not so
- * at the end, on the new polynomial.
+ * at the end, on the new polynomial; or if it lies clearly below where it began.
  */
 static lag_status change_at_end(lag_run *run, const double *located, double *own)
 {
@@ -193,8 +193,10 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
     for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
-        const int was_clear = crossings->start[i] > noise || (crossings->moved[i] > fabs(crossings->start[i]) + noise && !lag_zero_crossing_rests(crossings, i));
-        crossings->changed[i] = located[i] != 0.0 && was_clear && lag_zero_crossing_value(crossings, i) <= noise;
+        const double value = lag_zero_crossing_value(crossings, i);
+        const int comes = crossings->top[i] > noise && value <= noise;
+        const int leaves = -value >= crossings->depth[i] + 0.5 * noise;
+        crossings->changed[i] = located[i] != 0.0 && (comes || leaves);
         *own = crossings->changed[i] != 0.0 ? s->t : *own;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;

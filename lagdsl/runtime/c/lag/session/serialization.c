@@ -138,7 +138,6 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->crossings.span);
     RECORD(run->crossings.reach);
     RECORD(run->crossings.limit);
-    RECORD(run->crossings.since);
     RECORD(run->sized);
     RECORD(run->row);
     RECORD(run->steps);

@@ -145,6 +145,12 @@ static lag_status indicator(const lag_arguments *at, double *g)
     return run(at, 1 + LAG_INDICATOR, results);
 }
 
+static lag_status indicator_rate(const lag_arguments *at, double *rate, double *acceleration)
+{
+    double *const results[] = {rate, acceleration};
+    return run(at, 1 + LAG_INDICATOR_RATE, results);
+}
+
 static lag_status standing(const lag_arguments *at, double *next)
 {
     double *const results[] = {next};
@@ -317,6 +323,7 @@ static void give(lag_tape *tape)
     tape->model.elimination = lag_tape_has(tape, LAG_ELIMINATION) ? elimination : NULL;
     tape->model.discrete_start = lag_tape_has(tape, LAG_DISCRETE_START) ? discrete_start : NULL;
     tape->model.indicator = lag_tape_has(tape, LAG_INDICATOR) ? indicator : NULL;
+    tape->model.indicator_rate = lag_tape_has(tape, LAG_INDICATOR_RATE) ? indicator_rate : NULL;
     tape->model.standing = lag_tape_has(tape, LAG_STANDING) ? standing : NULL;
     tape->model.contact = lag_tape_has(tape, LAG_CONTACT) ? contact : NULL;
     tape->model.clock = lag_tape_has(tape, LAG_CLOCK) ? clock : NULL;
