@@ -132,14 +132,29 @@ def _constants(
 ) -> tuple[dict[str, Symbol], Converter]:
     """Dependent parameters that stay symbols: those that are numbers by now are written as numbers. With what converts
     expressions in constants."""
-    named = tuple(item for item in flat.named if isinstance(item, Definition) and _is_alias(item))
+    every = [item for item in flat.named if isinstance(item, Definition)]
+    others = _other_names(every)
+    known_later = {name for names in others.values() for name in names}
+    named = tuple(item for item in every if _is_alias(item) and item.name not in known_later)
     values = Converter(model=replace(flat, named=named), symbols=table, style=Style(number=number))
     kept: dict[str, Symbol] = {}
     for item in definitions:
         value = settled(values.scalar(item.value))
         kept |= {} if value.is_number or value.is_Symbol else {item.name: Symbol(item.name)}
-        values.known(item.name, value if value.is_number or value.is_Symbol else kept[item.name])
+        for name in (item.name, *others.get(item.name, ())):
+            values.known(name, value if value.is_number or value.is_Symbol else kept[item.name])
     return kept, values
+
+
+def _other_names(definitions: list[Definition]) -> dict[str, list[str]]:
+    """Names that stand for definitions with a formula, such as parameters of components that are bound to one."""
+    ends = {item.name: item.name for item in definitions if not _is_alias(item)}
+    found: dict[str, list[str]] = {}
+    for item in definitions:  # what a name stands for is defined before it
+        if isinstance(item.value, Variable) and item.value.name in ends:
+            ends[item.name] = ends[item.value.name]
+            found.setdefault(ends[item.name], []).append(item.name)
+    return found
 
 
 def _parameter_values(flat: FlatModel, table: Symbols) -> list[tuple[Symbol, float]]:

@@ -74,7 +74,7 @@ int lag_instance_is_armed(const lag_instance *instance, size_t i)
     return instance->held.t > instance->armed[i];
 }
 
-/* What is left until guard i leaves; negative: it has left. */
+/* The way of guard i until it leaves; negative: it has left. */
 static double room(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
