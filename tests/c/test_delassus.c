@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/systems/delassus.h"
+#include "lag/equations/delassus.h"
 #include "lag/dynamics.h"
 #include "lag/linalg/linalg.h"
 

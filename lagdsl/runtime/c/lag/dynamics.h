@@ -1,7 +1,7 @@
 /*
  * Accelerations and multipliers of a model, whatever the ranks:  M a - J' lam = f,  J a = gamma.
  *
- * Where the model has them eliminated and that keeps enough digits (lag/systems/delassus.h), that is taken. Elsewhere it is the
+ * Where the model has them eliminated and that keeps enough digits (lag/equations/delassus.h), that is taken. Elsewhere it is the
  * null-space method, as in the generated NumPy modules. Coordinates are scaled to a unit diagonal of M and rows of J to
  * unit length, so that ranks do not depend on units. With J' = Q R, the first components of y = Q'a follow from J a = gamma,
  * the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest, of least Euclidean norm.
@@ -10,7 +10,7 @@
 #ifndef LAG_DYNAMICS_H
 #define LAG_DYNAMICS_H
 
-#include "lag/systems/delassus.h"
+#include "lag/equations/delassus.h"
 #include "lag/model.h"
 
 /* One system; everything points into memory of the caller. */

@@ -26,7 +26,7 @@
 #include "lag/run/turns.h"
 #include "lag/stepper.h"
 #include "lag/methods/stiffness.h"
-#include "lag/equations/watch.h"
+#include "lag/run/watch.h"
 
 typedef struct lag_run lag_run;
 struct lag_initial;

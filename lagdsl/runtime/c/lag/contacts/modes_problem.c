@@ -8,6 +8,8 @@
 
 /* An acceleration below this part of what it is a sum of is zero. */
 static const double NONE = 1e-10;
+/* In `began`: it goes on, and its direction has the same bits. */
+static const double GOES_ON = 2.0;
 /* A slip in a plane begins with this part of its largest terms. */
 static const double BEGINNING = 1e-14;
 
@@ -41,8 +43,20 @@ static void direct(const lag_modes *modes, double *w)
         }
         const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
         const double part = count == 1 ? 1.0 : moves ? 0.0 : BEGINNING * fmax(lag_frictions_length(frictions, frictions->fast, k), BEGINNING);
-        for (size_t a = 0; a < count; ++a) {
+        for (size_t a = 0; a < count && modes->began[k] != GOES_ON; ++a) {
             w[modes->places.direction + lag_modes_first(modes, k) + a] = part * modes->heading[lag_modes_first(modes, k) + a];
+        }
+    }
+}
+
+/* Friction that may stick has no load of sliding in the problem: a slip in a plane that is round-off has a direction. */
+static void silence(const lag_modes *modes, double *w)
+{
+    const lag_frictions *frictions = modes->frictions;
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        const size_t count = lag_frictions_components(frictions, k);
+        for (size_t a = 0; a < count && count > 1 && modes->loose[k] != 0.0; ++a) {
+            w[modes->places.direction + lag_modes_first(modes, k) + a] = -frictions->slip[lag_modes_first(modes, k) + a];
         }
     }
 }
@@ -64,6 +78,7 @@ static lag_status find_rows(lag_modes *modes)
     double *w = modes->w;
     memcpy(w, modes->motion->w, model->nw * sizeof(double));
     direct(modes, w);
+    silence(modes, w);
     for (size_t i = 0; i < model->ncontact; ++i) {
         w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 1.0 : w[modes->places.contact + i];
     }
@@ -187,13 +202,26 @@ static int moves(const lag_modes *modes, size_t row)
     return fabs(modes->rows.after[row]) > NONE * modes->rows.scale[row];
 }
 
+static double limit_of(const lag_inequalities *rows, size_t number)
+{
+    return rows->limits[number] + lag_dot(rows->normals, rows->coefficients + number * rows->normals, rows->force);
+}
+
+/* 1: it slips: by more than a part of what its acceleration is a sum of, and of the one that its limit makes. */
+static int slips_away(const lag_modes *modes, size_t number, size_t row, size_t count, double length)
+{
+    const lag_inequalities *rows = &modes->rows;
+    const double scale = fmax(rows->scale[row], rows->scale[row + count - 1]);
+    const double compliance = fmax(rows->compliance[row], rows->compliance[row + count - 1]);
+    return length > NONE * fmax(scale, compliance * limit_of(rows, number));
+}
+
 /* 1: the force of friction `number` of the problem, in rows from `row` on, is as large as its limit. */
 static int is_at_limit(const lag_modes *modes, size_t number, size_t row, size_t count)
 {
     const lag_inequalities *rows = &modes->rows;
-    const double limit = rows->limits[number] + lag_dot(rows->normals, rows->coefficients + number * rows->normals, rows->force);
     const double force = count > 1 ? hypot(rows->force[row], rows->force[row + 1]) : fabs(rows->force[row]);
-    return force >= (1.0 - NONE) * limit;
+    return force >= (1.0 - NONE) * limit_of(rows, number);
 }
 
 /* Headings of friction that slips; 1: one of them has a limit at rest above that of sliding, and was not `kinetic`. */
@@ -210,12 +238,13 @@ static int find_slipping(lag_modes *modes)
         }
         const double *after = modes->rows.after + row;
         const double length = count > 1 ? hypot(after[0], after[1]) : fabs(after[0]);
-        const int slips = moves(modes, row) || moves(modes, row + count - 1);
+        const int slips = slips_away(modes, number, row, count, length);
         if (slips || modes->began[k] == 0.0 || !is_at_limit(modes, number, row, count)) {
             lag_modes_head(modes, k, after, slips ? length : 0.0, 1.0);
         } else {
             const double *before = lag_frictions_direction(frictions, k);
             lag_modes_head(modes, k, before, count > 1 ? hypot(before[0], before[1]) : fabs(before[0]), 1.0);
+            modes->began[k] = GOES_ON;
         }
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
         modes->kinetic[k] = slips ? 1.0 : modes->kinetic[k];

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "lag/systems/delassus.h"
+#include "lag/equations/delassus.h"
 #include "lag/equations/feedback.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/systems/delassus.h"
+#include "lag/equations/delassus.h"
 #include "lag/dynamics.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"

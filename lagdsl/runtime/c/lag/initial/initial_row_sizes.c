@@ -10,7 +10,7 @@
 static const double ROUNDING = 1e-12;
 /* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
 static const double ABSENT = 1e-13;
-/* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/systems/system_scales.h). */
+/* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/equations/system_scales.h). */
 static const double LOST = 1e-7;
 /* Errors of the numbers that enter, and the part by which round-off changes with them. */
 static const double ERROR = 0x1p-50;

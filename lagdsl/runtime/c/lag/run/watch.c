@@ -1,4 +1,4 @@
-#include "lag/equations/watch.h"
+#include "lag/run/watch.h"
 
 #include <math.h>
 

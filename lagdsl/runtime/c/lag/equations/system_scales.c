@@ -1,7 +1,7 @@
 /* Scales of the coordinates and rows of a system, by which its ranks are judged. */
 #include <math.h>
 
-#include "lag/systems/system_scales.h"
+#include "lag/equations/system_scales.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
 static const double ZERO_TOLERANCE = 1e-14;

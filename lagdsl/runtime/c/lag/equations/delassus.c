@@ -1,4 +1,4 @@
-#include "lag/systems/delassus.h"
+#include "lag/equations/delassus.h"
 
 #include <math.h>
 
