@@ -16,7 +16,7 @@ def test_every_parameter_of_a_class_is_on_its_page(name: str) -> None:
     """Read from the text of the class, without the tree that the page is made of."""
     text = library_class(name).node.span.text.partition("\nprotected")[0]
     page = component_page(name)
-    for statement in re.findall(r"^ +(?:final |structural )*parameter \w+ ([^;\"]*)", text, re.MULTILINE):
+    for statement in re.findall(r"^  (?:final |structural )*parameter \w+ ([^;\"]*)", text, re.MULTILINE):
         assert f"`{re.match(r'[a-zA-Z_0-9]+', statement)[0]}" in page  # type: ignore[index]
     assert page.startswith(f"# {name}\n\n")
     assert page.splitlines()[2].strip(".")

@@ -80,7 +80,7 @@ lag_status lag_event_iteration_look_ahead(lag_event_iteration *iteration, double
 /* A number that is clear of its round-off has a sign: 1 or -1, else 0. */
 static double sign_of(double value, double error)
 {
-    return fabs(value) > error ? copysign(1.0, value) : 0.0;
+    return fabs(value) > error ? (value > 0.0 ? 1.0 : -1.0) : 0.0;
 }
 
 /* The side of relation i by its value, its rate and its acceleration; 0: they do not show it. It is at its border where the motion passes it within `window` [s]: so well is the instant known. */
@@ -198,10 +198,12 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         ++i;
     }
     status = status == LAG_OK && i < model->nindicator ? look_back(iteration, t) : status;
+    const int alone = !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
     for (i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const int was_there = !(fabs(iteration->half[i]) > iteration->noise->sigma[i]);
+        const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
-            truth[i] = side[i] > 0.0;
+            truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
         } else if (!has_turned(iteration, turned, i) && !was_there) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there */
         }

@@ -216,7 +216,7 @@ static void turn_aside(const lag_noise *noise, const double *x, double *point)
     const lag_model *model = noise->motion->model;
     for (size_t j = 0; j < lag_motion_size(model); ++j) {
         const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
-        const double by = copysign(0.5, irregular) + 0.5 * irregular;
+        const double by = (irregular < 0.0 ? -0.5 : 0.5) + 0.5 * irregular;
         point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(noise, x, j);
     }
 }
