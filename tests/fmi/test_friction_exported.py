@@ -8,7 +8,7 @@ from __future__ import annotations
 import fmpy
 import pytest
 from attack.test_friction import carried
-from choice import chosen
+from choice import chosen, repeats
 from fmpy import simulate_fmu
 
 from fmi.exact_importer import Instance, ends_exactly
@@ -91,6 +91,7 @@ def test_friction_under_contacts(kind: str, version: int) -> None:
     assert drag == pytest.approx(-0.2 * 2.5, abs=1e-9)  # the table bears 2.5
 
 
+@repeats("test_friction_that_sticks_and_slips")
 def test_an_exact_importer_of_friction() -> None:
     _check(PLANES_END, ends_exactly(exported_text(PLANES, 2), STOP, [*PLANES_END], {}), 1e-9)
 

@@ -44,6 +44,7 @@ typedef struct lag_event_iteration {
     double *truth;         /* (nindicator) relations before a pass turns them */
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
     double *closed, *pulling; /* (ncontact) */
+    int begins;            /* this is the start, from which no side was chosen yet */
     int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
     double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
     double *sides_left;    /* (ncontact + nfriction) */

@@ -198,7 +198,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         ++i;
     }
     status = status == LAG_OK && i < model->nindicator ? look_back(iteration, t) : status;
-    const int alone = !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
+    const int alone = iteration->begins && !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
     for (i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const int was_there = !(fabs(iteration->half[i]) > iteration->noise->sigma[i]);
         const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];

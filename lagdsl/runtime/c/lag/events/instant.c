@@ -180,7 +180,9 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     }
     remember(instants, x);
     status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
+    instants->iteration.begins = 1;
     status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
+    instants->iteration.begins = 0;
     return status;
 }
 
