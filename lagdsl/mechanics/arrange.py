@@ -23,7 +23,7 @@ from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
 from lagdsl.program.passes.speeds import with_speeds
-from lagdsl.program.program import Block, Function, Program
+from lagdsl.program.program import Block, Function, Program, matrix_block, number_block, vector_block
 
 # From so many coordinates on, M is not written out; the second number is for equations without constraints that
 # elimination solves, where only starts and events read M.
@@ -90,7 +90,7 @@ def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
         for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
     ]
     velocity = constraints.velocity_residuals(lowering, rows)
-    jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
+    jacobian = matrix_block("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
     gamma = constraints.bias(lowering, rows)
     f = lagrange.forcing(lowering, terms) if dense or equations.flat.states else []
     _refuse_accelerating_states(equations, [*f, *gamma])
@@ -100,23 +100,26 @@ def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
     s = [lowering.rate.of(residual) for residual in velocity]
     if dense:
-        mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
-        formed = {"mass_matrix": [mass], "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)]}
+        mass = matrix_block("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
+        formed = {
+            "mass_matrix": [mass],
+            "dynamics": [mass, vector_block("f", f), jacobian, vector_block("gamma", gamma)],
+        }
     else:
-        formed = {"momentum_tangent": [_vector("momenta", directional(graph, terms.momentum, (Group.QD,)))]}
+        formed = {"momentum_tangent": [vector_block("momenta", directional(graph, terms.momentum, (Group.QD,)))]}
     return {
         **formed,
-        "position_constraint": [_vector("phi", phi), jacobian],
-        "velocity_constraint": [_vector("residual", velocity), jacobian],
+        "position_constraint": [vector_block("phi", phi), jacobian],
+        "velocity_constraint": [vector_block("residual", velocity), jacobian],
         "constraint_tangent": [
-            _vector("dphi", directional(graph, phi, STATE_GROUPS)),
-            _vector("drate", directional(graph, velocity, STATE_GROUPS)),
+            vector_block("dphi", directional(graph, phi, STATE_GROUPS)),
+            vector_block("drate", directional(graph, velocity, STATE_GROUPS)),
         ],
-        "inverse_dynamics": [_vector("tau", tau)],
-        "residual": [_vector("r", r), _vector("s", s)],
+        "inverse_dynamics": [vector_block("tau", tau)],
+        "residual": [vector_block("r", r), vector_block("s", s)],
         "residual_tangent": [
-            _vector("dr", directional(graph, r, STATE_GROUPS)),
-            _vector("ds", directional(graph, s, STATE_GROUPS)),
+            vector_block("dr", directional(graph, r, STATE_GROUPS)),
+            vector_block("ds", directional(graph, s, STATE_GROUPS)),
         ],
     }
 
@@ -145,15 +148,15 @@ def _energies(equations: Equations) -> dict[str, list[Block]]:
     found, totals = equations.dynamics, equations.energies
     return {
         "energies": [
-            _number("total", totals.total),
-            _number("kinetic", totals.kinetic),
-            _number("potential", totals.potential),
-            _number("jacobi", totals.jacobi),
+            number_block("total", totals.total),
+            number_block("kinetic", totals.kinetic),
+            number_block("potential", totals.potential),
+            number_block("jacobi", totals.jacobi),
         ],
-        "momenta": [_vector("momenta", found.terms.momentum)],
+        "momenta": [vector_block("momenta", found.terms.momentum)],
         "power": [
-            _vector("load", energies.load_power(graph, found, directions)),
-            _vector("dissipated", energies.dissipated_power(graph, found, directions)),
+            vector_block("load", energies.load_power(graph, found, directions)),
+            vector_block("dissipated", energies.dissipated_power(graph, found, directions)),
         ],
     }
 
@@ -166,16 +169,16 @@ def _observed(equations: Equations) -> dict[str, list[Block]]:
     conditions = _scalars(equations, flat.assertions, [assertion.condition for assertion in flat.assertions])
     initial = _scalars(equations, flat.initial_equations, [item.residual for item in flat.initial_equations])
     return {
-        "state_derivative": [_vector("zd", rates)],
-        "state_derivative_tangent": [_vector("dzd", directional(graph, rates, SOLVED_GROUPS))],
-        "output": [_vector("y", outputs)],
-        "output_tangent": [_vector("dy", directional(graph, outputs, SOLVED_GROUPS))],
+        "state_derivative": [vector_block("zd", rates)],
+        "state_derivative_tangent": [vector_block("dzd", directional(graph, rates, SOLVED_GROUPS))],
+        "output": [vector_block("y", outputs)],
+        "output_tangent": [vector_block("dy", directional(graph, outputs, SOLVED_GROUPS))],
         "monitor": [
-            _vector("invariant", invariants),
-            _vector("scale", [largest_term(graph, invariant) for invariant in invariants]),
-            _vector("assertion", conditions),
+            vector_block("invariant", invariants),
+            vector_block("scale", [largest_term(graph, invariant) for invariant in invariants]),
+            vector_block("assertion", conditions),
         ],
-        "initial_equation": [_vector("residual", initial)],
+        "initial_equation": [vector_block("residual", initial)],
     }
 
 
@@ -191,21 +194,9 @@ def _start(equations: Equations) -> dict[str, list[Block]]:
     flat, scalar = equations.flat, equations.lowering.scalar
     return {
         "start": [
-            _vector("q", [scalar(coordinate.start) for coordinate in flat.coordinates]),
-            _vector("qd", [scalar(coordinate.rate_start) for coordinate in flat.coordinates]),
-            _vector("z", [scalar(state.start) for state in flat.states]),
-            _vector("u", [scalar(item.default) for item in flat.inputs]),
+            vector_block("q", [scalar(coordinate.start) for coordinate in flat.coordinates]),
+            vector_block("qd", [scalar(coordinate.rate_start) for coordinate in flat.coordinates]),
+            vector_block("z", [scalar(state.start) for state in flat.states]),
+            vector_block("u", [scalar(item.default) for item in flat.inputs]),
         ]
     }
-
-
-def _number(name: str, node: int) -> Block:
-    return Block(name=name, shape=(), elements=(node,))
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
-
-
-def _matrix(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
-    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))

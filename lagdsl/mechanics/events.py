@@ -24,7 +24,7 @@ from lagdsl.graph.substitute import Substitution
 from lagdsl.graph.taylor import TimeDerivative
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.program.functions import OPTIONAL
-from lagdsl.program.program import Block, Function
+from lagdsl.program.program import Block, Function, matrix_block, number_block, vector_block
 
 # Of the length of the experiment: the time left of bounces below which a contact rests where no `t_eps` is given. The
 # runtime takes the same part of a run where the model states no length.
@@ -38,14 +38,14 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     graph = lowering.graph
     indicators = _indicators(lowering, flat)
     found = {
-        "discrete_start": [_vector("w", _starts(lowering, flat))],
-        "indicator": [_vector("g", indicators)],
+        "discrete_start": [vector_block("w", _starts(lowering, flat))],
+        "indicator": [vector_block("g", indicators)],
         "indicator_rate": _rates(lowering, flat, indicators),
-        "standing": [_vector("w", _standing(lowering, flat))],
+        "standing": [vector_block("w", _standing(lowering, flat))],
         "contact": _gaps(lowering, flat),
         "clock": [
-            _vector("start", [lowering.scalar(each.start) for each in flat.events.clocks]),
-            _vector("period", [lowering.scalar(each.period) for each in flat.events.clocks]),
+            vector_block("start", [lowering.scalar(each.start) for each in flat.events.clocks]),
+            vector_block("period", [lowering.scalar(each.period) for each in flat.events.clocks]),
         ],
         "event": Pass(graph, lowering, flat).blocks(),
     }
@@ -78,7 +78,7 @@ def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> li
 
     along = TimeDerivative(graph, rate)
     rates = [along.of(node) for node in indicators]
-    return [_vector("rate", rates), _vector("acceleration", [along.of(node) for node in rates])]
+    return [vector_block("rate", rates), vector_block("acceleration", [along.of(node) for node in rates])]
 
 
 def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -88,8 +88,8 @@ def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...
     moving = {node: solved for node, solved in nodes.items() if graph.op[node] is not Op.CONSTANT}
     if not moving:
         return ()
-    solved = Block(name="solved", shape=(), elements=(graph.constant(float(any(moving.values()))),))
-    blocks = (_vector("far", list(moving)), solved)
+    solved = number_block("solved", graph.constant(float(any(moving.values()))))
+    blocks = (vector_block("far", list(moving)), solved)
     return (Function(name="corner", arguments=OPTIONAL["corner"], results=blocks),)
 
 
@@ -107,17 +107,15 @@ def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
         if graph.depends(node, Group.W)
         or (states and graph.depends(node, Group.Z) and not states.isdisjoint(dependence.of(expression)))
     }
-    return (Function(name="way", arguments=OPTIONAL["way"], results=(_vector("way", list(ways)),)),) if ways else ()
+    return (
+        (Function(name="way", arguments=OPTIONAL["way"], results=(vector_block("way", list(ways)),)),) if ways else ()
+    )
 
 
 def _continuous(lowering: Lowering, way: FlatExpression) -> tuple[int, ...]:
     """A vector as it is; cosine and sine of a scalar: an angle may jump by whole turns, `wrap(a)`."""
     value, graph = lowering.value(way), lowering.graph
     return value if isinstance(value, tuple) else (graph.unary(Op.COS, value), graph.unary(Op.SIN, value))
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
 
 
 def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
@@ -172,13 +170,13 @@ def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
     told = [float(_TOLD[each.kind]) for each in timed]
     changes = [float(change) for each in timed for change in each.changes]
     return [
-        _vector("value", [stands[each.name] for each in timed]),
-        _vector("told", [graph.constant(flag) for flag in told]),
-        _vector("distance", distances),
-        _vector("rate", rates),
-        _vector("affine", [graph.constant(flag) for flag in affine]),
-        _vector("entry", [graph.constant(float(place)) for place in places]),
-        _vector("change", [graph.constant(change) for change in changes]),
+        vector_block("value", [stands[each.name] for each in timed]),
+        vector_block("told", [graph.constant(flag) for flag in told]),
+        vector_block("distance", distances),
+        vector_block("rate", rates),
+        vector_block("affine", [graph.constant(flag) for flag in affine]),
+        vector_block("entry", [graph.constant(float(place)) for place in places]),
+        vector_block("change", [graph.constant(change) for change in changes]),
     ]
 
 
@@ -210,14 +208,13 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     ]
     brief = _brief(graph, flat.experiment)
     zeno_time = [brief if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]
-    shape = (len(gaps), len(flat.coordinates))
     return [
-        _vector("gap", gaps),
-        _vector("speed", speeds),
-        Block(name="jacobian", shape=shape, elements=tuple(node for row in rows for node in row)),
-        _vector("restitution", [lowering.scalar(each.restitution) for each in contacts]),
-        _vector("capture_speed", capture_speed),
-        _vector("zeno_time", zeno_time),
+        vector_block("gap", gaps),
+        vector_block("speed", speeds),
+        matrix_block("jacobian", rows, len(flat.coordinates)),
+        vector_block("restitution", [lowering.scalar(each.restitution) for each in contacts]),
+        vector_block("capture_speed", capture_speed),
+        vector_block("zeno_time", zeno_time),
     ]
 
 
@@ -263,16 +260,16 @@ class Pass:
             if isinstance(action, Check)
         ]
         return [
-            _vector("w", values),
-            _vector("reset", [flag for flag, _ in acting[Reset]]),
-            _vector("value", [scalar(action.value) for _, action in acting[Reset] if isinstance(action, Reset)]),
-            _vector("impact", [flag for flag, _ in acting[Impact]]),
-            _vector(
+            vector_block("w", values),
+            vector_block("reset", [flag for flag, _ in acting[Reset]]),
+            vector_block("value", [scalar(action.value) for _, action in acting[Reset] if isinstance(action, Reset)]),
+            vector_block("impact", [flag for flag, _ in acting[Impact]]),
+            vector_block(
                 "restitution",
                 [scalar(action.restitution) for _, action in acting[Impact] if isinstance(action, Impact)],
             ),
-            _vector("stop", [flag for flag, _ in acting[Terminate]]),
-            _vector("fail", failing),
+            vector_block("stop", [flag for flag, _ in acting[Terminate]]),
+            vector_block("fail", failing),
         ]
 
     def _value(self, entry: Entry) -> int:

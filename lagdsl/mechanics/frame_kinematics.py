@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from lagdsl.flat.expression import FrameOrigin, PointReference
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.mechanics.equations import Equations
-from lagdsl.program.program import Block
+from lagdsl.program.program import Block, matrix_block, vector_block
 
 
 def frame_kinematics(equations: Equations, frames: Sequence[str], points: Sequence[str]) -> tuple[Block, ...]:
@@ -34,13 +34,9 @@ def frame_kinematics(equations: Equations, frames: Sequence[str], points: Sequen
     partial = jacobian(graph, velocities, symbols.qd)
     bias = [lowering.bias_rate.of(velocity) for velocity in velocities]
     return (
-        _vector("r", positions),
-        _vector("R", rotations),
-        _vector("v", velocities),
-        Block(name="J", shape=(len(velocities), len(symbols.qd)), elements=tuple(x for row in partial for x in row)),
-        _vector("a", bias),
+        vector_block("r", positions),
+        vector_block("R", rotations),
+        vector_block("v", velocities),
+        matrix_block("J", partial, len(symbols.qd)),
+        vector_block("a", bias),
     )
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL
-from lagdsl.program.program import Block, Function, Program
+from lagdsl.program.program import Function, Program, matrix_block, vector_block
 
 
 def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -30,12 +28,12 @@ def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, .
         at_rest = each.limit if each.sticking is None else each.sticking
         sticking.append(graph.divide(lowering.scalar(at_rest), factor))
     blocks = (
-        _vector("slip", slips),
-        _matrix("jacobian", jacobian(graph, slips, symbols.qd), len(symbols.qd)),
-        _vector("limit", limits),
-        _vector("sticking", sticking),
-        _matrix("gain", jacobian(graph, limits, symbols.lam), len(symbols.lam)),
-        _matrix("sticking_gain", jacobian(graph, sticking, symbols.lam), len(symbols.lam)),
+        vector_block("slip", slips),
+        matrix_block("jacobian", jacobian(graph, slips, symbols.qd), len(symbols.qd)),
+        vector_block("limit", limits),
+        vector_block("sticking", sticking),
+        matrix_block("gain", jacobian(graph, limits, symbols.lam), len(symbols.lam)),
+        matrix_block("sticking_gain", jacobian(graph, sticking, symbols.lam), len(symbols.lam)),
     )
     return (Function(name="friction", arguments=OPTIONAL["friction"], results=blocks),)
 
@@ -55,22 +53,14 @@ def load_functions(lowering: Lowering, flat: FlatModel, program: Program) -> tup
     moved = [program.function(name).results[0].elements for name in ("residual", "state_derivative", "output")]
     blocks = {
         "load": (
-            _vector("load", loads),
-            _matrix("by_acceleration", jacobian(graph, loads, qdd), len(qdd)),
-            _matrix("by_multiplier", jacobian(graph, loads, symbols.lam), len(symbols.lam)),
+            vector_block("load", loads),
+            matrix_block("by_acceleration", jacobian(graph, loads, qdd), len(qdd)),
+            matrix_block("by_multiplier", jacobian(graph, loads, symbols.lam), len(symbols.lam)),
         ),
-        "load_tangent": (_vector("load", directional(graph, loads, SOLVED_GROUPS)),),
+        "load_tangent": (vector_block("load", directional(graph, loads, SOLVED_GROUPS)),),
         "load_gain": tuple(
-            _matrix(name, jacobian(graph, nodes, own), len(own))
+            matrix_block(name, jacobian(graph, nodes, own), len(own))
             for name, nodes in zip(("motion", "rates", "y", "load"), (*moved, loads), strict=True)
         ),
     }
     return tuple(Function(name=name, arguments=OPTIONAL[name], results=found) for name, found in blocks.items())
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
-
-
-def _matrix(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
-    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))

@@ -14,7 +14,7 @@ from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.tangents import P_GROUPS, SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.layout import slots
-from lagdsl.program.program import Block, Function, Program
+from lagdsl.program.program import Block, Function, Program, vector_block
 
 _STILL = (Variability.CONSTANT, Variability.STRUCTURAL, Variability.PARAMETER)
 
@@ -39,8 +39,8 @@ def with_names(equations: Equations, program: Program) -> Program:
         lowering.place = item.spans
         values.append(lowering.scalar(item.value))
     found = {
-        "definition": [_vector("d", values)],
-        "definition_tangent": [_vector("dd", directional(graph, values, SOLVED_GROUPS))],
+        "definition": [vector_block("d", values)],
+        "definition_tangent": [vector_block("dd", directional(graph, values, SOLVED_GROUPS))],
         "start_tangent": _along(program, "start", P_GROUPS),
         "energies_tangent": _along(program, "energies", STATE_GROUPS),
         "initial_equation_tangent": _along(program, "initial_equation", SOLVED_GROUPS),
@@ -67,7 +67,7 @@ def _in_time(program: Program, values: Sequence[int]) -> list[Block]:
         *program.function("residual").results,
         *(program.function(name).results[0] for name in ("position_constraint", "velocity_constraint")),
         *(block for name in ("state_derivative", "output", "energies") for block in program.function(name).results),
-        _vector("d", values),
+        vector_block("d", values),
     ]
     return [replace(block, name=f"d{block.name}", elements=tuple(tangent.of_all(block.elements))) for block in blocks]
 
@@ -75,7 +75,3 @@ def _in_time(program: Program, values: Sequence[int]) -> list[Block]:
 def _block_along(program: Program, block: Block, groups: tuple[Group, ...]) -> Block:
     elements = directional(program.graph, block.elements, groups)
     return Block(name=f"d{block.name}", shape=block.shape, elements=tuple(elements))
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))

@@ -6,6 +6,7 @@ its meaning; a backend is right if it computes the same numbers. No SymPy, no so
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import prod
 
 from lagdsl.flat.events import Kind
@@ -119,6 +120,18 @@ class Block:
 
     def __post_init__(self) -> None:
         assert len(self.elements) == prod(self.shape), self.name
+
+
+def number_block(name: str, node: int) -> Block:
+    return Block(name=name, shape=(), elements=(node,))
+
+
+def vector_block(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+
+
+def matrix_block(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
+    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))
 
 
 @record(kw_only=True)

@@ -18,7 +18,7 @@ from lagdsl.graph.operation import DIRECTION_OF, Group, Op
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
-from lagdsl.program.program import Block, Function, Program
+from lagdsl.program.program import Block, Function, Program, vector_block
 from lagdsl.textbook.equations import EquationsOfMotion
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.to_graph import ToGraph
@@ -58,16 +58,19 @@ def lower(equations: EquationsOfMotion, flat: FlatModel, graph: Graph | None = N
         "start": _start(blocks, equations),
         "position_constraint": (phi, jacobian),
         "velocity_constraint": (rates, jacobian),
-        "constraint_tangent": (_vector("dphi", tangent(phi.elements)), _vector("drate", tangent(rates.elements))),
+        "constraint_tangent": (
+            vector_block("dphi", tangent(phi.elements)),
+            vector_block("drate", tangent(rates.elements)),
+        ),
         "mass_matrix": (mass,),
-        "dynamics": (mass, _vector("f", shared.forcing), jacobian, _vector("gamma", shared.gamma)),
-        "inverse_dynamics": (_vector("tau", shared.tau),),
-        "residual": (_vector("r", shared.r), _vector("s", shared.s)),
-        "residual_tangent": (_vector("dr", tangent(shared.r)), _vector("ds", tangent(shared.s))),
+        "dynamics": (mass, vector_block("f", shared.forcing), jacobian, vector_block("gamma", shared.gamma)),
+        "inverse_dynamics": (vector_block("tau", shared.tau),),
+        "residual": (vector_block("r", shared.r), vector_block("s", shared.s)),
+        "residual_tangent": (vector_block("dr", tangent(shared.r)), vector_block("ds", tangent(shared.s))),
         "state_derivative": (zd,),
-        "state_derivative_tangent": (_vector("dzd", solved_tangent(zd.elements)),),
+        "state_derivative_tangent": (vector_block("dzd", solved_tangent(zd.elements)),),
         "output": (y,),
-        "output_tangent": (_vector("dy", solved_tangent(y.elements)),),
+        "output_tangent": (vector_block("dy", solved_tangent(y.elements)),),
         "energies": (
             blocks.scalar("total", energies.total),
             blocks.scalar("kinetic", energies.kinetic),
@@ -96,14 +99,10 @@ class _Blocks:
         return [self.to_graph.node(expression) for expression in expressions]
 
     def column(self, name: str, expressions: Iterable[Expr]) -> Block:
-        return _vector(name, self.nodes(expressions))
+        return vector_block(name, self.nodes(expressions))
 
     def scalar(self, name: str, expression: Expr) -> Block:
         return _block(name, (), [self.to_graph.node(expression)])
-
-
-def _vector(name: str, nodes: Sequence[int]) -> Block:
-    return _block(name, (len(nodes),), nodes)
 
 
 def _block(name: str, shape: tuple[int, ...], nodes: Sequence[int]) -> Block:
@@ -176,6 +175,6 @@ def _monitor(blocks: _Blocks, equations: EquationsOfMotion) -> tuple[Block, ...]
         scales.append(scale)
     return (
         blocks.column("invariant", [invariant.value for invariant in equations.invariants]),
-        _vector("scale", scales),
+        vector_block("scale", scales),
         blocks.column("assertion", equations.assertions),
     )
