@@ -3,9 +3,9 @@ expressions of a model."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
-from typing import Any, TypeVar, assert_never
+from typing import Any, TypeAlias, TypeVar, assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
@@ -93,7 +93,17 @@ def postorder(expression: fx.FlatExpression, done: Container[int] = ()) -> Itera
 
 def substituted(part: Part, values: Mapping[str, fx.FlatExpression]) -> Part:
     """`part` with `values` for the variables of these names; what holds none of them is the same object."""
-    return _Substitution(values).of(part)  # type: ignore[no-any-return]
+    return rewritten(part, lambda node, _: values.get(node.name, node) if isinstance(node, fx.Variable) else None)
+
+
+Rule: TypeAlias = Callable[[Any, Callable[[Any], Any]], Any]
+
+
+def rewritten(part: Part, rule: Rule) -> Part:
+    """`part` with what `rule` gives for its records, from the outside. A rule gets a record and the function that
+    rewrites parts of it; where it gives None, the fields of the record are rewritten. What does not change is the same
+    object, and shared parts stay shared."""
+    return _Rewriting(rule).of(part)  # type: ignore[no-any-return]
 
 
 def records(part: Any) -> Iterator[Any]:
@@ -114,16 +124,12 @@ def _is_record(part: Any) -> bool:
     return is_dataclass(part) and not isinstance(part, (Span, SourceFile, Dimension))
 
 
-class _Substitution:
-    """Shared parts stay shared."""
-
-    def __init__(self, values: Mapping[str, fx.FlatExpression]) -> None:
-        self._values = values
+class _Rewriting:
+    def __init__(self, rule: Rule) -> None:
+        self._rule = rule
         self._known: dict[int, tuple[Any, Any]] = {}
 
     def of(self, part: Any) -> Any:
-        if isinstance(part, fx.Variable):
-            return self._values.get(part.name, part)
         if isinstance(part, tuple):
             found = tuple(self.of(each) for each in part)
             return found if any(new is not old for new, old in zip(found, part, strict=True)) else part
@@ -131,10 +137,11 @@ class _Substitution:
             return part
         known = self._known.get(id(part))
         if known is None:
-            known = self._known[id(part)] = part, self._record(part)
+            changed = self._rule(part, self.of)
+            known = self._known[id(part)] = part, self._fields(part) if changed is None else changed
         return known[1]
 
-    def _record(self, part: Any) -> Any:
+    def _fields(self, part: Any) -> Any:
         changed = {}
         for each in fields(part):
             old = getattr(part, each.name)

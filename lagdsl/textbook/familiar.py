@@ -8,8 +8,8 @@ people read this model.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from lagdsl.flat.events import Friction
@@ -30,8 +30,8 @@ from lagdsl.flat.expression import (
 )
 from lagdsl.flat.model import Definition, FlatModel, Parameter, PointMass, RigidBody
 from lagdsl.flat.quantity import Variability, fields_of
-from lagdsl.flat.traversal import postorder
-from lagdsl.source import SourceFile, Span
+from lagdsl.flat.traversal import postorder, rewritten
+from lagdsl.source import Span
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import ACCELERATION, INERTIA, MASS
 
@@ -197,39 +197,26 @@ def _with_senses(flat: FlatModel) -> FlatModel:
     frictions = flat.events.frictions
     if not frictions:
         return flat
-    rewriting = _Rewriting(frictions)
-    changed = {each.name: rewriting.of(getattr(flat, each.name)) for each in fields(flat) if each.name not in _LAWS}
+    sticking = {each.sticks for each in frictions}
+    senses = {name: sense for each in frictions for name, sense in _senses(each).items()}
+
+    def rule(part: Any, of: Callable[[Any], Any]) -> Any:
+        match part:
+            case Variable(name=name) if name in senses:
+                return senses[name]
+            case Conditional(condition=Variable(name=name), value=value, otherwise=otherwise) if name in sticking:
+                return _sum(of(value), of(otherwise))
+            case Conditional(condition=condition, value=value, otherwise=otherwise) if (
+                condition == Binary(">", value, ZERO) and otherwise == ONE
+            ):
+                return of(value)  # the speed of a slip, by which nothing is divided where it is zero
+            case Binary(operator="+", left=left, right=right):
+                return _sum(of(left), of(right))
+            case _:
+                return None
+
+    changed = {each.name: rewritten(getattr(flat, each.name), rule) for each in fields(flat) if each.name not in _LAWS}
     return replace(flat, **changed)
-
-
-class _Rewriting:
-    def __init__(self, frictions: tuple[Friction, ...]) -> None:
-        self._sticking = {each.sticks for each in frictions}
-        self._senses = {name: sense for each in frictions for name, sense in _senses(each).items()}
-        self._known: dict[int, tuple[Any, Any]] = {}
-
-    def of(self, part: Any) -> Any:
-        if isinstance(part, tuple):
-            return tuple(self.of(each) for each in part)
-        if isinstance(part, (Span, SourceFile, Dimension)) or not is_dataclass(part):
-            return part
-        known = self._known.get(id(part))
-        if known is None:
-            known = self._known[id(part)] = part, self._changed(part)
-        return known[1]
-
-    def _changed(self, part: Any) -> Any:
-        if isinstance(part, Variable):
-            return self._senses.get(part.name, part)
-        if isinstance(part, Conditional):
-            condition = part.condition
-            if isinstance(condition, Variable) and condition.name in self._sticking:
-                return _sum(self.of(part.value), self.of(part.otherwise))
-            if condition == Binary(">", part.value, ZERO) and part.otherwise == ONE:
-                return self.of(part.value)  # the speed of a slip, by which nothing is divided where it is zero
-        if isinstance(part, Binary) and part.operator == "+":
-            return _sum(self.of(part.left), self.of(part.right))
-        return replace(part, **{each.name: self.of(getattr(part, each.name)) for each in fields(part)})
 
 
 def _senses(friction: Friction) -> Mapping[str, FlatExpression]:

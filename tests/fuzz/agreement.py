@@ -5,13 +5,15 @@ tolerance, so that it neither forgives a wrong rule nor asks of a chaotic motion
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 from typing import Literal
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 import lagdsl
@@ -23,6 +25,8 @@ Floats = NDArray[np.float64]
 Verdict = Literal["same", "grazing", "differs", "hang", "nan"]
 
 TOLERANCE = 1e-8
+# An engine may disagree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
+MOST_GRAZING = 0.1
 INTERVAL = 0.01
 SECONDS = 20  # of the processor
 # States may differ by so many times what an engine differs from itself, or by this part of the tolerance.
@@ -188,3 +192,15 @@ def _table(run: Run) -> Floats:
 def _scale(values: Floats) -> Floats:
     """Range of each column, at least one."""
     return np.maximum(1.0, np.max(values, axis=0, initial=-np.inf) - np.min(values, axis=0, initial=np.inf))
+
+
+def told(
+    engine: str, reports: Mapping[int, Report], capsys: pytest.CaptureFixture[str]
+) -> tuple[dict[int, Report], dict[int, str]]:
+    """Prints the verdicts. Reports that are wrong, and why others hinge on less than the tolerance, by seed."""
+    wrong = {seed: report for seed, report in reports.items() if report.verdict not in ("same", "grazing")}
+    grazing = {seed: report.why for seed, report in reports.items() if report.verdict == "grazing"}
+    with capsys.disabled():
+        counts = Counter(report.verdict for report in reports.values())
+        print(f"\n{engine}: {dict(counts)}", *(f"grazing {seed}: {why}" for seed, why in grazing.items()), sep="\n")
+    return wrong, grazing

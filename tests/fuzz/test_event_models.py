@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
 import numpy as np
 import pytest
 from choice import ALL, EXPLORE, engines
-from fuzz.agreement import compare
+from fuzz.agreement import MOST_GRAZING, compare, told
 from fuzz.event_models import event_model
 
 import lagdsl
 
 COUNT = 1000 if EXPLORE else 24 if ALL else 2
-# An engine may disagree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
-MOST_GRAZING = 0.1
 
 
 def test_engines_agree_on_random_models(capsys: pytest.CaptureFixture[str]) -> None:
     reports = {seed: compare(event_model(seed)) for seed in range(COUNT)}
-    wrong = {seed: report for seed, report in reports.items() if report.verdict not in ("same", "grazing")}
-    grazing = {seed: report.why for seed, report in reports.items() if report.verdict == "grazing"}
-    with capsys.disabled():
-        counts = Counter(report.verdict for report in reports.values())
-        print(f"\n{dict(counts)}", *(f"grazing {seed}: {why}" for seed, why in grazing.items()), sep="\n")
+    wrong, grazing = told("both", reports, capsys)
     assert wrong == {}
     assert len(grazing) <= MOST_GRAZING * COUNT
 

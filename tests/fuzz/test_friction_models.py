@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
 import pytest
 from attack.rows import ENGINES
 from choice import ALL, EXPLORE
-from fuzz.agreement import Report
+from fuzz.agreement import MOST_GRAZING, Report, told
 from fuzz.friction_models import STOP, friction_model
 from fuzz.independent import compare_friction
 
 COUNT = 1000 if EXPLORE else 12 if ALL else 1
-MOST_GRAZING = 0.1
 
 
 def _report(seed: int, engine: str) -> Report:
@@ -22,11 +19,7 @@ def _report(seed: int, engine: str) -> Report:
 @pytest.mark.parametrize("engine", ENGINES)
 def test_engine_agrees_with_all_modes(engine: str, capsys: pytest.CaptureFixture[str]) -> None:
     reports = {seed: _report(seed, engine) for seed in range(1, COUNT + 1)}
-    wrong = {seed: report for seed, report in reports.items() if report.verdict not in ("same", "grazing")}
-    grazing = {seed: report.why for seed, report in reports.items() if report.verdict == "grazing"}
-    with capsys.disabled():
-        counts = Counter(report.verdict for report in reports.values())
-        print(f"\n{engine}: {dict(counts)}", *(f"grazing {seed}: {why}" for seed, why in grazing.items()), sep="\n")
+    wrong, grazing = told(engine, reports, capsys)
     assert wrong == {}
     assert len(grazing) <= MOST_GRAZING * max(COUNT, 10)
 

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
 
 import pytest
 from attack.rows import ENGINES
 from choice import ALL, EXPLORE
-from fuzz.agreement import Report
+from fuzz.agreement import MOST_GRAZING, Report, told
 from fuzz.event_models import STOP, event_model
 from fuzz.harder_models import harder_model
 from fuzz.independent import compare
 
 COUNT = 1000 if EXPLORE else 5 if ALL else 1
-MOST_GRAZING = 0.1
 
 
 def of_events(seed: int, engine: str) -> Report:
@@ -32,11 +30,7 @@ def test_engine_agrees_with_the_oracle(
     kind: Callable[[int, str], Report], engine: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     reports = {seed: kind(seed, engine) for seed in range(COUNT)}
-    wrong = {seed: report for seed, report in reports.items() if report.verdict not in ("same", "grazing")}
-    grazing = {seed: report.why for seed, report in reports.items() if report.verdict == "grazing"}
-    with capsys.disabled():
-        counts = Counter(report.verdict for report in reports.values())
-        print(f"\n{engine}: {dict(counts)}", *(f"grazing {seed}: {why}" for seed, why in grazing.items()), sep="\n")
+    wrong, grazing = told(engine, reports, capsys)
     assert wrong == {}
     assert len(grazing) <= MOST_GRAZING * COUNT
 
