@@ -101,8 +101,8 @@ Rule: TypeAlias = Callable[[Any, Callable[[Any], Any]], Any]
 
 def rewritten(part: Part, rule: Rule) -> Part:
     """`part` with what `rule` gives for its records, from the outside. A rule gets a record and the function that
-    rewrites parts of it; where it gives None, the fields of the record are rewritten. What does not change is the same
-    object, and shared parts stay shared."""
+    rewrites parts of it; where it gives None, the fields of the record are rewritten. A part without a change is the
+    same object, and shared parts stay shared."""
     return _Rewriting(rule).of(part)  # type: ignore[no-any-return]
 
 

@@ -201,19 +201,17 @@ def _with_senses(flat: FlatModel) -> FlatModel:
     senses = {name: sense for each in frictions for name, sense in _senses(each).items()}
 
     def rule(part: Any, of: Callable[[Any], Any]) -> Any:
-        match part:
-            case Variable(name=name) if name in senses:
-                return senses[name]
-            case Conditional(condition=Variable(name=name), value=value, otherwise=otherwise) if name in sticking:
-                return _sum(of(value), of(otherwise))
-            case Conditional(condition=condition, value=value, otherwise=otherwise) if (
-                condition == Binary(">", value, ZERO) and otherwise == ONE
-            ):
-                return of(value)  # the speed of a slip, by which nothing is divided where it is zero
-            case Binary(operator="+", left=left, right=right):
-                return _sum(of(left), of(right))
-            case _:
-                return None
+        if isinstance(part, Variable):
+            return senses.get(part.name)
+        if isinstance(part, Conditional):
+            condition = part.condition
+            if isinstance(condition, Variable) and condition.name in sticking:
+                return _sum(of(part.value), of(part.otherwise))
+            if condition == Binary(">", part.value, ZERO) and part.otherwise == ONE:
+                return of(part.value)  # the speed of a slip, by which nothing is divided where it is zero
+        if isinstance(part, Binary) and part.operator == "+":
+            return _sum(of(part.left), of(part.right))
+        return None
 
     changed = {each.name: rewritten(getattr(flat, each.name), rule) for each in fields(flat) if each.name not in _LAWS}
     return replace(flat, **changed)

@@ -83,12 +83,7 @@ static int any_driven(const lag_contacts *contacts)
 static size_t component_of(const lag_contacts *contacts, size_t i)
 {
     const lag_model *model = contacts->motion->model;
-    const double *gradient = contacts->jacobian + i * model->nq;
-    size_t j = 0;
-    while (j + 1 < model->nq && gradient[j] == 0.0) {
-        ++j;
-    }
-    return model->components != NULL ? model->components[j] : 0;
+    return lag_row_component(model, contacts->jacobian + i * model->nq);
 }
 
 /* Contacts that close. */
@@ -107,56 +102,33 @@ static void add_closing(lag_contacts *contacts)
     }
 }
 
-/*
- * Rows of the constraints that contacts are while they are closed, by their gaps: powers of two. Into `factors` (ncontact), zero for a contact without
- * a gradient.
- */
-static lag_status find_factors(const lag_contacts *contacts, double *factors)
+/* The row of the constraints that participant i is while it is closed; nc for an impact of a clause. Gaps are as these rows are. */
+static size_t row_of(const lag_contacts *contacts, size_t i)
 {
-    lag_motion *motion = contacts->motion;
-    lag_impulse *impulse = contacts->impulse;
-    const lag_model *model = motion->model;
-    const size_t n = model->nq;
-    memcpy(impulse->w, motion->w, model->nw * sizeof(double));
-    lag_fill(model->ncontact, 1.0, impulse->w + contacts->places.contact);
-    motion->at.w = impulse->w;
-    const lag_status status = model->velocity_constraint(&motion->at, impulse->residual, impulse->jacobian);
-    motion->at.w = motion->w;
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        const double *gap = contacts->jacobian + i * n;
-        size_t most = 0;
-        for (size_t j = 1; j < n; ++j) {
-            most = fabs(gap[j]) > fabs(gap[most]) ? j : most;
-        }
-        factors[i] = gap[most] != 0.0 ? impulse->jacobian[model->contact_rows[i] * n + most] / gap[most] : 0.0;
-    }
-    return status;
+    const lag_model *model = contacts->motion->model;
+    const size_t contact = (size_t)contacts->part[i];
+    return contact < model->ncontact ? model->contact_rows[contact] : model->nc;
 }
 
 /* Friction under the participants, by what it gains with their impulses. */
 static lag_status add_frictions(lag_contacts *contacts)
 {
     lag_frictions *frictions = contacts->frictions;
+    lag_inequalities *blow = &contacts->blow;
     const lag_model *model = contacts->motion->model;
-    double *factors = contacts->back;
-    lag_status status = lag_frictions_look(frictions);
-    status = status == LAG_OK ? find_factors(contacts, factors) : status;
+    const lag_status status = lag_frictions_look(frictions);
     for (size_t k = 0; k < model->nfriction && status == LAG_OK; ++k) {
         const double *gain = frictions->gain + k * model->nc;
         const size_t first = (size_t)frictions->first[k];
         int any = 0;
-        for (size_t i = 0; i < contacts->blow.normals; ++i) {
-            const size_t contact = (size_t)contacts->part[i];
-            any = any || (contact < model->ncontact && gain[model->contact_rows[contact]] != 0.0);
+        for (size_t i = 0; i < blow->normals; ++i) {
+            any = any || (row_of(contacts, i) < model->nc && gain[row_of(contacts, i)] != 0.0);
         }
         if (any) {
             const size_t number = lag_inequalities_add_friction(
-                &contacts->blow, model->nq, lag_frictions_components(frictions, k), frictions->jacobian + first * model->nq, frictions->slip + first);
-            double *coefficients = contacts->blow.coefficients + number * contacts->blow.normals;
-            for (size_t i = 0; i < contacts->blow.normals; ++i) {
-                const size_t contact = (size_t)contacts->part[i];
-                const int acts = contact < model->ncontact && factors[contact] != 0.0;
-                coefficients[i] = acts ? gain[model->contact_rows[contact]] / factors[contact] : 0.0;
+                blow, model->nq, lag_frictions_components(frictions, k), frictions->jacobian + first * model->nq, frictions->slip + first);
+            for (size_t i = 0; i < blow->normals; ++i) {
+                blow->coefficients[number * blow->normals + i] = row_of(contacts, i) < model->nc ? gain[row_of(contacts, i)] : 0.0;
             }
         }
     }

@@ -54,16 +54,6 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
     }
 }
 
-/* The component of the coordinates of a row (nq). */
-static size_t component_of(const lag_model *model, const double *row)
-{
-    size_t j = 0;
-    while (j + 1 < model->nq && row[j] == 0.0) {
-        ++j;
-    }
-    return model->components != NULL ? model->components[j] : 0;
-}
-
 static const double *row_of(const lag_frictions *frictions, size_t k)
 {
     return frictions->jacobian + (size_t)frictions->first[k] * frictions->motion->model->nq;
@@ -73,7 +63,7 @@ static const double *row_of(const lag_frictions *frictions, size_t k)
 static void follow(lag_frictions *frictions, size_t side, const double *row, double force)
 {
     const double push = frictions->compliance[side] * fabs(force);
-    double *most = frictions->push + component_of(frictions->motion->model, row);
+    double *most = frictions->push + lag_row_component(frictions->motion->model, row);
     *most = isfinite(push) ? fmax(*most, push) : *most;
 }
 
@@ -116,8 +106,7 @@ int lag_frictions_acts(const lag_frictions *frictions, size_t k)
 
 double lag_frictions_length(const lag_frictions *frictions, const double *array, size_t k)
 {
-    const double *own = array + (size_t)frictions->first[k];
-    return lag_frictions_components(frictions, k) > 1 ? hypot(own[0], own[1]) : fabs(own[0]);
+    return lag_slip_length(lag_frictions_components(frictions, k), array + (size_t)frictions->first[k]);
 }
 
 double lag_frictions_speed(const lag_frictions *frictions, size_t k)
@@ -127,16 +116,14 @@ double lag_frictions_speed(const lag_frictions *frictions, size_t k)
 
 double lag_frictions_slow(const lag_frictions *frictions, size_t k)
 {
-    const double crept = ROUNDING * frictions->push[component_of(frictions->motion->model, row_of(frictions, k))] * frictions->step;
+    const double crept = ROUNDING * frictions->push[lag_row_component(frictions->motion->model, row_of(frictions, k))] * frictions->step;
     return SLOW * lag_frictions_length(frictions, frictions->fast, k) + crept;
 }
 
 double lag_frictions_force(const lag_frictions *frictions, size_t k)
 {
-    const lag_model *model = frictions->motion->model;
-    const size_t *rows = model->friction_rows + (size_t)frictions->first[k];
-    const double *lam = frictions->motion->lam;
-    return lag_frictions_components(frictions, k) > 1 ? hypot(lam[rows[0]], lam[rows[1]]) : fabs(lam[rows[0]]);
+    const size_t row = frictions->motion->model->friction_rows[(size_t)frictions->first[k]];
+    return lag_slip_length(lag_frictions_components(frictions, k), frictions->motion->lam + row);
 }
 
 void lag_frictions_begin(lag_frictions *frictions)

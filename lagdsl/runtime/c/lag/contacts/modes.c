@@ -6,8 +6,8 @@
 #include "lag/contacts/modes_problem.h"
 #include "lag/linalg/arena.h"
 
-/* An acceleration below this part of what it is a sum of is zero. */
-static const double NONE = 1e-10;
+/* A force that is beyond a limit by this part of it is at the limit. */
+static const double BEYOND = 1e-10;
 /* Friction that bears this part of its limit beyond its force does not leave with others. */
 static const double SPARED = 1e-7;
 /* A closed contact pulls by more than this part of its largest force. */
@@ -20,8 +20,9 @@ enum { MOST_TIMES = 20 };
 size_t lag_modes_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw + model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
-           model->nload * (1 + 2 * n + model->nc + model->nz + model->ny + model->nload);
+    return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw +
+           model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
+           lag_loads_memory(model);
 }
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory)
@@ -43,10 +44,7 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
     modes->qdd = lag_take(&memory, n);
     modes->jacobian = lag_take(&memory, model->nc * n);
     modes->gamma = lag_take(&memory, model->nc);
-    modes->loads = lag_take(&memory, model->nload);
-    modes->by_load = lag_take(&memory, model->nload * (n + model->nz + model->ny + model->nload));
-    modes->by_acceleration = lag_take(&memory, model->nload * n);
-    modes->by_multiplier = memory;
+    lag_loads_place(&modes->loads, model, memory);
 }
 
 /* ---- what is looked for ---- */
@@ -74,6 +72,12 @@ static int pushes(const lag_modes *modes, size_t i, double most)
     return !isnan(modes->frictions->reserve[i]) || force >= -PULL * size;
 }
 
+/* 1: friction k, which sticks, is within its limits, as far as some forces of the present modes are. */
+static int bears(const lag_modes *modes, size_t k)
+{
+    return lag_frictions_guard(modes->frictions, k) >= -BEYOND * modes->frictions->force[k];
+}
+
 /* 1: friction k is in a mode that its slip and its force agree with. */
 static int agrees(const lag_modes *modes, size_t k)
 {
@@ -85,7 +89,7 @@ static int agrees(const lag_modes *modes, size_t k)
         return !sticks && !lag_any(lag_frictions_components(frictions, k), direction);
     }
     if (sticks) {
-        return !(moves && modes->jumped) && lag_frictions_guard(frictions, k) >= -NONE * frictions->force[k];
+        return !(moves && modes->jumped) && bears(modes, k);
     }
     return moves && (lag_frictions_components(frictions, k) > 1 || lag_frictions_guard(frictions, k) > 0.0);
 }
@@ -199,14 +203,12 @@ static void sort_frictions(lag_modes *modes, const double *left)
     }
 }
 
-/* 1: some forces of the present modes are within the limits that they have with these forces. */
+/* 1: all that sticks bears the forces of the present modes, with the limits that it has with these. */
 static int is_consistent(const lag_modes *modes)
 {
-    const lag_frictions *frictions = modes->frictions;
     int holds = 1;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
-        const int sticks = *lag_frictions_sticks(frictions, k) != 0.0;
-        holds = holds && (!sticks || lag_frictions_guard(frictions, k) >= -NONE * frictions->force[k]);
+        holds = holds && (*lag_frictions_sticks(modes->frictions, k) == 0.0 || bears(modes, k));
     }
     return holds;
 }

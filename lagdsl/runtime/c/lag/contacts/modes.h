@@ -31,9 +31,7 @@ typedef struct lag_modes {
     double *began;           /* (nfriction) as it does that began to slip at this instant */
     double *heading;         /* (nslip) directions of those that slide */
     double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
-    double *loads;           /* (nload) at no force of these rows; */
-    double *by_load;         /* (nq, nload) how M qdd - f changes with loads; behind it other results of load_gain() */
-    double *by_acceleration, *by_multiplier; /* (nload, nq) (nload, nc) */
+    lag_loads loads;         /* with the forces of the modes before */
     double *qdd;             /* (nq) */
 } lag_modes;
 

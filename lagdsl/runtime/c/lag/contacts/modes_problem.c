@@ -16,11 +16,7 @@ static const double BEGINNING = 1e-14;
 int lag_modes_is_touched(const lag_modes *modes, const double *row)
 {
     const lag_model *model = modes->motion->model;
-    size_t j = 0;
-    while (j + 1 < model->nq && row[j] == 0.0) {
-        ++j;
-    }
-    return model->components == NULL || modes->touched[model->components[j]] != 0.0;
+    return model->components == NULL || modes->touched[lag_row_component(model, row)] != 0.0;
 }
 
 void lag_modes_head(lag_modes *modes, size_t k, const double *along, double length, double sense)
@@ -95,35 +91,29 @@ static lag_status find_rows(lag_modes *modes)
     return status;
 }
 
-/* Generalized forces for unit loads, and the loads as they are without the forces of the rows in the problem. */
+/* Loads, and what they change with the directions that are looked at. */
 static lag_status find_loads(lag_modes *modes)
 {
     lag_motion *motion = modes->motion;
-    const lag_model *model = motion->model;
-    const size_t n = model->nq;
-    if (model->nload == 0) {
-        return LAG_OK;
-    }
-    double *rates = modes->by_load + model->nload * n;
-    double *outputs = rates + model->nload * model->nz;
-    const lag_status status = model->load(&motion->at, modes->loads, modes->by_acceleration, modes->by_multiplier);
-    motion->at.w = modes->w; /* with the directions that are looked at */
-    const lag_status known = status == LAG_OK ? model->load_gain(&motion->at, modes->by_load, rates, outputs, outputs + model->nload * model->ny) : status;
+    lag_status status = lag_loads_look(&modes->loads, motion->model, &motion->at);
+    motion->at.w = modes->w;
+    status = status == LAG_OK ? lag_loads_gain(&modes->loads, motion->model, &motion->at) : status;
     motion->at.w = motion->w;
-    return known;
+    return status;
 }
 
-/* A row of the constraints in the problem: its forces bring loads along. */
+/* A row of the constraints in the problem: its forces bring loads along, beside those that are in modes->w. */
 static void add_loads(lag_modes *modes, size_t number, size_t row)
 {
     const lag_model *model = modes->motion->model;
+    const lag_loads *loads = &modes->loads;
     const double lam = modes->motion->lam[row];
     for (size_t k = 0; k < model->nload; ++k) {
-        const double part = modes->by_multiplier[k * model->nc + row];
+        const double part = loads->by_multiplier[k * model->nc + row];
         for (size_t j = 0; j < model->nq; ++j) { /* how M qdd - f changes: a force is its negative */
-            modes->rows.columns[number * model->nq + j] -= part * modes->by_load[j * model->nload + k];
+            modes->rows.columns[number * model->nq + j] -= part * loads->motion[j * model->nload + k];
         }
-        modes->loads[k] -= isfinite(lam) ? part * lam : 0.0;
+        modes->w[modes->places.load + k] -= isfinite(lam) ? part * lam : 0.0;
     }
 }
 
@@ -185,13 +175,9 @@ static lag_status solve(lag_modes *modes, double t, const double *x)
 {
     const lag_model *model = modes->motion->model;
     lag_inequalities_clear(&modes->rows);
-    lag_status status = find_loads(modes);
-    if (status != LAG_OK) {
-        return status;
-    }
+    memcpy(modes->w + modes->places.load, modes->loads.value, model->nload * sizeof(double));
     add_contacts(modes);
     add_frictions(modes);
-    memcpy(modes->w + modes->places.load, modes->loads, model->nload * sizeof(double));
     return modes->rows.size > 0 ? lag_impulse_accelerate(modes->impulse, t, x, modes->w, &modes->rows, modes->qdd) : LAG_OK;
 }
 
@@ -220,8 +206,7 @@ static int slips_away(const lag_modes *modes, size_t number, size_t row, size_t 
 static int is_at_limit(const lag_modes *modes, size_t number, size_t row, size_t count)
 {
     const lag_inequalities *rows = &modes->rows;
-    const double force = count > 1 ? hypot(rows->force[row], rows->force[row + 1]) : fabs(rows->force[row]);
-    return force >= (1.0 - NONE) * limit_of(rows, number);
+    return lag_slip_length(count, rows->force + row) >= (1.0 - NONE) * limit_of(rows, number);
 }
 
 /* Headings of friction that slips; 1: one of them has a limit at rest above that of sliding, and was not `kinetic`. */
@@ -237,13 +222,13 @@ static int find_slipping(lag_modes *modes)
             continue;
         }
         const double *after = modes->rows.after + row;
-        const double length = count > 1 ? hypot(after[0], after[1]) : fabs(after[0]);
+        const double length = lag_slip_length(count, after);
         const int slips = slips_away(modes, number, row, count, length);
         if (slips || modes->began[k] == 0.0 || !is_at_limit(modes, number, row, count)) {
             lag_modes_head(modes, k, after, slips ? length : 0.0, 1.0);
         } else {
             const double *before = lag_frictions_direction(frictions, k);
-            lag_modes_head(modes, k, before, count > 1 ? hypot(before[0], before[1]) : fabs(before[0]), 1.0);
+            lag_modes_head(modes, k, before, lag_slip_length(count, before), 1.0);
             modes->began[k] = GOES_ON;
         }
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
@@ -291,6 +276,7 @@ lag_status lag_modes_solve(lag_modes *modes, double t, const double *x)
         }
     }
     lag_status status = find_rows(modes);
+    status = status == LAG_OK ? find_loads(modes) : status;
     int again = 1;
     while (again && status == LAG_OK) {
         status = solve(modes, t, x);

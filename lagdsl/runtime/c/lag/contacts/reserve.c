@@ -14,18 +14,13 @@ static size_t work_memory(const lag_model *model)
 {
     const size_t program = lag_reserve_program_memory(model);
     const size_t svd = model->nq * model->nc + lag_svd_memory(model->nq, model->nc);
-    return program > svd ? program : svd;
-}
-
-static size_t loads_memory(const lag_model *model)
-{
-    return model->nload * (1 + 2 * model->nq + model->nc + model->nz + model->ny + model->nload);
+    return lag_larger(program, svd);
 }
 
 size_t lag_reserve_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return model->nfriction == 0 ? 0 : m * (model->nq + 5 + m) + 3 * (model->ncontact + model->nfriction) + loads_memory(model) + work_memory(model);
+    return model->nfriction == 0 ? 0 : m * (model->nq + 5 + m) + 3 * (model->ncontact + model->nfriction) + lag_loads_memory(model) + work_memory(model);
 }
 
 void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *memory)
@@ -46,10 +41,7 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *m
     reserve->slack = lag_take(&memory, sides);
     reserve->size = lag_take(&memory, sides);
     reserve->member = lag_take(&memory, sides);
-    reserve->load = lag_take(&memory, model->nload);
-    reserve->by_acceleration = lag_take(&memory, model->nload * model->nq);
-    reserve->by_multiplier = lag_take(&memory, model->nload * model->nc);
-    reserve->by_load = lag_take(&memory, model->nload * (model->nq + model->nz + model->ny + model->nload));
+    lag_loads_place(&reserve->loads, model, lag_take(&memory, lag_loads_memory(model)));
     reserve->work = memory;
 }
 
@@ -72,19 +64,6 @@ static lag_status find_active(lag_reserve *r)
     return status;
 }
 
-/* Loads that forces of rows bring along, as those of friction that slides. */
-static lag_status find_loads(lag_reserve *r)
-{
-    const lag_model *model = r->motion->model;
-    double *rates = r->by_load + model->nload * model->nq;
-    double *outputs = rates + model->nload * model->nz;
-    if (model->nload == 0) {
-        return LAG_OK;
-    }
-    const lag_status status = model->load(&r->motion->at, r->load, r->by_acceleration, r->by_multiplier);
-    return status == LAG_OK ? model->load_gain(&r->motion->at, r->by_load, rates, outputs, outputs + model->nload * model->ny) : status;
-}
-
 /* The projection onto forces of unit rows without effect, with the loads that they bring along; 1: there are some. */
 static int find_shared(lag_reserve *r)
 {
@@ -97,8 +76,8 @@ static int find_shared(lag_reserve *r)
         for (size_t j = 0; j < n; ++j) {
             const size_t row = (size_t)r->active[k];
             double force = r->jacobian[row * n + j];
-            for (size_t l = 0; l < model->nload; ++l) { /* by_load tells how M qdd - f changes */
-                force -= r->by_load[j * model->nload + l] * r->by_multiplier[l * model->nc + row];
+            for (size_t l = 0; l < model->nload; ++l) { /* a force is the negative of how M qdd - f changes */
+                force -= r->loads.motion[j * model->nload + l] * r->loads.by_multiplier[l * model->nc + row];
             }
             columns[j * m + k] = force / r->length[k];
         }
@@ -153,7 +132,8 @@ lag_status lag_reserve_look(lag_reserve *r)
         return LAG_OK;
     }
     lag_status status = find_active(r);
-    status = status == LAG_OK ? find_loads(r) : status;
+    status = status == LAG_OK ? lag_loads_look(&r->loads, model, &r->motion->at) : status;
+    status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
     if (status != LAG_OK || r->count == 0 || !find_shared(r)) {
         return status;
     }

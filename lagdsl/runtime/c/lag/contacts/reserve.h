@@ -11,6 +11,7 @@
 #define LAG_RESERVE_H
 
 #include "lag/contacts/friction.h"
+#include "lag/equations/feedback.h"
 
 typedef struct lag_reserve {
     lag_motion *motion;
@@ -25,7 +26,7 @@ typedef struct lag_reserve {
     double *force;           /* (nc) multipliers with the largest least reserve, */
     double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
     double *member;          /* (ncontact + nfriction) the group of each */
-    double *by_load, *by_acceleration, *by_multiplier, *load; /* as in lag/contacts/modes.h */
+    lag_loads loads;         /* that forces bring along, as those of friction that slides */
     double *work;
 } lag_reserve;
 

@@ -186,13 +186,13 @@ static int is_in(const lag_reserve *r, size_t k, double group)
 static double limit_of(const lag_reserve *r, size_t k, double *length)
 {
     const lag_model *model = r->motion->model;
-    const size_t *rows = model->friction_rows + (size_t)r->frictions->first[k];
+    const size_t row = model->friction_rows[(size_t)r->frictions->first[k]];
     const double *gain = r->frictions->sticking_gain + k * model->nc;
     double limit = r->frictions->sticking[k];
     for (size_t i = 0; i < model->nc; ++i) {
         limit += gain[i] != 0.0 ? gain[i] * (r->force[i] - r->motion->lam[i]) : 0.0;
     }
-    *length = lag_frictions_components(r->frictions, k) > 1 ? hypot(r->force[rows[0]], r->force[rows[1]]) : fabs(r->force[rows[0]]);
+    *length = lag_slip_length(lag_frictions_components(r->frictions, k), r->force + row);
     return limit;
 }
 

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/discretes.h"
 #include "lag/equations/feedback.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
@@ -178,12 +177,11 @@ lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const do
     if (model->nload == 0 || rate > 0.0) {
         return solve_with_loads(&one, &motion->at, 0, qdd, lam);
     }
-    double *slopes = motion->loads;
     lag_arguments at = motion->at;
     at.qdd = qdd;
     at.lam = lam;
     const lag_status status = lag_feedback_solve(model, &motion->at, solve_with_loads, &one, memory, qdd, lam);
-    return status == LAG_OK ? model->load(&at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq) : status;
+    return status == LAG_OK ? lag_motion_take_loads(motion, &at) : status;
 }
 
 /* `alone`, in the order of lag/model.h; filled once for a state. */

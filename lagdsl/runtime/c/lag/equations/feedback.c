@@ -16,14 +16,39 @@ static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
 static const double WEDGED = 1e-9;
 
+size_t lag_loads_memory(const lag_model *model)
+{
+    return model->nload * (1 + 2 * model->nq + model->nc + model->nload + model->nz + model->ny);
+}
+
+void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory)
+{
+    const size_t count = model->nload;
+    loads->value = lag_take(&memory, count);
+    loads->by_acceleration = lag_take(&memory, count * model->nq);
+    loads->by_multiplier = lag_take(&memory, count * model->nc);
+    loads->motion = lag_take(&memory, model->nq * count);
+    loads->by_load = lag_take(&memory, count * count);
+    loads->unused = memory;
+}
+
+lag_status lag_loads_look(lag_loads *loads, const lag_model *model, const lag_arguments *at)
+{
+    return model->nload > 0 ? model->load(at, loads->value, loads->by_acceleration, loads->by_multiplier) : LAG_OK;
+}
+
+lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_arguments *at)
+{
+    double *outputs = loads->unused + model->nz * model->nload;
+    return model->nload > 0 ? model->load_gain(at, loads->motion, loads->unused, outputs, loads->by_load) : LAG_OK;
+}
+
 typedef struct feedback {
     const lag_model *model;
     lag_arguments at;        /* with w, qdd and lam of its own */
     double *load;            /* (nload) entries of that w */
-    double *value, *size;    /* (nload) L, its largest magnitude */
-    double *own_acceleration, *own_multiplier; /* (nload, nq) (nload, nc) how L changes with qdd and lam */
-    double *by_load;         /* (nload, nload) how L changes with loads that it reads itself */
-    double *unused;          /* other results of load_gain() */
+    lag_loads loads;         /* L there */
+    double *size;            /* (nload) the largest magnitude of each */
     double *slope;           /* (nload, nload) of s - L(s), decomposed */
     double *pivot;           /* (nload) */
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
@@ -37,8 +62,7 @@ typedef struct feedback {
 size_t lag_feedback_memory(const lag_model *model)
 {
     const size_t each = model->nq + model->nc;
-    const size_t gains = model->nq + model->nz + model->ny + model->nload;
-    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + 2 * each + model->nload + gains) + each;
+    return model->nload == 0 ? 0 : model->nw + model->nload * (2 + each + model->nload) + lag_loads_memory(model) + each;
 }
 
 static feedback begin(const lag_model *model, const lag_arguments *at, double *memory)
@@ -47,16 +71,12 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     const size_t n = model->nq;
     const size_t count = model->nload;
     double *w = lag_take(&memory, model->nw);
-    f.value = lag_take(&memory, count);
+    lag_loads_place(&f.loads, model, lag_take(&memory, lag_loads_memory(model)));
     f.size = lag_take(&memory, count);
     f.pivot = lag_take(&memory, count);
-    f.own_acceleration = lag_take(&memory, count * n);
     f.qdd_change = lag_take(&memory, count * n);
-    f.own_multiplier = lag_take(&memory, count * model->nc);
     f.lam_change = lag_take(&memory, count * model->nc);
     f.slope = lag_take(&memory, count * count);
-    f.by_load = lag_take(&memory, count * count);
-    f.unused = lag_take(&memory, count * (n + model->nz + model->ny));
     f.qdd = lag_take(&memory, n);
     f.lam = memory;
     memcpy(w, at->w, model->nw * sizeof(double));
@@ -70,14 +90,12 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
 /* Accelerations and multipliers at the present loads into qdd, lam; L there. */
 static lag_status look(feedback *f, double *qdd, double *lam)
 {
-    const lag_model *model = f->model;
-    double *rates = f->unused + model->nload * model->nq;
     lag_status status = f->solve(f->context, &f->at, f->again, qdd, lam);
     f->again = 1;
     f->at.qdd = qdd;
     f->at.lam = lam;
-    status = status == LAG_OK ? model->load(&f->at, f->value, f->own_acceleration, f->own_multiplier) : status;
-    return status == LAG_OK ? model->load_gain(&f->at, f->unused, rates, rates + model->nload * model->nz, f->by_load) : status;
+    status = status == LAG_OK ? lag_loads_look(&f->loads, f->model, &f->at) : status;
+    return status == LAG_OK ? lag_loads_gain(&f->loads, f->model, &f->at) : status;
 }
 
 /* Changes of qdd and lam with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
@@ -111,8 +129,8 @@ static lag_status factor(feedback *f)
     for (size_t i = 0; i < count; ++i) {
         double largest = 0.0;
         for (size_t k = 0; k < count; ++k) {
-            const double change = f->by_load[i * count + k] + lag_dot(n, f->own_acceleration + i * n, f->qdd_change + k * n) +
-                lag_dot(f->model->nc, f->own_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
+            const double change = f->loads.by_load[i * count + k] + lag_dot(n, f->loads.by_acceleration + i * n, f->qdd_change + k * n) +
+                lag_dot(f->model->nc, f->loads.by_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
             f->slope[i * count + k] = (i == k ? 1.0 : 0.0) - change;
             largest = fmax(largest, fabs(f->slope[i * count + k]));
         }
@@ -139,13 +157,13 @@ static lag_status step(feedback *f, double *left)
         return status;
     }
     for (size_t i = 0; i < count; ++i) {
-        f->value[i] -= f->load[i];
+        f->loads.value[i] -= f->load[i];
     }
-    lag_lu_solve(count, f->slope, f->pivot, f->value);
+    lag_lu_solve(count, f->slope, f->pivot, f->loads.value);
     for (size_t i = 0; i < count; ++i) {
-        f->load[i] += f->value[i];
+        f->load[i] += f->loads.value[i];
         f->size[i] = fmax(f->size[i], fabs(f->load[i]));
-        *left = fmax(*left, f->size[i] > 0.0 ? fabs(f->value[i]) / f->size[i] : 0.0);
+        *left = fmax(*left, f->size[i] > 0.0 ? fabs(f->loads.value[i]) / f->size[i] : 0.0);
     }
     return lag_finite(count, f->load) ? LAG_OK : LAG_NO_FORCES;
 }
@@ -158,7 +176,7 @@ lag_status lag_feedback_solve(
     f.context = context;
     lag_status status = look(&f, qdd, lam);
     for (size_t i = 0; i < model->nload; ++i) {
-        f.size[i] = fabs(f.value[i]);
+        f.size[i] = fabs(f.loads.value[i]);
     }
     status = status == LAG_OK ? find_changes(&f, qdd, lam) : status;
     double left = (double)INFINITY;

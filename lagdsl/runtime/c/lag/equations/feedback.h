@@ -13,6 +13,25 @@
 
 #include "lag/model.h"
 
+/* Loads at a state, and how they and the equations of motion change with what they depend on. */
+typedef struct lag_loads {
+    double *value;           /* (nload) L */
+    double *by_acceleration; /* (nload, nq) */
+    double *by_multiplier;   /* (nload, nc) */
+    double *motion;          /* (nq, nload) how M qdd - f - J' lam changes with loads, */
+    double *by_load;         /* (nload, nload) and L, where it reads loads itself */
+    double *unused;          /* other results of load_gain() */
+} lag_loads;
+
+/* Doubles for them. */
+size_t lag_loads_memory(const lag_model *model);
+
+void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory);
+
+/* L with its derivatives by qdd and lam; what changes with loads. Nothing in models without loads. */
+lag_status lag_loads_look(lag_loads *loads, const lag_model *model, const lag_arguments *at);
+lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_arguments *at);
+
 /* Doubles for it. */
 size_t lag_feedback_memory(const lag_model *model);
 

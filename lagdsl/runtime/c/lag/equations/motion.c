@@ -117,14 +117,17 @@ void lag_motion_look(lag_motion *motion, double t, const double *x)
     }
 }
 
+lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at)
+{
+    const lag_model *model = motion->model;
+    double *slopes = motion->loads;
+    return model->load(at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq);
+}
+
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
 {
     const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
     const lag_status status = lag_forward_dynamics(model, &motion->at, motion->memory, motion->qdd, motion->lam, &motion->coordinate);
-    if (status != LAG_OK || model->nload == 0) {
-        return status;
-    }
-    double *slopes = motion->loads;
-    return model->load(&motion->at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq);
+    return status == LAG_OK && model->nload > 0 ? lag_motion_take_loads(motion, &motion->at) : status;
 }

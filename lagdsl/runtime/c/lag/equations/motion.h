@@ -41,6 +41,9 @@ lag_status lag_motion_parameters(lag_motion *motion, const double *p);
 /* The start values of the model into x, those of the inputs into u. Constraints and initial equations are not looked at. */
 lag_status lag_motion_start(lag_motion *motion, double t, double *x);
 
+/* The loads into w, as they are at the state, accelerations and multipliers of `at`. */
+lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at);
+
 /* Lets `at` be the state x at time t, inputs included. */
 void lag_motion_look(lag_motion *motion, double t, const double *x);
 

@@ -62,15 +62,6 @@ static void clear_largest(lag_projection *projection, double value)
     lag_fill(model->nq + model->nz, value, projection->largest);
 }
 
-int lag_projection_holds(const lag_projection *projection, size_t component)
-{
-    size_t i = 0;
-    while (i < projection->motion->model->nc && (size_t)projection->component[i] != component) {
-        ++i;
-    }
-    return i < projection->motion->model->nc;
-}
-
 static void enlarge(lag_projection *projection, size_t component, double value)
 {
     projection->largest[component] = fmax(projection->largest[component], value);

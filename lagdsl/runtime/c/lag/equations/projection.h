@@ -61,9 +61,8 @@ lag_status lag_projection_exact(lag_projection *projection, double t, double *x,
  */
 lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held);
 
-/* The component of a coordinate; 0 where rows are not known by component. 1 if rows hold coordinates of a component. */
+/* The component of a coordinate; 0 where rows are not known by component. */
 size_t lag_component_of(const lag_model *model, size_t coordinate);
-int lag_projection_holds(const lag_projection *projection, size_t component);
 
 /* Measures rates (nq); then the largest of a row's component, in natural sizes a second, one at least. */
 void lag_projection_measure(lag_projection *projection, const double *rates);

@@ -120,9 +120,6 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length);
 
-/* Relations at x at time t, into `now`, and so long `ahead` by the rates, into `then`. */
-lag_status lag_event_iteration_look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead);
-
 /* Tells that something happened. */
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
 

@@ -68,13 +68,6 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
     probe(iteration, t, x, iteration->lookahead);
 }
 
-lag_status lag_event_iteration_look_ahead(lag_event_iteration *iteration, double t, const double *x, double ahead)
-{
-    probe(iteration, t, x, ahead);
-    const lag_status status = indicate(iteration, t + ahead, iteration->later, iteration->then);
-    return status == LAG_OK ? indicate(iteration, t, x, iteration->now) : status;
-}
-
 /* ---- sides ---- */
 
 /* A number that is clear of its round-off has a sign: 1 or -1, else 0. */

@@ -35,15 +35,10 @@ typedef struct scaled {
     double *work;             /* of Lemke's method, or of a decomposition */
 } scaled;
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
 size_t lag_friction_problem_memory(size_t normals, size_t frictions, size_t size)
 {
     const size_t all = normals + 3 * frictions;
-    const size_t general = frictions > 0 ? larger(all * all + 2 * all + lag_lemke_memory(all), lag_svd_memory(size, size)) : 0;
+    const size_t general = frictions > 0 ? lag_larger(all * all + 2 * all + lag_lemke_memory(all), lag_svd_memory(size, size)) : 0;
     return frictions > 0 ? 7 * size + frictions + size * size + general : lag_nnls_memory(normals);
 }
 

@@ -5,7 +5,25 @@
 #ifndef LAG_INEQUALITIES_H
 #define LAG_INEQUALITIES_H
 
+#include <math.h>
+
 #include "lag/model.h"
+
+/* The component of the coordinates that a row (nq) moves. */
+static inline size_t lag_row_component(const lag_model *model, const double *row)
+{
+    size_t j = 0;
+    while (j + 1 < model->nq && row[j] == 0.0) {
+        ++j;
+    }
+    return model->components != NULL ? model->components[j] : 0;
+}
+
+/* The length of a slip, or of its force, of one component or of two. */
+static inline double lag_slip_length(size_t components, const double *x)
+{
+    return components > 1 ? hypot(x[0], x[1]) : fabs(x[0]);
+}
 
 typedef struct lag_inequalities {
     size_t normals, frictions;
