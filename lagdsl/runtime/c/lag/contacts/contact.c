@@ -11,7 +11,7 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 15 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 16 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -27,7 +27,7 @@ static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
     double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
         &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
-        &contacts->back, &contacts->first, &contacts->entries, &contacts->met};
+        &contacts->back, &contacts->compliance, &contacts->first, &contacts->entries, &contacts->met};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
         *arrays[k] = lag_take(memory, count);
         memset(*arrays[k], 0, count * sizeof(double));

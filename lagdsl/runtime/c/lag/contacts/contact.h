@@ -4,9 +4,6 @@
  * Each contact is judged by what enters its own gap. Its length is sum |dgap/dq_j| |q_j|, with the largest magnitudes so far: gaps are
  * zero to round-off of that; its speed is sum |dgap/dq_j| |qd_j|; its force is the one that would cancel the accelerations that the forces give
  * its own coordinates, with forces that act and those that would where positions change by as much as they are. So what does not enter a gap changes nothing, in whatever units and sizes.
- *
- * A contact that rebounds at the speed v, after an approach at v/r, and is accelerated back by a, is in the air for T = 2 v/a, and for r T,
- * r^2 T, ... afterwards: it rests T/(1 - r) later. It is held from now on where that is short, and told to be closed at that time.
  */
 #ifndef LAG_CONTACT_H
 #define LAG_CONTACT_H
@@ -40,6 +37,7 @@ typedef struct lag_contacts {
     double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
     double *closing;         /* (ncontact) */
     double *back;            /* (ncontact) accelerations of gaps while they are open */
+    double *compliance;      /* (ncontact) what a unit impulse of each adds to its own speed, of the last blow in which it took part */
     double *hit;             /* (nq + nz) by component: one impact takes place in it */
     double *tau, *zero, *moved, *other, *forces; /* (nq) each */
 } lag_contacts;
@@ -80,8 +78,8 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
 
-/* True if flights at contact i, of which the next takes so long and each of the others this part of the one before, are too short to follow. */
-int lag_contacts_are_brief(const lag_contacts *contacts, size_t i, double flight, double ratio);
+/* Which contacts are closed behind these impacts, and which are held, as their bounces accumulate. */
+lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double *x);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */
 double lag_contacts_next(const lag_contacts *contacts);
@@ -111,6 +109,19 @@ static inline int lag_contacts_is_one_way(const lag_contacts *contacts, size_t i
 {
     const unsigned char *one_way = contacts->motion->model->one_way;
     return one_way != NULL && one_way[i] != 0;
+}
+
+/* The component of the mechanism that gap i belongs to. */
+static inline size_t lag_contacts_component(const lag_contacts *contacts, size_t i)
+{
+    const lag_model *model = contacts->motion->model;
+    return lag_row_component(model, contacts->jacobian + i * model->nq);
+}
+
+/* 1: contact i was located as closing at this instant, or its gap is zero. */
+static inline int lag_contacts_touches(const lag_contacts *contacts, size_t i)
+{
+    return contacts->met[i] != 0.0 || contacts->gap[i] <= lag_contacts_touch(contacts, i);
 }
 
 static inline double lag_contacts_multiplier(const lag_contacts *contacts, size_t i)
