@@ -21,7 +21,6 @@ typedef struct lag_contacts {
     double *part;            /* (ngap) the contacts, or collisions behind them, of its normals */
     double length;           /* of the experiment [s] */
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
-    double lookahead;           /* gaps that close so soon at their present speed close now [s] */
     const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
     double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
     double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */

@@ -18,8 +18,6 @@ static const double LIMITS = 4.0;
 static const double CHANGE = 1e-4;
 /* Magnitudes of forces that differ by less than this factor are alike. */
 static const double ALIKE = 2.0;
-/* Gaps close now that close within this part of the moment. */
-static const double PASSING = 1e-2;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
@@ -72,9 +70,8 @@ double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
 double lag_contacts_touch(const lag_contacts *contacts, size_t i)
 {
     const double off = contacts->limits != NULL ? LIMITS * contacts->limits[contacts->motion->model->contact_rows[i]] : 0.0;
-    const double soon = -PASSING * contacts->lookahead * contacts->speed[i];
     const double closed = *lag_contacts_flag(contacts, i) != 0.0 ? off : 0.0;
-    return fmax(fmax(TOUCHING * contacts->scale[i], closed), soon);
+    return fmax(TOUCHING * contacts->scale[i], closed);
 }
 
 double lag_contacts_creep(const lag_contacts *contacts, size_t i)

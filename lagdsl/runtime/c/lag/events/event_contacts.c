@@ -86,31 +86,6 @@ lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, co
     return status == LAG_OK && bends ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
-/* Multipliers a moment later, with contacts as they are now. */
-static void look_ahead(lag_event_iteration *iteration, double t, const double *x)
-{
-    lag_event_iteration_move_on(iteration, t, x);
-    lag_event_iteration_solve(iteration->motion, t + iteration->lookahead, iteration->later);
-}
-
-/* The force of a contact there, in round-offs of its own; what is no number pulls. */
-static double push(const lag_event_iteration *iteration, size_t i)
-{
-    const double force = iteration->motion->lam[iteration->motion->model->contact_rows[i]];
-    return force == force ? force / fmax(lag_contacts_force_noise(iteration->contacts, i), 1e-300) : -(double)INFINITY;
-}
-
-void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling)
-{
-    const size_t count = iteration->motion->model->ncontact;
-    if (lag_any(count, pulling)) {
-        look_ahead(iteration, t, x);
-    }
-    for (size_t i = 0; i < count; ++i) {
-        pulling[i] = pulling[i] != 0.0 && push(iteration, i) < -1.0;
-    }
-}
-
 lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
 {
     const lag_model *model = iteration->motion->model;
@@ -137,7 +112,7 @@ static lag_status cross(lag_event_iteration *iteration, double t, double *x, siz
     memcpy(x, iteration->aside, lag_motion_size(model) * sizeof(double));
     memcpy(truth, iteration->sides, model->nindicator * sizeof(double));
     const int located = iteration->located != NULL && iteration->located[which] != 0.0;
-    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->lookahead, refracted, back);
+    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->moment, refracted, back);
 }
 
 /* True if the rates behind the step, which were looked at last, drive in a contact that is closed and does not hold. */

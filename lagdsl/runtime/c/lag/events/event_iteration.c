@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
+           3 * lag_motion_size(model) + model->nz + 5 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
            lag_position_maps_memory(model);
 }
 
@@ -31,7 +31,7 @@ void lag_event_iteration_place(
     iteration->projection = projection;
     iteration->noise = noise;
     iteration->places = lag_places_of(model);
-    iteration->lookahead = iteration->moment = 1e-9;
+    iteration->moment = 1e-9;
     iteration->before = lag_take(&memory, model->nw);
     iteration->next = lag_take(&memory, model->nw);
     iteration->guilty = lag_take(&memory, model->nw);
@@ -44,14 +44,10 @@ void lag_event_iteration_place(
     iteration->stop = lag_take(&memory, model->nstop);
     iteration->fail = lag_take(&memory, model->nfail);
     iteration->held = lag_take(&memory, size);
-    iteration->rate = lag_take(&memory, size);
-    iteration->middle = lag_take(&memory, size);
-    iteration->later = lag_take(&memory, size);
     iteration->point = lag_take(&memory, size);
     iteration->states = lag_take(&memory, model->nz);
     iteration->now = lag_take(&memory, model->nindicator);
-    iteration->then = lag_take(&memory, model->nindicator);
-    iteration->soon = lag_take(&memory, model->nindicator);
+    iteration->side = lag_take(&memory, model->nindicator);
     iteration->half = lag_take(&memory, model->nindicator);
     iteration->truth = lag_take(&memory, model->nindicator);
     iteration->aside = lag_take(&memory, size);

@@ -26,21 +26,19 @@ typedef struct lag_event_iteration {
     lag_refraction *refraction;
     lag_position_maps maps;
     lag_places places;
-    double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
-    double moment;            /* the shortest such time; one that turns back within the longer one is looked at after this [s] */
+    double moment;            /* the instant is known to so much [s] */
     double *before, *next; /* (nw) */
     double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
     double *reset, *value; /* (nreset) */
     double *collision, *restitution; /* (ncollision) */
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
-    double *rate, *middle, *later; /* (2 nq + nz) */
     double *point;         /* (2 nq + nz) */
     double *states;        /* (nz) before the clauses of this pass set them */
     const double *from;    /* (2 nq + nz) the state before the event */
     const double *stood;   /* (nw) the discrete variables before the event */
     const double *located; /* (nindicator) relations that were located at their zeros, wherever a projection moves them; null: none */
-    double *now, *then, *soon, *half; /* (nindicator) */
+    double *now, *side, *half; /* (nindicator) */
     double *truth;         /* (nindicator) relations before a pass turns them */
     double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
     double *closed, *pulling; /* (ncontact) */
@@ -85,9 +83,6 @@ lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, co
  */
 lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
 
-/* Of the closed contacts flagged in `pulling` those that still pull a moment later: a force at a corner of time is there by round-off only. */
-void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
-
 /*
  * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
  * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not. The instant is known up to a `moment` [s].
@@ -131,11 +126,8 @@ void lag_event_iteration_solve(lag_motion *motion, double t, const double *x);
 /* Relations as they stand at a state, into w. */
 lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x);
 
-/* The state a moment later, as w has it, into `later`. */
-void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x);
-
 /*
- * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
+ * Relations as they stand; those that pass zero here are on the side to which the motion leads, those that stay at zero what they have turned to
  * (flags, or null).
  */
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);

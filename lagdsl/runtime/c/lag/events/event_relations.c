@@ -1,7 +1,7 @@
 /*
  * Sides of relations just behind an instant. A relation lies on the side of its value where that is clear of round-off; else the motion leads it to that of
- * its rate, or, where that is not clear either, of its acceleration. The model has these as expressions. Where they read rates that no equation gives, those
- * of inputs, accelerations or multipliers, the value after a probe step stands for them. A relation that shows no side stays what it is.
+ * its rate, or, where that is not clear either, of its acceleration. The model has these as expressions. A relation that shows no side stays what it is: where
+ * its derivatives read rates that no equation gives, those of inputs, accelerations or multipliers, the scan finds it when it leaves.
  */
 #include <math.h>
 #include <string.h>
@@ -10,10 +10,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* At the start probe steps are longer, up to this part of the experiment, */
-static const double SOON = 1e-4;
-/* by this factor from one to the next. */
-static const double LONGER = 16.0;
 /* So many times between resets in a row, each shorter than the one before, are a series. */
 enum { SERIES = 2 };
 /*
@@ -45,29 +41,6 @@ lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, c
     return status;
 }
 
-/* ---- probe steps ---- */
-
-/* The state so much later, by one step of the midpoint rule; as it is where the motion has no rates. */
-static void probe(lag_event_iteration *iteration, double t, const double *x, double step)
-{
-    lag_motion *motion = iteration->motion;
-    const size_t size = lag_motion_size(motion->model);
-    double *later = iteration->later;
-    memcpy(later, x, size * sizeof(double));
-    if (motion->ode.rates(motion, t, x, iteration->rate) != LAG_OK) {
-        return;
-    }
-    lag_axpy(size, 0.5 * step, iteration->rate, later);
-    const int known = motion->ode.rates(motion, t + 0.5 * step, later, iteration->middle) == LAG_OK;
-    memcpy(later, x, size * sizeof(double));
-    lag_axpy(size, step, known ? iteration->middle : iteration->rate, later);
-}
-
-void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x)
-{
-    probe(iteration, t, x, iteration->lookahead);
-}
-
 /* ---- sides ---- */
 
 /* A number that is clear of its round-off has a sign: 1 or -1, else 0. */
@@ -88,19 +61,6 @@ static double side_of(const lag_event_iteration *iteration, size_t i, double win
     return side != 0.0 ? side : sign_of(noise->value[rate + count], LAG_MOVES_CLEARLY * noise->sigma[rate + count]);
 }
 
-/* True if derivative `order` of relation i is not known. */
-static int is_unknown(const lag_event_iteration *iteration, size_t i, size_t order)
-{
-    const size_t count = iteration->motion->model->nindicator;
-    return !isfinite(iteration->noise->value[order * count + iteration->motion->model->ncorner + i]);
-}
-
-/* True if relation i has no side yet, and one of its derivatives is not known. */
-static int waits(const lag_event_iteration *iteration, size_t i)
-{
-    return iteration->soon[i] == 0.0 && (is_unknown(iteration, i, 1) || is_unknown(iteration, i, 2));
-}
-
 /* True if all relations are clear of their round-off as it was known last, and of what they move in the window. */
 static int are_clear(const lag_event_iteration *iteration, double window)
 {
@@ -114,37 +74,8 @@ static int are_clear(const lag_event_iteration *iteration, double window)
     return i == count;
 }
 
-/* Sides by values after probe steps of growing length, up to `longest`, where rates are not known; one that passes zero near its beginning is at its border. */
-static lag_status look_behind(lag_event_iteration *iteration, double t, const double *x, double window, double longest)
-{
-    const size_t count = iteration->motion->model->nindicator;
-    const double *g = iteration->now;
-    double *side = iteration->soon;
-    size_t left = 0;
-    for (size_t i = 0; i < count; ++i) {
-        left += (size_t)(is_unknown(iteration, i, 1) || waits(iteration, i));
-    }
-    for (double step = iteration->lookahead; left > 0 && step <= longest; step *= LONGER) {
-        probe(iteration, t, x, step);
-        if (indicate(iteration, t + step, iteration->later, iteration->then) != LAG_OK) {
-            return LAG_OK;
-        }
-        left = 0;
-        for (size_t i = 0; i < count; ++i) {
-            const double moved = iteration->then[i] - g[i];
-            const int passes = is_unknown(iteration, i, 1) && fabs(g[i]) * step <= fabs(moved) * window;
-            if (passes || waits(iteration, i)) {
-                const double later = sign_of(moved, LAG_MOVES_CLEARLY * iteration->noise->sigma[i]);
-                side[i] = later != 0.0 ? later : side[i];
-            }
-            left += (size_t)waits(iteration, i);
-        }
-    }
-    return LAG_OK;
-}
-
-/* Sides of all relations just behind t into `soon`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window, double longest)
+/* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
+static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window)
 {
     lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
@@ -156,9 +87,9 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     const lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->now); /* there may be no accelerations */
     for (size_t i = 0; i < count; ++i) {
         iteration->now[i] = known ? noise->value[i] : iteration->now[i];
-        iteration->soon[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->now[i], 0.0);
+        iteration->side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->now[i], 0.0);
     }
-    return known && !clear ? look_behind(iteration, t, x, window, longest) : status;
+    return status;
 }
 
 /* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
@@ -181,11 +112,11 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    const double *side = iteration->soon;
+    const double *side = iteration->side;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
+    lag_status status = find_sides(iteration, t, x, iteration->moment);
     size_t i = 0;
     while (i < model->nindicator && side[i] != 0.0) {
         ++i;
@@ -208,9 +139,9 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0, SOON * iteration->contacts->length) : LAG_OK;
+    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        turned[i] = iteration->soon[i] != 0.0 && (iteration->soon[i] > 0.0) != (truth[i] != 0.0);
+        turned[i] = iteration->side[i] != 0.0 && (iteration->side[i] > 0.0) != (truth[i] != 0.0);
     }
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         int refracted = 0;
@@ -229,9 +160,9 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
+    const lag_status status = find_sides(iteration, t, x, iteration->moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = holds(model, i, iteration->soon[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
+        turned[i] = holds(model, i, iteration->side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
     return status;
 }

@@ -6,8 +6,7 @@
 
 #include "lag/linalg/arena.h"
 
-/* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
-static const double AHEAD = 1e-4;
+/* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
 
 size_t lag_instants_memory(const lag_model *model)
@@ -385,7 +384,5 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
     instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
-    instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
-    instants->contacts.lookahead = instants->iteration.moment;
     instants->frictions.step = h;
 }

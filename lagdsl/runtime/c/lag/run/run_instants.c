@@ -193,9 +193,6 @@ static lag_status find_turned(lag_run *run, int *any)
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
         contacts[i] *= run->motion.w[crossings->places.contact + i];
     }
-    if (status == LAG_EVENT_PENDING) {
-        lag_event_iteration_still_pulling(&run->instants.iteration, s->t, s->x, contacts);
-    }
     *any = status == LAG_EVENT_PENDING && lag_any(lag_guards(model), crossings->changed);
     lag_fill(model->ncontact + model->nfriction, 0.0, contacts); /* these follow */
     return status == LAG_EVENT_PENDING ? LAG_OK : status;

@@ -109,11 +109,9 @@ static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
-    RECORD(instants->contacts.lookahead);
     RECORD(instants->contacts.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
-    RECORD(instants->iteration.lookahead);
     RECORD(instants->iteration.moment);
     RECORD(instants->iteration.stopped);
     RECORD(instants->iteration.fault);
