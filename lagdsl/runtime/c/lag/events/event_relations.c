@@ -49,16 +49,49 @@ static double sign_of(double value, double error)
     return fabs(value) > error ? (value > 0.0 ? 1.0 : -1.0) : 0.0;
 }
 
-/* The side of relation i by its value, its rate and its acceleration; 0: they do not show it. It is at its border where the motion passes it within `window` [s]: so well is the instant known. */
-static double side_of(const lag_event_iteration *iteration, size_t i, double window)
+/* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
+static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
+{
+    const size_t place = iteration->places.relation + i;
+    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->stood[place];
+}
+
+/*
+ * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or this instant has not
+ * moved it, and it was located, or lies behind zero and was not found to leave. A projection moves such values.
+ */
+static int is_at_border(const lag_event_iteration *iteration, size_t i, const double *turned, double window)
+{
+    const lag_noise *noise = iteration->noise;
+    const size_t count = iteration->motion->model->nindicator;
+    const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
+    const int located = iteration->located != NULL && iteration->located[i] != 0.0;
+    const int stood = iteration->stood[iteration->places.relation + i] != 0.0;
+    const int stays = !has_turned(iteration, turned, i) && holds(iteration->motion->model, i, noise->value[i]) != stood;
+    const int unmoved = !(fabs(noise->value[i] - iteration->half[i]) > noise->sigma[i]);
+    return (unmoved && (located || stays)) || !(fabs(noise->value[i]) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
+}
+
+/* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
+static double side_of(const lag_event_iteration *iteration, size_t i, const double *turned, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const size_t rate = count + iteration->motion->model->ncorner + i;
-    const double passed = window * fabs(noise->value[rate]);
-    double side = sign_of(noise->value[i], fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
-    side = side != 0.0 ? side : sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
+    if (!is_at_border(iteration, i, turned, window)) {
+        return sign_of(noise->value[i], 0.0);
+    }
+    const double side = sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
     return side != 0.0 ? side : sign_of(noise->value[rate + count], LAG_MOVES_CLEARLY * noise->sigma[rate + count]);
+}
+
+/* Values of the relations before the event, into `half`. */
+static lag_status look_back(lag_event_iteration *iteration, double t)
+{
+    iteration->motion->at.w = iteration->stood;
+    const lag_status status = indicate(iteration, t, iteration->from, iteration->half);
+    iteration->motion->at.w = iteration->motion->w;
+    return status;
 }
 
 /* True if all relations are clear of their round-off as it was known last, and of what they move in the window. */
@@ -75,7 +108,7 @@ static int are_clear(const lag_event_iteration *iteration, double window)
 }
 
 /* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window)
+static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, const double *turned, double window)
 {
     lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
@@ -84,27 +117,11 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    const lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->now); /* there may be no accelerations */
+    const lag_status status = !known ? indicate(iteration, t, x, iteration->now) : clear ? LAG_OK : look_back(iteration, t); /* there may be no accelerations */
     for (size_t i = 0; i < count; ++i) {
         iteration->now[i] = known ? noise->value[i] : iteration->now[i];
-        iteration->side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->now[i], 0.0);
+        iteration->side[i] = known && !clear ? side_of(iteration, i, turned, window) : sign_of(iteration->now[i], 0.0);
     }
-    return status;
-}
-
-/* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
-static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
-{
-    const size_t place = iteration->places.relation + i;
-    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->stood[place];
-}
-
-/* Values of the relations before the event, into `half`. */
-static lag_status look_back(lag_event_iteration *iteration, double t)
-{
-    iteration->motion->at.w = iteration->stood;
-    const lag_status status = indicate(iteration, t, iteration->from, iteration->half);
-    iteration->motion->at.w = iteration->motion->w;
     return status;
 }
 
@@ -116,14 +133,9 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    lag_status status = find_sides(iteration, t, x, iteration->moment);
-    size_t i = 0;
-    while (i < model->nindicator && side[i] != 0.0) {
-        ++i;
-    }
-    status = status == LAG_OK && i < model->nindicator ? look_back(iteration, t) : status;
+    const lag_status status = find_sides(iteration, t, x, turned, iteration->moment);
     const int alone = iteration->begins && !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
-    for (i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const int was_there = !(fabs(iteration->half[i]) > iteration->noise->sigma[i]);
         const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
@@ -139,7 +151,7 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0) : LAG_OK;
+    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, NULL, 0.0) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
         turned[i] = iteration->side[i] != 0.0 && (iteration->side[i] > 0.0) != (truth[i] != 0.0);
     }
@@ -160,7 +172,7 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, iteration->moment);
+    const lag_status status = find_sides(iteration, t, x, turned, iteration->moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         turned[i] = holds(model, i, iteration->side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }

@@ -362,11 +362,11 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
             status = turn_relation(instants, t, x, i);
         }
     }
-    instants->iteration.located = NULL;
     instants->iteration.turned = any || ticks;
     if (status == LAG_OK) {
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
+    instants->iteration.located = NULL;
     lag_fill(model->ncontact, 0.0, instants->contacts.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
     const int sunk = status == LAG_OK && any &&

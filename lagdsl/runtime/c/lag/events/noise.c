@@ -30,7 +30,7 @@ static size_t all_of(const lag_model *model)
 size_t lag_noise_memory(const lag_model *model)
 {
     const size_t unknown = model->nu + model->nq + model->nc;
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 3 * model->nindicator : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 2 * model->nindicator : 0;
 }
 
 /* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
@@ -60,12 +60,10 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     if (size > 0) {
         leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
     }
-    noise->largest = lag_take(&memory, 2 * model->nindicator);
-    noise->least = memory;
+    noise->largest = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->sigma, 0, all_of(model) * sizeof(double));
     memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
-    memset(noise->least, 0, model->nindicator * sizeof(double));
 }
 
 void lag_noise_follow(lag_noise *noise, const double *x)
@@ -119,10 +117,7 @@ lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
 static double least_of(const lag_noise *noise, size_t i)
 {
     const lag_model *model = noise->motion->model;
-    if (i >= count_of(model)) {
-        return fmax(DBL_MIN, CHANGE * noise->largest[i - count_of(model)]);
-    }
-    return i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
+    return fmax(DBL_MIN, i >= count_of(model) ? CHANGE * noise->largest[i - count_of(model)] : 0.0);
 }
 
 /* Number i after change k, or after the opposite one (`sign` -1). */

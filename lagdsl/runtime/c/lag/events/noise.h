@@ -20,7 +20,6 @@ typedef struct lag_noise {
     double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
     double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
-    double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
 } lag_noise;
 
 /* Doubles for it. */

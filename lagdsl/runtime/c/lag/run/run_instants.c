@@ -1,5 +1,4 @@
 /* Events of a run, with a report of the state before and after each. */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,47 +17,6 @@ static int has_instants(const lag_run *run)
 static lag_status tell(lag_run *run, lag_event_kind what)
 {
     return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
-}
-
-/*
- * Relations that lie in their dead bands are at their borders in an event, wherever a projection moves them: those that have left by no more than that, those that
- * stay behind zero, and those that have drifted while rows held them.
- */
-static void hold(lag_run *run, const double *changed)
-{
-    lag_zero_crossing *crossings = &run->crossings;
-    lag_noise *noise = crossings->noise;
-    const size_t count = run->motion.model->nindicator;
-    const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
-    double *least = crossings->found;
-    const double *located = changed == crossings->changed ? crossings->root : changed;
-    memcpy(crossings->root, crossings->changed, bytes);
-    const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) : LAG_SINGULAR;
-    for (size_t i = 0; i < count; ++i) {
-        const double value = lag_zero_crossing_value(crossings, i);
-        const int is_near = -value <= crossings->depth[i] + 2.0 * crossings->band[i] && value <= lag_zero_crossing_known(crossings, i);
-        const int is_located = located != NULL && located[i] != 0.0 && is_near; /* inputs may jump and take it away */
-        const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
-        least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
-    }
-    memcpy(crossings->changed, crossings->root, bytes);
-    if ((status != LAG_OK && status != LAG_EVENT_PENDING) || !lag_any(count, least)) {
-        return;
-    }
-    lag_noise_find(noise, run->stepper.t, run->stepper.x);
-    for (size_t i = 0; i < count; ++i) {
-        noise->least[i] = least[i] > 0.0 ? least[i] + noise->sigma[i] : 0.0;
-    }
-}
-
-static void release(lag_run *run)
-{
-    lag_noise *noise = run->crossings.noise;
-    const size_t count = run->motion.model->nindicator;
-    if (lag_any(count, noise->least)) {
-        lag_fill(count, 0.0, noise->least);
-        lag_noise_find(noise, run->stepper.t, run->stepper.x);
-    }
 }
 
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
@@ -91,14 +49,12 @@ static lag_status begin(lag_run *run, const double *changed)
     if (changed != NULL) {
         doubt(run, changed);
     }
-    hold(run, changed);
     return tell(run, LAG_BEFORE);
 }
 
 /* An event that came to a good end is told. */
 static lag_status end(lag_run *run, lag_status status)
 {
-    release(run);
     if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
     }
