@@ -138,14 +138,14 @@ int lag_run_due(const lag_run *run, double t)
     return has_instants(run) && lag_instants_due(&run->instants, t);
 }
 
-/* *any: forces or inputs that have jumped turn relations, flagged in `changed`, or pull at closed contacts. */
+/* *any: forces or inputs that have jumped turn relations, flagged in `changed`, or pull at closed contacts, just behind the present. */
 static lag_status find_turned(lag_run *run, int *any)
 {
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
-    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
+    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
         contacts[i] *= run->motion.w[crossings->places.contact + i];
     }
