@@ -56,6 +56,12 @@ static int has_turned(const lag_event_iteration *iteration, const double *turned
     return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->stood[place];
 }
 
+/* True if this instant has moved the value of relation i. */
+static int is_moved(const lag_event_iteration *iteration, size_t i)
+{
+    return fabs(iteration->noise->value[i] - iteration->half[i]) > iteration->noise->sigma[i];
+}
+
 /*
  * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or this instant has not
  * moved it, and it was located, or lies behind zero and was not found to leave. A projection moves such values.
@@ -68,8 +74,8 @@ static int is_at_border(const lag_event_iteration *iteration, size_t i, const do
     const int located = iteration->located != NULL && iteration->located[i] != 0.0;
     const int stood = iteration->stood[iteration->places.relation + i] != 0.0;
     const int stays = !has_turned(iteration, turned, i) && holds(iteration->motion->model, i, noise->value[i]) != stood;
-    const int unmoved = !(fabs(noise->value[i] - iteration->half[i]) > noise->sigma[i]);
-    return (unmoved && (located || stays)) || !(fabs(noise->value[i]) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
+    const int is_near = fabs(noise->value[i]) <= lag_noise_known(noise, i); /* one that jumps is clear of it */
+    return (is_near && !is_moved(iteration, i) && (located || stays)) || !(fabs(noise->value[i]) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
 
 /* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
@@ -117,7 +123,9 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    const lag_status status = !known ? indicate(iteration, t, x, iteration->now) : clear ? LAG_OK : look_back(iteration, t); /* there may be no accelerations */
+    lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->now); /* there may be no accelerations */
+    memcpy(iteration->half, noise->value, count * sizeof(double));
+    status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
         iteration->now[i] = known ? noise->value[i] : iteration->now[i];
         iteration->side[i] = known && !clear ? side_of(iteration, i, turned, window) : sign_of(iteration->now[i], 0.0);
@@ -136,11 +144,10 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     const lag_status status = find_sides(iteration, t, x, turned, iteration->moment);
     const int alone = iteration->begins && !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int was_there = !(fabs(iteration->half[i]) > iteration->noise->sigma[i]);
         const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
-        } else if (!has_turned(iteration, turned, i) && !was_there) {
+        } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i)) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there */
         }
     }

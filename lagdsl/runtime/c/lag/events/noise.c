@@ -50,6 +50,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
     const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
+    noise->tolerance = 0.0;
     noise->peak = lag_take(&memory, size + inputs);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
@@ -183,9 +184,9 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
     }
 }
 
-double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)
+double lag_noise_known(const lag_noise *noise, size_t which)
 {
-    return tolerance / CHANGE * noise->sigma[which];
+    return noise->tolerance / CHANGE * noise->sigma[which];
 }
 
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)
@@ -216,11 +217,11 @@ static void turn_aside(const lag_noise *noise, const double *x, double *point)
     }
 }
 
-/* True if relation i may rest: it is zero and does not move, as far as the motion is known to the tolerance. */
-static int may_rest(const lag_noise *noise, size_t i, double tolerance)
+/* True if relation i may rest: it is zero and does not move, as far as the motion is known. */
+static int may_rest(const lag_noise *noise, size_t i)
 {
     const double rate = noise->value[count_of(noise->motion->model) + i];
-    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i, tolerance));
+    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i));
     return (fabs(noise->value[i]) <= near || noise->sigma[i] == 0.0) && fabs(rate) <= HELD * noise->largest[i];
 }
 
@@ -238,7 +239,7 @@ static int is_held(const lag_noise *noise, size_t i, const double *without, cons
     return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
 }
 
-void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held)
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double *point, double *held)
 {
     const size_t count = noise->motion->model->nindicator;
     lag_fill(count, 0.0, held);
@@ -246,7 +247,7 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        held[i] = may_rest(noise, i, tolerance);
+        held[i] = may_rest(noise, i);
     }
     if (!lag_any(count, held)) {
         return;

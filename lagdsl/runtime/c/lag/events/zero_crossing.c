@@ -182,8 +182,8 @@ static double size_of(const lag_zero_crossing *crossings, size_t which)
 
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 {
-    return !lag_zero_crossing_has_noise(crossings, which) ? crossings->tolerance * size_of(crossings, which) :
-        lag_noise_known(crossings->noise, which, crossings->tolerance);
+    return !lag_zero_crossing_has_noise(crossings, which) ? crossings->noise->tolerance * size_of(crossings, which) :
+        lag_noise_known(crossings->noise, which);
 }
 
 /* ---- memory ---- */
@@ -225,7 +225,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->side = lag_take(&memory, model->ncorner);
     crossings->beside = lag_take(&memory, model->ncorner);
     crossings->laws = memory;
-    crossings->span = crossings->reach = crossings->tolerance = 0.0;
+    crossings->span = crossings->reach = 0.0;
     crossings->limit = (double)INFINITY;
     crossings->locating = 0;
     lag_fill(count, 0.0, crossings->depth);
@@ -358,5 +358,5 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
 
 void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point)
 {
-    lag_noise_hold(crossings->noise, projection, t, x, crossings->tolerance, point, crossings->held);
+    lag_noise_hold(crossings->noise, projection, t, x, point, crossings->held);
 }

@@ -29,7 +29,6 @@ typedef struct lag_zero_crossing {
     double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
     double *top;                   /* the same: the largest values since then */
     int locating;                  /* guards that have left are looked at to find the instant */
-    double tolerance;              /* of the motion, relative */
     double *held;                  /* (nindicator) flags: the rows of the mode hold it */
     double *swing;                 /* (nindicator) largest magnitude since it turned last; infinite: it has not turned */
     double *doubted;               /* (nindicator) first time at which it turned by the method's error, perhaps; infinite: none */

@@ -75,7 +75,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
     lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
-    run->crossings.tolerance = options->tolerance;
+    run->instants.noise.tolerance = options->tolerance;
     run->instants.iteration.tell = tell;
     run->instants.iteration.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
