@@ -12,6 +12,13 @@
 
 typedef struct lag_method lag_method;
 
+/*
+ * States that a method evaluates anyway and that lie near the motion, up to terms of the fourth order in the length of the step at least: at its
+ * beginning, between, at its end. Methods tell those that they have.
+ */
+enum { LAG_PASSED_BEGIN, LAG_PASSED_END = 4, LAG_PASSED };
+
+
 typedef struct lag_stepper {
     const lag_ode *ode;
     const lag_method *method;
@@ -35,6 +42,8 @@ typedef struct lag_stepper {
     double *trouble_x;  /* (size) and the state */
     double length;      /* of the steps of methods that do not choose it */
     size_t nq;          /* for methods of second order: x begins with so many coordinates and their rates */
+    void (*pass)(void *context, unsigned place, double t); /* told just after such a state was evaluated at t; null: nobody asks */
+    void *context;      /* of pass */
 } lag_stepper;
 
 struct lag_method {
@@ -88,6 +97,8 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x);
 
 /* f(t, x), counted; what is not finite is trouble. */
 lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd);
+/* The state that was evaluated last lies at this place of the step. */
+void lag_stepper_pass(const lag_stepper *s, unsigned place, double t);
 /* Root mean square of error (size) over tolerance; infinite where it is no number. */
 double lag_stepper_norm(const lag_stepper *s, const double *error);
 /* Length of the next trial: the proposed one, cut or stretched a little to hit the limit. */

@@ -222,11 +222,29 @@ static lag_status solve_with_loads(void *context, const lag_arguments *at, int a
     return status;
 }
 
+/* Elimination as the whole solution of a model without rows left to run time and without loads. */
+static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
+{
+    double none = 0.0;
+    double pivot = 0.0;
+    const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
+    return status == LAG_OK && pivot > lag_smallest_pivot(model) && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
+}
+
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
+    const int whole = model->elimination != NULL && model->nk == 0 && model->nload == 0;
+    if (whole && eliminate_all(model, at, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
     double *loads = lag_take(&memory, lag_feedback_memory(model));
-    solver s = {.model = model, .to = place(model, memory), .coordinate = coordinate};
-    return model->nload > 0 ? lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam)
-                            : solve_with_loads(&s, at, 0, qdd, lam);
+    solver s; /* not set to zero: that takes as long as small systems do */
+    s.model = model;
+    s.to = place(model, memory);
+    s.coordinate = coordinate;
+    if (model->nload > 0) {
+        return lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam);
+    }
+    return whole ? solve_system(&s, at, 0, qdd, lam) : solve_with_loads(&s, at, 0, qdd, lam);
 }

@@ -124,12 +124,14 @@ static const kind KIND[KINDS] = {
     [CORNERS] = {count_corners, look_at_corners, corner, corner_noise},
 };
 
-/* The kind of guard *which; its number among those of its kind instead. */
+/* The kind of guard *which; its number among those of its kind instead. Every look asks this for every guard: no calls. */
 static int kind_of(const lag_zero_crossing *crossings, size_t *which)
 {
+    const lag_model *model = crossings->motion->model;
+    const size_t count[CORNERS] = {[RELATIONS] = model->nindicator, [CONTACTS] = model->ncontact, [FRICTIONS] = model->nfriction};
     int k = 0;
-    while (k < KINDS - 1 && *which >= KIND[k].count(crossings)) {
-        *which -= KIND[k].count(crossings);
+    while (k < CORNERS && *which >= count[k]) {
+        *which -= count[k];
         ++k;
     }
     return k;
@@ -137,11 +139,7 @@ static int kind_of(const lag_zero_crossing *crossings, size_t *which)
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)
 {
-    size_t count = 0;
-    for (int k = 0; k < KINDS; ++k) {
-        count += KIND[k].count(crossings);
-    }
-    return count;
+    return lag_guards(crossings->motion->model) + crossings->corners;
 }
 
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
@@ -275,10 +273,13 @@ static int ends_at_zero(const lag_zero_crossing *crossings, size_t i)
 /* True if guard i may have left its mode, by what may be its rounding error here, which is not known. */
 static int is_unclear(const lag_zero_crossing *crossings, size_t i)
 {
+    if (crossings->band[i] != 0.0 || !lag_zero_crossing_has_noise(crossings, i)) {
+        return 0;
+    }
     const double beyond = -lag_zero_crossing_value(crossings, i) - crossings->depth[i];
     const double sigma = lag_zero_crossing_noise(crossings, i);
     const int is_clear = sigma > 0.0 && beyond > LAG_CLEARLY * sigma;
-    return lag_zero_crossing_has_noise(crossings, i) && crossings->band[i] == 0.0 && ((beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i));
+    return (beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i);
 }
 
 /* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */

@@ -96,6 +96,15 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent)
     }
 }
 
+static void pass(void *context, unsigned place, double t)
+{
+    lag_run *run = context;
+    lag_results *results = run->options.results;
+    if (results->extremes != NULL) {
+        lag_extremes_pass(results->extremes, run, place, t);
+    }
+}
+
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
@@ -118,6 +127,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.length = options->h_fixed;
     run->stepper.nq = model->nq;
+    run->stepper.pass = options->results != NULL && model->ny > 0 ? pass : NULL;
+    run->stepper.context = run;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
