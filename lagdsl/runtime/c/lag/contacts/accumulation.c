@@ -36,14 +36,14 @@ typedef struct series {
 static int parts(const lag_contacts *contacts, size_t i)
 {
     const double speed = contacts->speed[i];
-    const int is_captured = contacts->approach[i] != 0.0 && speed < contacts->capture_speed[i];
-    return speed > fmax(lag_contacts_creep(contacts, i), REBOUND * -contacts->approach[i]) && !is_captured;
+    const int is_captured = contacts->blows.approach[i] != 0.0 && speed < contacts->capture_speed[i];
+    return speed > fmax(lag_contacts_creep(contacts, i), REBOUND * -contacts->blows.approach[i]) && !is_captured;
 }
 
 /* A speed of contact i as the square root of twice the energy that stops it. */
 static double size_of(const lag_contacts *contacts, size_t i, double speed)
 {
-    return contacts->compliance[i] > 0.0 ? fabs(speed) / sqrt(contacts->compliance[i]) : 0.0;
+    return contacts->blows.compliance[i] > 0.0 ? fabs(speed) / sqrt(contacts->blows.compliance[i]) : 0.0;
 }
 
 /*
@@ -59,7 +59,7 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
         double *opened = impulse->w + contacts->places.contact + i;
-        *opened = contacts->closing[i] != 0.0 ? 1.0 : *opened;
+        *opened = contacts->blows.closing[i] != 0.0 ? 1.0 : *opened;
     }
     motion->at.w = impulse->w;
     const lag_status status = model->dynamics(&motion->at, impulse->mass, impulse->size, impulse->jacobian, impulse->residual);
@@ -67,14 +67,14 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     for (size_t i = 0; i < model->ncontact; ++i) {
         const size_t row = model->contact_rows[i];
         const double acceleration = lag_dot(model->nq, impulse->jacobian + row * model->nq, motion->qdd) - impulse->residual[row];
-        contacts->back[i] = status == LAG_OK ? acceleration : 0.0;
+        contacts->blows.back[i] = status == LAG_OK ? acceleration : 0.0;
     }
 }
 
 /* The time for which contact i is open; infinite if it does not come back. */
 static double flight_of(const lag_contacts *contacts, size_t i)
 {
-    return contacts->back[i] < 0.0 ? 2.0 * contacts->speed[i] / -contacts->back[i] : (double)INFINITY;
+    return contacts->blows.back[i] < 0.0 ? 2.0 * contacts->speed[i] / -contacts->blows.back[i] : (double)INFINITY;
 }
 
 /* True if a flight does not get clear of the round-off of its gap, or of a step, or if what is left of them, each `ratio` of the one before, is brief. */
@@ -91,14 +91,14 @@ static series series_of(const lag_contacts *contacts, size_t component)
     const size_t count = contacts->motion->model->ncontact;
     series all = {.component = component, .brief = 1};
     for (size_t i = 0; i < count; ++i) {
-        if ((contacts->approach[i] != 0.0 || contacts->closing[i] != 0.0) && lag_contacts_component(contacts, i) == component) {
-            all.approach = fmax(all.approach, size_of(contacts, i, contacts->approach[i]));
-            all.parting = fmax(all.parting, contacts->closing[i] != 0.0 ? size_of(contacts, i, contacts->speed[i]) : 0.0);
+        if ((contacts->blows.approach[i] != 0.0 || contacts->blows.closing[i] != 0.0) && lag_contacts_component(contacts, i) == component) {
+            all.approach = fmax(all.approach, size_of(contacts, i, contacts->blows.approach[i]));
+            all.parting = fmax(all.parting, contacts->blows.closing[i] != 0.0 ? size_of(contacts, i, contacts->speed[i]) : 0.0);
         }
     }
     const double ratio = all.approach > 0.0 ? all.parting / all.approach : 1.0;
     for (size_t i = 0; i < count && all.brief; ++i) {
-        if (contacts->closing[i] != 0.0 && lag_contacts_component(contacts, i) == component) {
+        if (contacts->blows.closing[i] != 0.0 && lag_contacts_component(contacts, i) == component) {
             const double flight = flight_of(contacts, i);
             all.brief = is_brief(contacts, i, flight, ratio);
             all.left = fmax(all.left, fmin(ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY, flight / NEXT));
@@ -112,7 +112,7 @@ static void hold(lag_contacts *contacts, double t)
 {
     series last = {.component = SIZE_MAX};
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        if (contacts->closing[i] == 0.0) {
+        if (contacts->blows.closing[i] == 0.0) {
             continue;
         }
         const size_t component = lag_contacts_component(contacts, i);
@@ -120,7 +120,7 @@ static void hold(lag_contacts *contacts, double t)
         if (last.brief) {
             const double rest = t + last.left;
             *lag_contacts_flag(contacts, i) = 1.0;
-            contacts->until[i] = contacts->approach[i] != 0.0 && !(contacts->flight > 0.0) && rest > t ? rest : (double)INFINITY;
+            contacts->until[i] = contacts->blows.approach[i] != 0.0 && !(contacts->flight > 0.0) && rest > t ? rest : (double)INFINITY;
         }
     }
 }
@@ -129,22 +129,22 @@ lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double 
 {
     const size_t count = contacts->motion->model->ncontact;
     for (size_t i = 0; i < count; ++i) {
-        *lag_contacts_flag(contacts, i) = contacts->before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
+        *lag_contacts_flag(contacts, i) = contacts->blows.before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
     lag_status status = lag_contacts_part(contacts, t, x);
-    if (contacts->struck == 0 || status != LAG_OK) {
+    if (contacts->blows.struck == 0 || status != LAG_OK) {
         return status;
     }
     status = lag_contacts_look(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const int struck = contacts->approach[i] != 0.0;
-        const int opened = contacts->before[i] != 0.0 && *lag_contacts_flag(contacts, i) == 0.0 && lag_contacts_touches(contacts, i);
-        contacts->closing[i] = (struck || opened) && parts(contacts, i);
+        const int struck = contacts->blows.approach[i] != 0.0;
+        const int opened = contacts->blows.before[i] != 0.0 && *lag_contacts_flag(contacts, i) == 0.0 && lag_contacts_touches(contacts, i);
+        contacts->blows.closing[i] = (struck || opened) && parts(contacts, i);
         contacts->until[i] = struck ? (double)INFINITY : contacts->until[i];
         contacts->motion->w[contacts->places.impacts + i] += struck;
-        *lag_contacts_flag(contacts, i) = struck && contacts->closing[i] == 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
+        *lag_contacts_flag(contacts, i) = struck && contacts->blows.closing[i] == 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
-    if (status == LAG_OK && lag_any(count, contacts->closing)) {
+    if (status == LAG_OK && lag_any(count, contacts->blows.closing)) {
         fly(contacts, t, x);
         hold(contacts, t);
     }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/contacts/contact.h"
+#include "lag/linalg/arena.h"
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
@@ -25,7 +26,7 @@ void lag_contacts_follow(lag_contacts *contacts, const double *x)
     const size_t count = model->ncontact + model->nfriction > 0 ? 2 * model->nq : 0;
     for (size_t j = 0; j < count; ++j) {
         const double magnitude = fabs(x[j]);
-        contacts->peak[j] = magnitude > contacts->peak[j] ? magnitude : contacts->peak[j];
+        contacts->sizes.peak[j] = magnitude > contacts->sizes.peak[j] ? magnitude : contacts->sizes.peak[j];
     }
 }
 
@@ -38,46 +39,57 @@ static void scale_one(lag_contacts *contacts, size_t i, const double *gradient, 
     for (size_t k = 0; k < count; ++k) {
         const size_t j = columns != NULL ? columns[k] : k;
         const double slope = fabs(gradient[j]);
-        length += slope * fmax(contacts->peak[j], contacts->least[j]);
-        speed += slope * contacts->peak[n + j];
+        length += slope * fmax(contacts->sizes.peak[j], contacts->sizes.least[j]);
+        speed += slope * contacts->sizes.peak[n + j];
         slopes += slope;
     }
-    contacts->scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
-    contacts->pace[i] = speed;
+    contacts->sizes.scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
+    contacts->sizes.pace[i] = speed;
 }
 
-void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
+static void find_scales(lag_contacts *contacts)
 {
     const lag_model *model = contacts->motion->model;
     const lag_pattern *entries = model->jacobian_pattern;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        const size_t first = (size_t)contacts->first[i];
-        const size_t count = (size_t)contacts->entries[i];
-        scale_one(contacts, i, jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
+        const size_t first = (size_t)contacts->sizes.first[i];
+        const size_t count = (size_t)contacts->sizes.entries[i];
+        scale_one(contacts, i, contacts->jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
     }
 }
 
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i)
 {
-    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->scale[i];
+    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->sizes.scale[i];
 }
 
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
 {
-    return NO_FORCE * contacts->force[i];
+    return NO_FORCE * contacts->sizes.force[i];
 }
 
 double lag_contacts_touch(const lag_contacts *contacts, size_t i)
 {
     const double off = contacts->limits != NULL ? LIMITS * contacts->limits[contacts->motion->model->contact_rows[i]] : 0.0;
     const double closed = *lag_contacts_flag(contacts, i) != 0.0 ? off : 0.0;
-    return fmax(TOUCHING * contacts->scale[i], closed);
+    return fmax(TOUCHING * contacts->sizes.scale[i], closed);
 }
 
 double lag_contacts_creep(const lag_contacts *contacts, size_t i)
 {
-    const double drift = contacts->length > 0.0 ? TOUCHING * contacts->scale[i] / contacts->length : 0.0;
-    return fmax(TOUCHING * contacts->pace[i], drift);
+    const double drift = contacts->length > 0.0 ? TOUCHING * contacts->sizes.scale[i] / contacts->length : 0.0;
+    return fmax(TOUCHING * contacts->sizes.pace[i], drift);
+}
+
+lag_status lag_contacts_evaluate(lag_contacts *contacts)
+{
+    const lag_motion *motion = contacts->motion;
+    const lag_status status = motion->model->contact(
+        &motion->at, contacts->gap, contacts->speed, contacts->jacobian, contacts->restitution, contacts->capture_speed, contacts->zeno_time);
+    if (status == LAG_OK) {
+        find_scales(contacts);
+    }
+    return status;
 }
 
 lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x)
@@ -85,12 +97,7 @@ lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x)
     lag_motion *motion = contacts->motion;
     lag_motion_look(motion, t, x);
     lag_contacts_follow(contacts, x);
-    const lag_status status = motion->model->contact(
-        &motion->at, contacts->gap, contacts->speed, contacts->jacobian, contacts->restitution, contacts->capture_speed, contacts->zeno_time);
-    if (status == LAG_OK) {
-        lag_contacts_scale(contacts, contacts->jacobian);
-    }
-    return status;
+    return lag_contacts_evaluate(contacts);
 }
 
 void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
@@ -124,12 +131,16 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 static lag_status act(lag_contacts *contacts, const double *x, double part, int alternate, double *force)
 {
     lag_motion *motion = contacts->motion;
+    double *memory = contacts->work;
+    double *moved = lag_take(&memory, motion->model->nq);
+    double *zero = lag_take(&memory, motion->model->nq);
+    lag_fill(motion->model->nq, 0.0, zero);
     for (size_t j = 0; j < motion->model->nq; ++j) {
-        const double by = part * fmax(contacts->peak[j], contacts->least[j]);
-        contacts->moved[j] = alternate && j % 2 != 0 ? x[j] - by : x[j] + by;
+        const double by = part * fmax(contacts->sizes.peak[j], contacts->sizes.least[j]);
+        moved[j] = alternate && j % 2 != 0 ? x[j] - by : x[j] + by;
     }
-    motion->at.q = contacts->moved;
-    motion->at.qdd = contacts->zero;
+    motion->at.q = moved;
+    motion->at.qdd = zero;
     const lag_status status = motion->model->inverse_dynamics(&motion->at, force);
     motion->at.qdd = motion->qdd;
     motion->at.q = x;
@@ -140,14 +151,16 @@ static lag_status act(lag_contacts *contacts, const double *x, double part, int 
 static lag_status find_forces(lag_contacts *contacts, const double *x)
 {
     const size_t n = contacts->motion->model->nq;
-    const lag_status status = act(contacts, x, 0.0, 0, contacts->tau);
+    double *tau = contacts->work + 2 * n;
+    double *other = contacts->work + 3 * n;
+    const lag_status status = act(contacts, x, 0.0, 0, tau);
     for (size_t j = 0; j < n; ++j) {
-        contacts->forces[j] = fabs(contacts->tau[j]);
+        contacts->forces[j] = fabs(tau[j]);
     }
     for (int k = 0; k < 2 && status == LAG_OK; ++k) {
-        if (act(contacts, x, CHANGE, k, contacts->other) == LAG_OK) {
+        if (act(contacts, x, CHANGE, k, other) == LAG_OK) {
             for (size_t j = 0; j < n; ++j) {
-                const double by = fabs(contacts->other[j] - contacts->tau[j]) / CHANGE;
+                const double by = fabs(other[j] - tau[j]) / CHANGE;
                 contacts->forces[j] = isfinite(by) ? fmax(contacts->forces[j], by) : contacts->forces[j];
             }
         }
@@ -194,7 +207,7 @@ lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
     }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const double force = force_of(contacts, i, 1);
-        contacts->force[i] = fmax(contacts->force[i], force > 0.0 ? force : force_of(contacts, i, 0));
+        contacts->sizes.force[i] = fmax(contacts->sizes.force[i], force > 0.0 ? force : force_of(contacts, i, 0));
     }
     return status;
 }

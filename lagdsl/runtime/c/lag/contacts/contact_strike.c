@@ -24,7 +24,7 @@ static lag_status release(lag_contacts *contacts, double t, const double *x)
         lag_contacts_solve(contacts, t, x);
     }
     for (size_t i = 0; i < count && any; ++i) {
-        if (lag_contacts_multiplier(contacts, i) <= NOTHING * contacts->force[i]) {
+        if (lag_contacts_multiplier(contacts, i) <= NOTHING * contacts->sizes.force[i]) {
             *flag(contacts, i) = 0.0;
         }
     }
@@ -34,7 +34,7 @@ static lag_status release(lag_contacts *contacts, double t, const double *x)
 static void add(lag_contacts *contacts, size_t i, double restitution)
 {
     const size_t n = contacts->motion->model->nq;
-    lag_inequalities_add_normal(&contacts->blow, n, contacts->jacobian + i * n, contacts->speed[i], restitution);
+    lag_inequalities_add_normal(&contacts->blows.rows, n, contacts->jacobian + i * n, contacts->speed[i], restitution);
 }
 
 /* Flags of open contacts that close; whether there are any. */
@@ -43,7 +43,7 @@ static int find_closing(lag_contacts *contacts)
     int any = 0;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         const int closing = lag_contacts_touches(contacts, i) && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
-        contacts->closing[i] = closing;
+        contacts->blows.closing[i] = closing;
         any = any || closing;
     }
     return any;
@@ -68,13 +68,13 @@ static int any_driven(const lag_contacts *contacts)
 static void add_closing(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        if (contacts->closing[i] != 0.0) {
-            contacts->part[contacts->blow.normals] = (double)i;
+        if (contacts->blows.closing[i] != 0.0) {
+            contacts->blows.part[contacts->blows.rows.normals] = (double)i;
             add(contacts, i, contacts->restitution[i]);
-            contacts->hit[lag_contacts_component(contacts, i)] = 1.0;
-            if (contacts->approach[i] == 0.0) {
-                contacts->approach[i] = contacts->speed[i];
-                contacts->order[contacts->struck++] = (double)i;
+            contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
+            if (contacts->blows.approach[i] == 0.0) {
+                contacts->blows.approach[i] = contacts->speed[i];
+                contacts->blows.order[contacts->blows.struck++] = (double)i;
             }
         }
     }
@@ -84,7 +84,7 @@ static void add_closing(lag_contacts *contacts)
 static size_t row_of(const lag_contacts *contacts, size_t i)
 {
     const lag_model *model = contacts->motion->model;
-    const size_t contact = (size_t)contacts->part[i];
+    const size_t contact = (size_t)contacts->blows.part[i];
     return contact < model->ncontact ? model->contact_rows[contact] : model->nc;
 }
 
@@ -92,7 +92,7 @@ static size_t row_of(const lag_contacts *contacts, size_t i)
 static lag_status add_frictions(lag_contacts *contacts)
 {
     lag_frictions *frictions = contacts->frictions;
-    lag_inequalities *blow = &contacts->blow;
+    lag_inequalities *blow = &contacts->blows.rows;
     const lag_model *model = contacts->motion->model;
     const lag_status status = lag_frictions_look(frictions);
     for (size_t k = 0; k < model->nfriction && status == LAG_OK; ++k) {
@@ -120,24 +120,24 @@ static lag_status add_frictions(lag_contacts *contacts)
 static lag_status gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
-    memset(contacts->hit, 0, (model->nq + model->nz) * sizeof(double));
-    lag_inequalities_clear(&contacts->blow);
+    memset(contacts->blows.hit, 0, (model->nq + model->nz) * sizeof(double));
+    lag_inequalities_clear(&contacts->blows.rows);
     add_closing(contacts);
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
-            contacts->part[contacts->blow.normals] = (double)(model->ncontact + i);
+            contacts->blows.part[contacts->blows.rows.normals] = (double)(model->ncontact + i);
             add(contacts, model->ncontact + i, restitution[i]);
-            contacts->hit[lag_contacts_component(contacts, model->ncontact + i)] = 1.0;
+            contacts->blows.hit[lag_contacts_component(contacts, model->ncontact + i)] = 1.0;
         }
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
         if (is_driven(contacts, i)) {
-            contacts->hit[lag_contacts_component(contacts, i)] = 1.0;
+            contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
         }
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0 && contacts->hit[lag_contacts_component(contacts, i)] != 0.0) {
-            contacts->part[contacts->blow.normals] = (double)i;
+        if (*flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0 && contacts->blows.hit[lag_contacts_component(contacts, i)] != 0.0) {
+            contacts->blows.part[contacts->blows.rows.normals] = (double)i;
             add(contacts, i, 0.0);
         }
     }
@@ -146,9 +146,9 @@ static lag_status gather(lag_contacts *contacts, const double *collision, const 
 
 static void keep_compliance(lag_contacts *contacts)
 {
-    for (size_t i = 0; i < contacts->blow.normals; ++i) {
-        if (contacts->part[i] < (double)contacts->motion->model->ncontact) {
-            contacts->compliance[(size_t)contacts->part[i]] = contacts->blow.compliance[i];
+    for (size_t i = 0; i < contacts->blows.rows.normals; ++i) {
+        if (contacts->blows.part[i] < (double)contacts->motion->model->ncontact) {
+            contacts->blows.compliance[(size_t)contacts->blows.part[i]] = contacts->blows.rows.compliance[i];
         }
     }
 }
@@ -160,17 +160,17 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
     for (int k = 0; k < MOST_IMPACTS; ++k) {
         const int struck = k == 0 && lag_any(collisions, collision);
         lag_status status = lag_contacts_look(contacts, t, x);
-        if (status == LAG_OK && (find_closing(contacts) || struck) && contacts->struck == 0) {
+        if (status == LAG_OK && (find_closing(contacts) || struck) && contacts->blows.struck == 0) {
             status = release(contacts, t, x);
         }
         if (status != LAG_OK) {
             return status;
         }
-        if (!lag_any(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts)) {
+        if (!lag_any(contacts->motion->model->ncontact, contacts->blows.closing) && !struck && !any_driven(contacts)) {
             return LAG_OK;
         }
         status = gather(contacts, struck ? collision : NULL, restitution);
-        status = status == LAG_OK ? lag_impulse_strike(contacts->impulse, t, x, &contacts->blow) : status;
+        status = status == LAG_OK ? lag_impulse_strike(contacts->impulse, t, x, &contacts->blows.rows) : status;
         if (status != LAG_OK) {
             return status;
         }
@@ -208,9 +208,9 @@ lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t count = contacts->motion->model->ncontact;
-    contacts->struck = 0;
-    memset(contacts->approach, 0, count * sizeof(double));
-    memcpy(contacts->before, flag(contacts, 0), count * sizeof(double));
+    contacts->blows.struck = 0;
+    memset(contacts->blows.approach, 0, count * sizeof(double));
+    memcpy(contacts->blows.before, flag(contacts, 0), count * sizeof(double));
     const lag_status status = strike(contacts, t, x, collision, restitution);
     return status == LAG_OK ? lag_contacts_conclude(contacts, t, x) : status;
 }

@@ -16,7 +16,7 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
 static lag_status tell_mode(const lag_event_iteration *iteration, double t, const double *x, size_t i)
 {
     const lag_contacts *contacts = iteration->contacts;
-    const int before = contacts->before[i] != 0.0;
+    const int before = contacts->blows.before[i] != 0.0;
     const int now = *lag_contacts_flag(contacts, i) != 0.0;
     const int bounces = now && contacts->until[i] < (double)INFINITY;
     return before == now || bounces ? LAG_OK : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
@@ -27,9 +27,9 @@ static lag_status find_modes(lag_event_iteration *iteration, double t, const dou
 {
     lag_contacts *contacts = iteration->contacts;
     for (size_t i = 0; i < iteration->motion->model->ncontact; ++i) {
-        contacts->closing[i] = contacts->met[i] != 0.0 && contacts->approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
+        contacts->blows.closing[i] = contacts->blows.met[i] != 0.0 && contacts->blows.approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
     }
-    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->closing, iteration->left);
+    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->blows.closing, iteration->left);
     iteration->left = NULL;
     return status;
 }
@@ -41,18 +41,18 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     const double *modes = iteration->motion->w + iteration->places.sticks;
     memcpy(iteration->frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
-    iteration->modes->jumped = iteration->modes->jumped || contacts->struck > 0 ||
+    iteration->modes->jumped = iteration->modes->jumped || contacts->blows.struck > 0 ||
         (collision != NULL && lag_any(iteration->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(iteration, t, x) : status;
-    int any = contacts->struck > 0 || !lag_same(frictions, iteration->frictions, modes);
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
+    int any = contacts->blows.struck > 0 || !lag_same(frictions, iteration->frictions, modes);
+    for (size_t k = 0; k < contacts->blows.struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->blows.order[k];
         status = lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i);
         status = status == LAG_OK ? tell_mode(iteration, t, x, i) : status;
     }
     for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
-        if (contacts->approach[i] == 0.0) {
-            any = any || (contacts->before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
+        if (contacts->blows.approach[i] == 0.0) {
+            any = any || (contacts->blows.before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
             status = tell_mode(iteration, t, x, i);
         }
     }
@@ -92,7 +92,7 @@ lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, d
     const double *closed = iteration->motion->w + iteration->places.contact;
     int acted = 0;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        iteration->contacts->met[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        iteration->contacts->blows.met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
     memcpy(iteration->sides_left, changed, (model->ncontact + model->nfriction) * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {

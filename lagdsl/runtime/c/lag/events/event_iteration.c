@@ -362,7 +362,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         iteration->guilty[i] = iteration->before[i] != w[i];
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* blows do not open what constraints close */
-        iteration->guilty[iteration->places.contact + i] += iteration->contacts->approach[i] != 0.0;
+        iteration->guilty[iteration->places.contact + i] += iteration->contacts->blows.approach[i] != 0.0;
     }
     return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
 }

@@ -165,10 +165,10 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     status = status == LAG_OK ? settle(instants, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
-        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.closing);
+        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.blows.closing);
     }
     instants->modes.jumped = 1; /* nothing is known of them */
-    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.closing, NULL) : status;
+    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.blows.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status != LAG_OK) {
@@ -367,7 +367,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
     instants->iteration.located = NULL;
-    lag_fill(model->ncontact, 0.0, instants->contacts.met);
+    lag_fill(model->ncontact, 0.0, instants->contacts.blows.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
     const int sunk = status == LAG_OK && any &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);

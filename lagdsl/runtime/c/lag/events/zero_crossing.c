@@ -49,20 +49,13 @@ static int is_closed(const lag_zero_crossing *crossings, size_t k)
 
 static lag_status look_at_contacts(lag_zero_crossing *crossings)
 {
-    const lag_model *model = crossings->motion->model;
-    double *laws = crossings->laws;
-    const lag_status status = model->contact(&crossings->motion->at, crossings->gap, crossings->speed, crossings->jacobian, laws,
-        laws + model->ncontact, laws + 2 * model->ncontact);
-    if (status == LAG_OK) {
-        lag_contacts_scale(crossings->contacts, crossings->jacobian);
-    }
-    return status;
+    return lag_contacts_evaluate(crossings->contacts);
 }
 
 static double contact(const lag_zero_crossing *crossings, size_t k)
 {
     const lag_motion *motion = crossings->motion;
-    const double *open = lag_contacts_is_one_way(crossings->contacts, k) ? crossings->speed : crossings->gap;
+    const double *open = lag_contacts_is_one_way(crossings->contacts, k) ? crossings->contacts->speed : crossings->contacts->gap;
     const int shares = !isnan(crossings->frictions->reserve[k]); /* friction of its group is watched */
     const double force = shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
     return is_closed(crossings, k) ? force : open[k];
@@ -96,18 +89,18 @@ static double friction_noise(const lag_zero_crossing *crossings, size_t k)
 
 static size_t count_corners(const lag_zero_crossing *crossings)
 {
-    return crossings->corners;
+    return crossings->corners.count;
 }
 
 static lag_status look_at_corners(lag_zero_crossing *crossings)
 {
     double solved = 0.0;
-    return crossings->motion->model->corner(&crossings->motion->at, crossings->far, &solved);
+    return crossings->motion->model->corner(&crossings->motion->at, crossings->corners.far, &solved);
 }
 
 static double corner(const lag_zero_crossing *crossings, size_t k)
 {
-    return crossings->side[k] * crossings->far[k];
+    return crossings->corners.side[k] * crossings->corners.far[k];
 }
 
 static double corner_noise(const lag_zero_crossing *crossings, size_t k)
@@ -139,7 +132,7 @@ static int kind_of(const lag_zero_crossing *crossings, size_t *which)
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)
 {
-    return lag_guards(crossings->motion->model) + crossings->corners;
+    return lag_guards(crossings->motion->model) + crossings->corners.count;
 }
 
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
@@ -175,7 +168,7 @@ static double size_of(const lag_zero_crossing *crossings, size_t which)
     if (i >= crossings->motion->model->ncontact) {
         return lag_frictions_size(crossings->frictions, i - crossings->motion->model->ncontact);
     }
-    return is_closed(crossings, i) ? contacts->force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->pace[i] : contacts->scale[i];
+    return is_closed(crossings, i) ? contacts->sizes.force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->sizes.pace[i] : contacts->sizes.scale[i];
 }
 
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
@@ -189,7 +182,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = lag_guards(model) + model->ncorner;
-    return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (6 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + 3 * model->ncorner + (6 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -206,31 +199,27 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->depth = lag_take(&memory, count);
     crossings->band = lag_take(&memory, count);
     crossings->top = lag_take(&memory, count);
-    crossings->root = lag_take(&memory, count);
-    crossings->found = lag_take(&memory, count);
+    crossings->pieces.root = lag_take(&memory, count);
+    crossings->pieces.found = lag_take(&memory, count);
     for (size_t k = 0; k < LAG_LOOKS; ++k) {
-        crossings->seen[k] = lag_take(&memory, count);
+        crossings->pieces.seen[k] = lag_take(&memory, count);
     }
-    crossings->when = lag_take(&memory, model->nindicator);
+    crossings->pieces.when = lag_take(&memory, model->nindicator);
     crossings->held = lag_take(&memory, model->nindicator);
     crossings->swing = lag_take(&memory, model->nindicator);
     crossings->doubted = lag_take(&memory, model->nindicator);
     crossings->g = lag_take(&memory, model->nindicator);
-    crossings->gap = lag_take(&memory, model->ngap);
-    crossings->speed = lag_take(&memory, model->ngap);
-    crossings->jacobian = lag_take(&memory, model->ngap * model->nq);
-    crossings->far = lag_take(&memory, model->ncorner);
-    crossings->side = lag_take(&memory, model->ncorner);
-    crossings->beside = lag_take(&memory, model->ncorner);
-    crossings->laws = memory;
-    crossings->span = crossings->reach = 0.0;
-    crossings->limit = (double)INFINITY;
+    crossings->corners.far = lag_take(&memory, model->ncorner);
+    crossings->corners.side = lag_take(&memory, model->ncorner);
+    crossings->corners.beside = memory;
+    crossings->pieces.span = crossings->pieces.reach = 0.0;
+    crossings->pieces.limit = (double)INFINITY;
     crossings->locating = 0;
     lag_fill(count, 0.0, crossings->depth);
     lag_fill(count, 0.0, crossings->band);
     lag_fill(count, 0.0, crossings->top);
     lag_fill(model->nindicator, 0.0, crossings->held);
-    lag_fill(model->nindicator, -(double)INFINITY, crossings->when);
+    lag_fill(model->nindicator, -(double)INFINITY, crossings->pieces.when);
     lag_fill(model->nindicator, (double)INFINITY, crossings->swing);
     lag_fill(model->nindicator, (double)INFINITY, crossings->doubted);
 }
@@ -241,7 +230,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
 static int needs_forces(const lag_zero_crossing *crossings)
 {
     const lag_model *model = crossings->motion->model;
-    int needs = model->nindicator > 0 || model->nfriction > 0 || (crossings->corners > 0 && crossings->solved);
+    int needs = model->nindicator > 0 || model->nfriction > 0 || (crossings->corners.count > 0 && crossings->corners.solved);
     for (size_t i = 0; i < model->ncontact && !needs; ++i) {
         needs = is_closed(crossings, i);
     }
@@ -352,7 +341,7 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
     }
     for (size_t k = 0; k < model->ncontact && status == LAG_OK; ++k) {
         const double force = is_closed(crossings, k) ? fabs(contact(crossings, k)) : 0.0;
-        crossings->contacts->force[k] = isfinite(force) ? fmax(crossings->contacts->force[k], force) : crossings->contacts->force[k];
+        crossings->contacts->sizes.force[k] = isfinite(force) ? fmax(crossings->contacts->sizes.force[k], force) : crossings->contacts->sizes.force[k];
     }
     return status;
 }

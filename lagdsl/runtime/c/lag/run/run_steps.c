@@ -220,8 +220,8 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
     half->corner = 0;
     for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
         status = lag_run_face_corners(run);
-        run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
-        const int watched = run->crossings.corners > 0 || s->method->implicit;
+        run->crossings.corners.count = k + 1 < MOST_CUTS ? run->crossings.corners.count : 0;
+        const int watched = run->crossings.corners.count > 0 || s->method->implicit;
         status = status == LAG_OK ? lag_run_next_corner(run, own, &corner) : status;
         if (at_event && status == LAG_OK && !(fmin(*own, corner) < (double)INFINITY)) {
             status = change_at_end(run, run->pending, own);
@@ -247,7 +247,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
 /* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
 static double scale_of(const lag_run *run, const lag_half *half)
 {
-    const double reach = run->crossings.reach;
+    const double reach = run->crossings.pieces.reach;
     return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
 }
 

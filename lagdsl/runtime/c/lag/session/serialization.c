@@ -109,7 +109,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
-    RECORD(instants->contacts.struck);
+    RECORD(instants->contacts.blows.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
     RECORD(instants->iteration.moment);
@@ -133,9 +133,9 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->stiffness.signs);
     RECORD(run->stiffness.wait);
     RECORD(run->stiffness.needed);
-    RECORD(run->crossings.span);
-    RECORD(run->crossings.reach);
-    RECORD(run->crossings.limit);
+    RECORD(run->crossings.pieces.span);
+    RECORD(run->crossings.pieces.reach);
+    RECORD(run->crossings.pieces.limit);
     RECORD(run->sized);
     RECORD(run->row);
     RECORD(run->steps);
