@@ -29,8 +29,8 @@ static lag_status find_modes(lag_event_iteration *iteration, double t, const dou
     for (size_t i = 0; i < iteration->motion->model->ncontact; ++i) {
         contacts->blows.closing[i] = contacts->blows.met[i] != 0.0 && contacts->blows.approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
     }
-    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->blows.closing, iteration->left);
-    iteration->left = NULL;
+    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->blows.closing, iteration->leaving.left);
+    iteration->leaving.left = NULL;
     return status;
 }
 
@@ -39,12 +39,12 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     const lag_contacts *contacts = iteration->contacts;
     const size_t frictions = iteration->motion->model->nfriction + iteration->motion->model->nslip;
     const double *modes = iteration->motion->w + iteration->places.sticks;
-    memcpy(iteration->frictions, modes, frictions * sizeof(double));
-    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
+    memcpy(iteration->leaving.frictions, modes, frictions * sizeof(double));
+    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->clauses.restitution);
     iteration->modes->jumped = iteration->modes->jumped || contacts->blows.struck > 0 ||
         (collision != NULL && lag_any(iteration->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(iteration, t, x) : status;
-    int any = contacts->blows.struck > 0 || !lag_same(frictions, iteration->frictions, modes);
+    int any = contacts->blows.struck > 0 || !lag_same(frictions, iteration->leaving.frictions, modes);
     for (size_t k = 0; k < contacts->blows.struck && status == LAG_OK; ++k) {
         const size_t i = (size_t)contacts->blows.order[k];
         status = lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i);
@@ -57,7 +57,7 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
         }
     }
     *acted = *acted || any;
-    iteration->acted = iteration->acted || any;
+    iteration->instant.acted = iteration->instant.acted || any;
     return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
 }
 
@@ -94,11 +94,11 @@ lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, d
     for (size_t i = 0; i < model->ncontact; ++i) {
         iteration->contacts->blows.met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    memcpy(iteration->sides_left, changed, (model->ncontact + model->nfriction) * sizeof(double));
+    memcpy(iteration->leaving.flags, changed, (model->ncontact + model->nfriction) * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
-        iteration->sides_left[i] = changed[i] != 0.0 && closed[i] != 0.0;
+        iteration->leaving.flags[i] = changed[i] != 0.0 && closed[i] != 0.0;
     }
-    iteration->left = iteration->turned ? NULL : iteration->sides_left;
+    iteration->leaving.left = iteration->leaving.turned ? NULL : iteration->leaving.flags;
     return lag_any(model->ncontact + model->nfriction, changed) ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : LAG_OK;
 }
 
@@ -109,10 +109,10 @@ static lag_status cross(lag_event_iteration *iteration, double t, double *x, siz
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    memcpy(x, iteration->aside, lag_motion_size(model) * sizeof(double));
-    memcpy(truth, iteration->sides, model->nindicator * sizeof(double));
-    const int located = iteration->located != NULL && iteration->located[which] != 0.0;
-    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->moment, refracted, back);
+    memcpy(x, iteration->trial.x, lag_motion_size(model) * sizeof(double));
+    memcpy(truth, iteration->trial.truth, model->nindicator * sizeof(double));
+    const int located = iteration->sides.located != NULL && iteration->sides.located[which] != 0.0;
+    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->instant.moment, refracted, back);
 }
 
 /* True if the rates behind the step, which were looked at last, drive in a contact that is closed and does not hold. */
@@ -180,14 +180,14 @@ lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, d
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
     iteration->refraction->length = iteration->contacts->length;
-    memcpy(iteration->aside, x, lag_motion_size(model) * sizeof(double));
-    memcpy(iteration->sides, truth, model->nindicator * sizeof(double));
+    memcpy(iteration->trial.x, x, lag_motion_size(model) * sizeof(double));
+    memcpy(iteration->trial.truth, truth, model->nindicator * sizeof(double));
     const lag_status status = lag_any(model->ncontact, iteration->motion->w + iteration->places.contact)
         ? cross_on_contacts(iteration, t, x, which, refracted, back)
         : cross(iteration, t, x, which, refracted, back);
     truth[which] = *back ? truth[which] : 1.0 - truth[which];
     if (status == LAG_CHATTER) {
-        iteration->guilty[iteration->places.relation + which] = 1.0;
+        iteration->discretes.guilty[iteration->places.relation + which] = 1.0;
     }
     return status == LAG_OK && *refracted ? lag_event_iteration_settled(iteration, t, x) : status;
 }

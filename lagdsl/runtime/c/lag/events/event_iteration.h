@@ -15,6 +15,61 @@
 /* A relation moves clearly if it does so by this many round-offs. */
 static const double LAG_MOVES_CLEARLY = 16.0;
 
+/* What the clauses of a model ask for in one pass. */
+typedef struct lag_clauses {
+    double *reset, *value; /* (nreset) */
+    double *collision, *restitution; /* (ncollision) */
+    double *stop, *fail;   /* (nstop) (nfail) */
+    double *held;          /* (2 nq + nz) 1: this number was reset */
+    int stopped;           /* a `terminate` acted */
+    size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
+} lag_clauses;
+
+/* Discretes of the passes, (nw) each. */
+typedef struct lag_passes {
+    double *before, *next; /* those of one pass */
+    double *settled;       /* those with which the rates were moved onto the constraints last */
+    double *guilty;        /* LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
+} lag_passes;
+
+/* The instant. */
+typedef struct lag_instant {
+    const double *from;    /* (2 nq + nz) the state before it */
+    const double *stood;   /* (nw) the discretes before it */
+    double moment;         /* it is known to so much [s] */
+    int acted;             /* rates or states jumped: by resets, impacts, steps of energy */
+} lag_instant;
+
+/* Sides of relations just behind it (event_relations.c), (nindicator) each. */
+typedef struct lag_sides {
+    double *now, *half;    /* their values now, and before the instant */
+    double *side;          /* 1 or -1; 0: they do not show it */
+    double *truth;         /* before a pass turns them */
+    const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */
+    int begins;            /* this is the start, from which no side was chosen yet */
+} lag_sides;
+
+/* The state and the relations as they were, for what is tried. */
+typedef struct lag_trial {
+    double *x, *truth;     /* (2 nq + nz) (nindicator) before a relation turns */
+    double *point;         /* (2 nq + nz) */
+    double *states;        /* (nz) before the clauses of this pass set them */
+} lag_trial;
+
+/* Contacts and friction of which the modes are to be found. */
+typedef struct lag_leaving {
+    double *flags;         /* (ncontact + nfriction) */
+    const double *left;    /* the same: their guards were located, until their modes are found; null: none */
+    int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
+    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
+} lag_leaving;
+
+/* Who hears of what happens. */
+typedef struct lag_listener {
+    lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody */
+    void *context;
+} lag_listener;
+
 typedef struct lag_event_iteration {
     lag_motion *motion;
     lag_contacts *contacts;
@@ -26,33 +81,14 @@ typedef struct lag_event_iteration {
     lag_refraction *refraction;
     lag_position_maps maps;
     lag_places places;
-    double moment;            /* the instant is known to so much [s] */
-    double *before, *next; /* (nw) */
-    double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
-    double *reset, *value; /* (nreset) */
-    double *collision, *restitution; /* (ncollision) */
-    double *stop, *fail;   /* (nstop) (nfail) */
-    double *held;          /* (2 nq + nz) */
-    double *point;         /* (2 nq + nz) */
-    double *states;        /* (nz) before the clauses of this pass set them */
-    const double *from;    /* (2 nq + nz) the state before the event */
-    const double *stood;   /* (nw) the discrete variables before the event */
-    const double *located; /* (nindicator) relations that were located at their zeros, wherever a projection moves them; null: none */
-    double *now, *side, *half; /* (nindicator) */
-    double *truth;         /* (nindicator) relations before a pass turns them */
-    double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
+    lag_instant instant;
+    lag_passes discretes;
+    lag_clauses clauses;
+    lag_sides sides;
+    lag_trial trial;
+    lag_leaving leaving;
+    lag_listener listener;
     double *closed, *pulling; /* (ncontact) */
-    int begins;            /* this is the start, from which no side was chosen yet */
-    int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
-    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
-    double *sides_left;    /* (ncontact + nfriction) */
-    const double *left;    /* (ncontact + nfriction) contacts and friction whose guards were located, until their modes are found; null: none */
-    int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
-    int stopped;           /* a `terminate` acted */
-    size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
-    double *guilty;        /* (nw) LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
-    lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody wants to know */
-    void *context;
 } lag_event_iteration;
 
 /* Doubles for them. */

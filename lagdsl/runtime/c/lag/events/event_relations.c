@@ -34,9 +34,9 @@ static int holds(const lag_model *model, size_t i, double g)
 lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
-    const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->now) : LAG_OK;
+    const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->sides.now) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->now[i]);
+        iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->sides.now[i]);
     }
     return status;
 }
@@ -53,13 +53,13 @@ static double sign_of(double value, double error)
 static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
 {
     const size_t place = iteration->places.relation + i;
-    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->stood[place];
+    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->instant.stood[place];
 }
 
 /* True if this instant has moved the value of relation i. */
 static int is_moved(const lag_event_iteration *iteration, size_t i)
 {
-    return fabs(iteration->noise->value[i] - iteration->half[i]) > iteration->noise->sigma[i];
+    return fabs(iteration->noise->value[i] - iteration->sides.half[i]) > iteration->noise->sigma[i];
 }
 
 /*
@@ -71,8 +71,8 @@ static int is_at_border(const lag_event_iteration *iteration, size_t i, const do
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
-    const int located = iteration->located != NULL && iteration->located[i] != 0.0;
-    const int stood = iteration->stood[iteration->places.relation + i] != 0.0;
+    const int located = iteration->sides.located != NULL && iteration->sides.located[i] != 0.0;
+    const int stood = iteration->instant.stood[iteration->places.relation + i] != 0.0;
     const int stays = !has_turned(iteration, turned, i) && holds(iteration->motion->model, i, noise->value[i]) != stood;
     const int is_near = fabs(noise->value[i]) <= lag_noise_known(noise, i); /* one that jumps is clear of it */
     return (is_near && !is_moved(iteration, i) && (located || stays)) || !(fabs(noise->value[i]) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
@@ -94,8 +94,8 @@ static double side_of(const lag_event_iteration *iteration, size_t i, const doub
 /* Values of the relations before the event, into `half`. */
 static lag_status look_back(lag_event_iteration *iteration, double t)
 {
-    iteration->motion->at.w = iteration->stood;
-    const lag_status status = indicate(iteration, t, iteration->from, iteration->half);
+    iteration->motion->at.w = iteration->instant.stood;
+    const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.half);
     iteration->motion->at.w = iteration->motion->w;
     return status;
 }
@@ -123,12 +123,12 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->now); /* there may be no accelerations */
-    memcpy(iteration->half, noise->value, count * sizeof(double));
+    lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->sides.now); /* there may be no accelerations */
+    memcpy(iteration->sides.half, noise->value, count * sizeof(double));
     status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
-        iteration->now[i] = known ? noise->value[i] : iteration->now[i];
-        iteration->side[i] = known && !clear ? side_of(iteration, i, turned, window) : sign_of(iteration->now[i], 0.0);
+        iteration->sides.now[i] = known ? noise->value[i] : iteration->sides.now[i];
+        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, turned, window) : sign_of(iteration->sides.now[i], 0.0);
     }
     return status;
 }
@@ -137,14 +137,14 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    const double *side = iteration->side;
+    const double *side = iteration->sides.side;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, turned, iteration->moment);
-    const int alone = iteration->begins && !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
+    const lag_status status = find_sides(iteration, t, x, turned, iteration->instant.moment);
+    const int alone = iteration->sides.begins && !iteration->instant.acted && lag_same(iteration->places.relation, iteration->instant.stood, iteration->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];
+        const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
         } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i)) {
@@ -160,7 +160,7 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
     const double *truth = iteration->motion->w + iteration->places.relation;
     lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, NULL, 0.0) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        turned[i] = iteration->side[i] != 0.0 && (iteration->side[i] > 0.0) != (truth[i] != 0.0);
+        turned[i] = iteration->sides.side[i] != 0.0 && (iteration->sides.side[i] > 0.0) != (truth[i] != 0.0);
     }
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         int refracted = 0;
@@ -179,9 +179,9 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, turned, iteration->moment);
+    const lag_status status = find_sides(iteration, t, x, turned, iteration->instant.moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = holds(model, i, iteration->side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
+        turned[i] = holds(model, i, iteration->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
     return status;
 }
@@ -193,7 +193,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    const double *stood = iteration->stood + iteration->places.relation;
+    const double *stood = iteration->instant.stood + iteration->places.relation;
     const double *g = iteration->noise->value;
     const double *rate = g + model->nindicator + model->ncorner;
     int any = 0;
@@ -209,7 +209,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
-    if (!iteration->acted) {
+    if (!iteration->instant.acted) {
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);

@@ -76,8 +76,8 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
     lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
     run->instants.noise.tolerance = options->tolerance;
-    run->instants.iteration.tell = tell;
-    run->instants.iteration.context = run;
+    run->instants.iteration.listener.tell = tell;
+    run->instants.iteration.listener.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
         : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
                                                           : 0.0;
@@ -180,9 +180,9 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .changes = run->changes,
         .w = run->motion.w,
         .changed = run->crossings.changed,
-        .guilty = run->instants.iteration.guilty,
+        .guilty = run->instants.iteration.discretes.guilty,
         .doubted = run->crossings.doubted,
-        .fault = run->instants.iteration.fault,
+        .fault = run->instants.iteration.clauses.fault,
         .next = lag_instants_next(&run->instants),
         .change = run->change,
         .implicit = s->method->implicit,

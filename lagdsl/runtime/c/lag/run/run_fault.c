@@ -179,7 +179,7 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         break;
     case LAG_CONFLICT:
     case LAG_ASSERTION_FAILED:
-        fault->which = run->instants.iteration.fault;
+        fault->which = run->instants.iteration.clauses.fault;
         break;
     default:
         break;
