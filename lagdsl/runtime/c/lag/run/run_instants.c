@@ -45,7 +45,7 @@ static void doubt(lag_run *run, const double *changed)
 /* An event begins; flags of the relations that it changes, or null. */
 static lag_status begin(lag_run *run, const double *changed)
 {
-    ++run->events;
+    ++run->counts.events;
     if (changed != NULL) {
         doubt(run, changed);
     }
@@ -165,7 +165,7 @@ lag_status lag_run_ticks(lag_run *run)
     if (run->half.left > 0.0 && run->half.t == s->t) {
         const double h = run->half.left;
         run->half.left = 0.0;
-        return lag_run_event_and_ticks(run, h, run->waiting);
+        return lag_run_event_and_ticks(run, h, run->half.waiting);
     }
     lag_status status = lag_instants_quietly(&run->instants, s->t, s->x, &quiet);
     if (status == LAG_OK && quiet) {
@@ -231,16 +231,16 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     if (!*any || status != LAG_OK) {
         return status;
     }
-    memcpy(run->pending, run->crossings.changed, lag_guards(model) * sizeof(double));
+    memcpy(run->half.pending, run->crossings.changed, lag_guards(model) * sizeof(double));
     const int due = lag_timed_due(&run->instants.timed, s->t);
     for (size_t i = 0; i < model->nindicator && due && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for it */
-        run->pending[i] = fmax(run->pending[i], run->waiting[i]);
+        run->half.pending[i] = fmax(run->half.pending[i], run->half.waiting[i]);
     }
     run->half.left = due ? 0.0 : run->half.left;
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
-    status = begin(run, run->pending);
+    status = begin(run, run->half.pending);
     run->motion.until = (double)INFINITY;
-    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0, due)) : status;
+    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->half.pending, 0, due)) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)
