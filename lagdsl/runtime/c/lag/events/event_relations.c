@@ -63,28 +63,27 @@ static int is_moved(const lag_event_iteration *iteration, size_t i)
 }
 
 /*
- * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or this instant has not
- * moved it, and it was located, or lies behind zero and was not found to leave. A projection moves such values.
+ * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or it is near zero,
+ * disagrees with the mode, and this instant has not moved it: a projection has.
  */
-static int is_at_border(const lag_event_iteration *iteration, size_t i, const double *turned, double window)
+static int is_at_border(const lag_event_iteration *iteration, size_t i, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
+    const double g = noise->value[i];
     const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
-    const int located = iteration->sides.located != NULL && iteration->sides.located[i] != 0.0;
-    const int stood = iteration->instant.stood[iteration->places.relation + i] != 0.0;
-    const int stays = !has_turned(iteration, turned, i) && holds(iteration->motion->model, i, noise->value[i]) != stood;
-    const int is_near = fabs(noise->value[i]) <= lag_noise_known(noise, i); /* one that jumps is clear of it */
-    return (is_near && !is_moved(iteration, i) && (located || stays)) || !(fabs(noise->value[i]) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
+    const int disagrees = holds(iteration->motion->model, i, g) != (iteration->motion->w[iteration->places.relation + i] != 0.0);
+    const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(iteration, i);
+    return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
 
 /* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
-static double side_of(const lag_event_iteration *iteration, size_t i, const double *turned, double window)
+static double side_of(const lag_event_iteration *iteration, size_t i, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const size_t rate = count + iteration->motion->model->ncorner + i;
-    if (!is_at_border(iteration, i, turned, window)) {
+    if (!is_at_border(iteration, i, window)) {
         return sign_of(noise->value[i], 0.0);
     }
     const double side = sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
@@ -114,7 +113,7 @@ static int are_clear(const lag_event_iteration *iteration, double window)
 }
 
 /* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, const double *turned, double window)
+static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window)
 {
     lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
@@ -128,7 +127,7 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
         iteration->sides.now[i] = known ? noise->value[i] : iteration->sides.now[i];
-        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, turned, window) : sign_of(iteration->sides.now[i], 0.0);
+        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->sides.now[i], 0.0);
     }
     return status;
 }
@@ -141,7 +140,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, turned, iteration->instant.moment);
+    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
     const int alone = iteration->sides.begins && !iteration->instant.acted && lag_same(iteration->places.relation, iteration->instant.stood, iteration->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
@@ -158,7 +157,7 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, NULL, 0.0) : LAG_OK;
+    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
         turned[i] = iteration->sides.side[i] != 0.0 && (iteration->sides.side[i] > 0.0) != (truth[i] != 0.0);
     }
@@ -179,7 +178,7 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, turned, iteration->instant.moment);
+    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         turned[i] = holds(model, i, iteration->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
