@@ -35,7 +35,7 @@ static lag_status solve_kept(
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
     CHECK(memory != NULL);
-    lag_delassus_place(&system, x->n, x->m, kept, row, memory);
+    lag_delassus_place(&system, x->n, x->m, kept, row, NULL, NULL, memory);
     for (size_t i = 0; i < kept; ++i) {
         memcpy(jacobian + i * x->n, x->jacobian + row[i] * x->n, x->n * sizeof(double));
         gamma[i] = x->gamma[row[i]];

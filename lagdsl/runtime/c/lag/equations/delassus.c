@@ -13,7 +13,7 @@ static const double SHORT_RESPONSE = 1e-3;
 
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
-    return 2 * kept * kept + kept * m + 9 * kept;
+    return 2 * kept * kept + kept * m + 10 * kept;
 }
 
 /* Column of entry k. */
@@ -22,21 +22,11 @@ static size_t column_of(const lag_delassus *s, size_t k)
     return s->entries != NULL ? s->entries->column[k] : k;
 }
 
-/* One behind the last entry of kept row i. */
-static size_t end_of(const lag_delassus *s, size_t i)
-{
-    size_t k = (size_t)s->first[i];
-    while (s->entries != NULL && k < s->entries->count && s->entries->row[k] == s->row[i]) {
-        ++k;
-    }
-    return s->entries != NULL ? k : s->n;
-}
-
 /* Row i of J times y (n). */
 static double along(const lag_delassus *s, size_t i, const double *y)
 {
     const double *row = s->jacobian + i * s->n;
-    const size_t end = end_of(s, i);
+    const size_t end = (size_t)s->end[i];
     double sum = 0.0;
     for (size_t k = (size_t)s->first[i]; k < end; ++k) {
         const size_t j = column_of(s, k);
@@ -45,7 +35,26 @@ static double along(const lag_delassus *s, size_t i, const double *y)
     return sum;
 }
 
-void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *memory)
+/* Where the entries of rows begin and end, and of which component they are. */
+static void find_entries(lag_delassus *s, const lag_pattern *entries, const size_t *components)
+{
+    size_t k = 0;
+    for (size_t i = 0; i < s->kept; ++i) { /* entries are listed row by row, and kept rows ascend */
+        while (k < entries->count && entries->row[k] < s->row[i]) {
+            ++k;
+        }
+        const size_t first = k;
+        while (k < entries->count && entries->row[k] == s->row[i]) {
+            ++k;
+        }
+        s->first[i] = (double)first;
+        s->end[i] = (double)k;
+        s->component[i] = components != NULL && k > first ? (double)components[entries->column[first]] : 0.0;
+    }
+}
+
+void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, const lag_pattern *entries,
+    const size_t *components, double *memory)
 {
     s->n = n;
     s->m = m;
@@ -56,7 +65,7 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->entries = NULL;
+    s->entries = entries;
     s->factor = lag_take(&memory, kept * kept);
     s->left = lag_take(&memory, kept);
     s->weight = lag_take(&memory, kept);
@@ -67,27 +76,21 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->x = lag_take(&memory, kept);
     s->rest = lag_take(&memory, kept);
     s->first = lag_take(&memory, kept);
+    s->end = lag_take(&memory, kept);
     s->component = lag_take(&memory, kept);
     s->lead = lag_take(&memory, kept);
-    lag_delassus_know(s, NULL, NULL);
-}
-
-void lag_delassus_know(lag_delassus *s, const lag_pattern *entries, const size_t *components)
-{
-    size_t k = 0;
-    s->entries = entries;
-    for (size_t i = 0; i < s->kept; ++i) { /* entries are listed row by row, and kept rows ascend */
-        while (entries != NULL && k < entries->count && entries->row[k] < s->row[i]) {
-            ++k;
-        }
-        s->first[i] = (double)k;
-        s->component[i] = components != NULL && entries != NULL && k < end_of(s, i) ? (double)components[entries->column[k]] : 0.0;
+    if (entries != NULL) {
+        find_entries(s, entries, components);
+    } else {
+        lag_fill(kept, 0.0, s->first);
+        lag_fill(kept, (double)n, s->end);
+        lag_fill(kept, 0.0, s->component);
     }
 }
 
 int lag_delassus_holds(const lag_delassus *s, size_t i)
 {
-    const size_t end = end_of(s, i);
+    const size_t end = (size_t)s->end[i];
     size_t k = (size_t)s->first[i];
     while (k < end && s->jacobian[i * s->n + column_of(s, k)] == 0.0) {
         ++k;

@@ -91,8 +91,8 @@ lag_status lag_factor_eliminated(
     lag_delassus *system)
 {
     size_t rank = 0;
-    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
-    lag_delassus_know(system, model->jacobian_pattern, model->components);
+    lag_delassus_place(
+        system, model->nq, model->nc, model->nk, model->kept_rows, model->jacobian_pattern, model->components, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
