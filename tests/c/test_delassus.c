@@ -30,7 +30,7 @@ static void eliminate(const problem *x, double *a, double *response)
 static lag_status solve_kept(
     problem *x, size_t kept, const size_t *row, size_t rank, const double *response, const double *lam_response)
 {
-    const size_t size = lag_delassus_memory(x->m, kept);
+    const size_t size = lag_delassus_memory(x->n, x->m, kept);
     double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
