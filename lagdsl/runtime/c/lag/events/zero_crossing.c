@@ -55,10 +55,11 @@ static lag_status look_at_contacts(lag_zero_crossing *crossings)
 static double contact(const lag_zero_crossing *crossings, size_t k)
 {
     const lag_motion *motion = crossings->motion;
-    const double *open = lag_contacts_is_one_way(crossings->contacts, k) ? crossings->contacts->speed : crossings->contacts->gap;
+    if (!is_closed(crossings, k)) {
+        return lag_contacts_is_one_way(crossings->contacts, k) ? crossings->contacts->speed[k] : crossings->contacts->gap[k];
+    }
     const int shares = !isnan(crossings->frictions->reserve[k]); /* friction of its group is watched */
-    const double force = shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
-    return is_closed(crossings, k) ? force : open[k];
+    return shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
 }
 
 static double contact_noise(const lag_zero_crossing *crossings, size_t k)
@@ -265,7 +266,11 @@ static int is_unclear(const lag_zero_crossing *crossings, size_t i)
     if (crossings->band[i] != 0.0 || !lag_zero_crossing_has_noise(crossings, i)) {
         return 0;
     }
-    const double beyond = -lag_zero_crossing_value(crossings, i) - crossings->depth[i];
+    const double value = lag_zero_crossing_value(crossings, i);
+    if (value > 0.0) {
+        return 0;
+    }
+    const double beyond = -value - crossings->depth[i];
     const double sigma = lag_zero_crossing_noise(crossings, i);
     const int is_clear = sigma > 0.0 && beyond > LAG_CLEARLY * sigma;
     return (beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i);
@@ -295,11 +300,15 @@ static int find_bands(lag_zero_crossing *crossings, double t, const double *x)
 /* True if guard i has left its mode: it is below its dead band. One that began below zero and has left did so where it fell below its beginning. */
 static int has_left(const lag_zero_crossing *crossings, size_t i)
 {
+    const double value = lag_zero_crossing_value(crossings, i);
+    if (value > 0.0) {
+        return 0;
+    }
     const int has_begun_below = crossings->locating && crossings->depth[i] > 0.0;
     const double noise = lag_zero_crossing_has_noise(crossings, i) ? crossings->band[i] : lag_zero_crossing_noise(crossings, i);
     const double band = has_begun_below ? 0.0 : noise;
     const int ends = ends_at_zero(crossings, i) && crossings->top[i] > LAG_CLEARLY * noise;
-    return -lag_zero_crossing_value(crossings, i) > crossings->depth[i] + band || ends;
+    return -value > crossings->depth[i] + band || ends;
 }
 
 lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x)

@@ -82,15 +82,15 @@ int lag_spread_hides(const lag_spread *s)
     return s->off > SHOWN * range && range > ROUNDING * fmax(fabs(s->low), fabs(s->high));
 }
 
+int lag_course_peaks(const lag_course *c, size_t k)
+{
+    return (k == 0 || c->y[k] >= c->y[k - 1]) && (k == c->count || c->y[k] >= c->y[k + 1]);
+}
+
 double lag_course_reach(const lag_course *c, size_t k)
 {
     const double *y = c->y;
-    const double before = k > 0 ? y[k - 1] : -(double)INFINITY;
-    const double after = k < c->count ? y[k + 1] : -(double)INFINITY;
     double bulge = 0.0;
-    if (!(y[k] >= before && y[k] >= after)) {
-        return -(double)INFINITY;
-    }
     for (size_t i = k > 0 ? k - 1 : 0; i <= k && i < c->count; ++i) {
         const double width = c->place[i + 1] - c->place[i];
         double up = 0.0;

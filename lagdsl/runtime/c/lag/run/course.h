@@ -38,7 +38,10 @@ lag_spread lag_spread_of(const double *v, const double *weight);
 /* True if the values do not show what is between them. */
 int lag_spread_hides(const lag_spread *spread);
 
-/* The value that may be reached beside value k, if none beside it is larger; else minus infinity, as where some are no numbers. */
+/* True if value k is a number and no value beside it is larger, nor none. */
+int lag_course_peaks(const lag_course *course, size_t k);
+
+/* The value that may be reached beside such a value. */
 double lag_course_reach(const lag_course *course, size_t k);
 
 #endif

@@ -30,8 +30,8 @@ static void find_cubic_state(const lag_stepper *s, size_t size, double t, double
     }
 }
 
-/* True if values with a sign may reach beyond a record beside some place, or only some of them are numbers. */
-static int some_reach(const lag_course *c, double sign, double record)
+/* True if values with a sign may reach beyond a record beside some place, by less than a bulge, or only some of them are numbers. */
+static int some_reach(const lag_course *c, double sign, double bulge, double record)
 {
     double y[SCREEN + 1];
     const lag_course signed_course = {c->place, y, c->count};
@@ -39,7 +39,8 @@ static int some_reach(const lag_course *c, double sign, double record)
         y[k] = sign * c->y[k];
     }
     for (size_t k = 0; k <= c->count; ++k) {
-        if ((isnan(y[k]) && !isnan(y[c->count])) || lag_course_reach(&signed_course, k) > record) {
+        const int may = !(y[k] + bulge <= record) && lag_course_peaks(&signed_course, k);
+        if ((isnan(y[k]) && !isnan(y[c->count])) || (may && lag_course_reach(&signed_course, k) > record)) {
             return 1;
         }
     }
@@ -102,18 +103,24 @@ void lag_extremes_pass(lag_extremes *extremes, lag_run *run, unsigned place, dou
     }
 }
 
-/* Outputs along the last step up to time t: where the method has passed, else at states on the cubics. */
+/* Outputs along the last step up to time t: where the method has passed before that, else at states on the cubic. */
 static void pass_step(lag_extremes *extremes, lag_run *run, double t)
 {
     const lag_stepper *s = &run->stepper;
     const size_t ny = run->motion.model->ny;
     double *when = extremes->when;
-    int known = when[LAG_PASSED_BEGIN] == s->t_before && when[LAG_PASSED_END] == t;
-    for (size_t k = 1; k <= SCREEN; ++k) {
-        known = known && when[k] > when[k - 1];
+    const int ends = when[LAG_PASSED_END] == t;
+    size_t known = 0;
+    if (when[LAG_PASSED_BEGIN] == s->t_before) {
+        known = 1;
+        while (known < SCREEN && when[known] > when[known - 1] && when[known] < t) {
+            ++known;
+        }
     }
-    for (size_t k = 0; k <= SCREEN && !known; ++k) {
-        when[k] = k < SCREEN ? s->t_before + (t - s->t_before) * (double)k / SCREEN : t;
+    const double from = known > 1 ? when[known - 1] : s->t_before;
+    const size_t last = known > 1 ? known - 1 : 0;
+    for (size_t k = known; k <= SCREEN - (size_t)ends; ++k) {
+        when[k] = k < SCREEN ? from + (t - from) * (double)(k - last) / (double)(SCREEN - last) : t;
         find_cubic_state(s, extremes->size, when[k], extremes->sample);
         find_outputs(run, when[k], extremes->sample, extremes->passed + k * ny);
     }
@@ -151,7 +158,7 @@ static int outputs_get_beyond(const lag_extremes *extremes, const lag_run *run)
             const double sign = side ? -1.0 : 1.0;
             const double record = record_of(extremes, ny, i, sign);
             const double most = side ? -all.low : all.high;
-            if ((isnan(all.off) || most + bulge > record) && some_reach(&c, sign, record)) {
+            if ((isnan(all.off) || most + bulge > record) && some_reach(&c, sign, bulge, record)) {
                 return 1;
             }
         }
@@ -225,11 +232,14 @@ static void search_outputs(lag_extremes *extremes, lag_run *run, double t)
             const double sign = side ? -1.0 : 1.0;
             take_values(extremes->outputs, ny, i, LAG_SAMPLES, sign, y);
             for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
+                if (!lag_course_peaks(&c, k)) {
+                    continue;
+                }
                 const size_t first = k < 2 ? 0 : k + 2 > LAG_SAMPLES ? LAG_SAMPLES + 1 - LAG_WINDOW : k - 2;
                 const double reach = lag_course_reach(&c, k);
                 const lag_spread around = lag_spread_of(y + first, weight);
                 const int worth = extremes->searched < s->evaluations + SPARE && lag_spread_hides(&around);
-                if (reach > record_of(extremes, ny, i, sign) || (reach > -(double)INFINITY && worth)) {
+                if (reach > record_of(extremes, ny, i, sign) || worth) {
                     const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
                     const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;
                     search(extremes, run, i, sign, a, b, s->t_before + part * (double)k, y[k]);
@@ -250,13 +260,16 @@ void lag_extremes_outputs(lag_extremes *extremes, lag_run *run, double t)
         see_outputs(extremes, run, end, 1);
     }
     const int beyond = outputs_get_beyond(extremes, run);
+    const int last = LAG_SAMPLES - (t == s->t); /* outputs at the ends are known */
+    memcpy(extremes->outputs, extremes->passed, ny * sizeof(double));
+    memcpy(extremes->outputs + LAG_SAMPLES * ny, extremes->passed + LAG_PASSED_END * ny, ny * sizeof(double));
     pass_on(extremes, ny);
     if (!beyond) {
         return;
     }
-    for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
+    for (int k = 1; k <= last; ++k) {
         const double at = s->t_before + (t - s->t_before) * (double)k / LAG_SAMPLES;
-        find_outputs_inside(extremes, run, at, extremes->outputs + k * ny);
+        find_outputs_inside(extremes, run, at, extremes->outputs + (size_t)k * ny);
     }
     search_outputs(extremes, run, t);
 }
