@@ -112,15 +112,16 @@ static void hold(lag_contacts *contacts, double t)
 {
     series last = {.component = SIZE_MAX};
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        if (contacts->blows.closing[i] == 0.0) {
+        const int struck = contacts->blows.approach[i] != 0.0;
+        if (!struck && contacts->blows.closing[i] == 0.0) {
             continue;
         }
         const size_t component = lag_contacts_component(contacts, i);
         last = component == last.component ? last : series_of(contacts, component);
-        if (last.brief) {
+        if (last.parting > 0.0 && last.brief) {
             const double rest = t + last.left;
             *lag_contacts_flag(contacts, i) = 1.0;
-            contacts->until[i] = contacts->blows.approach[i] != 0.0 && !(contacts->flight > 0.0) && rest > t ? rest : (double)INFINITY;
+            contacts->until[i] = struck && !(contacts->flight > 0.0) && rest > t ? rest : (double)INFINITY;
         }
     }
 }

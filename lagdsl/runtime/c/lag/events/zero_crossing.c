@@ -183,7 +183,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = lag_guards(model) + model->ncorner;
-    return 5 * model->nindicator + 3 * model->ncorner + (6 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + 2 * model->ncorner + (6 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -211,8 +211,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->doubted = lag_take(&memory, model->nindicator);
     crossings->g = lag_take(&memory, model->nindicator);
     crossings->corners.far = lag_take(&memory, model->ncorner);
-    crossings->corners.side = lag_take(&memory, model->ncorner);
-    crossings->corners.beside = memory;
+    crossings->corners.side = memory;
     crossings->pieces.span = crossings->pieces.reach = 0.0;
     crossings->pieces.limit = (double)INFINITY;
     crossings->locating = 0;

@@ -17,7 +17,6 @@ typedef struct lag_corners {
     size_t count;                  /* ncorner, or 0 */
     double *far;                   /* (ncorner) distances */
     double *side;                  /* (ncorner) 1 or -1: the side on which this one is positive, 0: not looked at */
-    double *beside;                /* (ncorner) flags: the motion is just there */
     int solved;                    /* they read accelerations or multipliers */
 } lag_corners;
 
