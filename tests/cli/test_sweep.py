@@ -156,11 +156,12 @@ def test_structural_parameters(invoke: Invoke, root: Path, tmp_path: Path) -> No
     np.testing.assert_array_equal(data["q[3]"].isnull().any("time").values, [True, True, False])
 
 
-def test_an_interrupt_leaves_what_can_be_resumed(pendulum: Path, tmp_path: Path) -> None:
+def test_an_interrupt_leaves_what_can_be_resumed(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.nc"
     kept = tmp_path / "out.nc.partial"
-    command = [sys.executable, "-m", "lagdsl", "sweep", pendulum, "--set", "l=0.1:0.1:3 m", "--stop", "2", "-o", out]
-    first = subprocess.Popen([*command, "--jobs", "2"], stderr=subprocess.PIPE, text=True, env={**os.environ})
+    command = ["sweep", pendulum, "--set", "l=0.1:0.1:3 m", "--stop", "2", "-o", out]
+    started = [sys.executable, "-m", "lagdsl", *command, "--jobs", "2"]
+    first = subprocess.Popen(started, stderr=subprocess.PIPE, text=True, env={**os.environ})
     deadline = time.monotonic() + 60
     while not (kept.exists() and kept.stat().st_size > 200) and time.monotonic() < deadline:
         time.sleep(0.02)
@@ -171,10 +172,10 @@ def test_an_interrupt_leaves_what_can_be_resumed(pendulum: Path, tmp_path: Path)
     assert not out.exists()
     finished = kept.stat().st_size
     assert finished > 200
-    again = subprocess.run([*command, "--jobs", "1"], capture_output=True, text=True, check=False)
-    assert again.returncode == 2
+    again = invoke(*command, "--jobs", "1")
+    assert again.exit_code == 2
     assert "resume it" in again.stderr
-    assert subprocess.run([*command, "--resume", "--jobs", "1"], check=False).returncode == 0
+    assert invoke(*command, "--resume", "--jobs", "1").exit_code == 0
     assert not kept.exists()
     assert (_read(out)["status"] == "ok").all()
 

@@ -6,6 +6,7 @@ from math import sqrt
 from zlib import crc32
 
 import pytest
+from choice import ALL
 from fmpy.fmi1 import FMICallException
 
 from fmi.importing import slave
