@@ -70,7 +70,7 @@ CASES = [
     # the roller pulls 2 y'' = 4 + F, s'' = 10 F, y'' = -0.1 s''
     ("an instant of another thing", ROLLER, "when time > 0.5 then n = 1; end when;", 3.0, {"y": 6.0, "z": 0.0}, []),
 ]
-# The direction of a slip that begins turns faster than an explicit method likes: one of them takes as long as all the rest.
+# The direction of a slip that begins turns faster than an explicit method likes: four seconds for each of them.
 STIFF = ("a slip in a plane begins where the limit falls", "a slip in a plane begins where the force grows")
 BOTH = chosen(
     product(CASES, ["dop853", "radau"]),
