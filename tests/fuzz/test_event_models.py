@@ -10,7 +10,7 @@ from fuzz.event_models import event_model
 
 import lagdsl
 
-COUNT = 1000 if EXPLORE else 24 if ALL else 2
+COUNT = 1000 if EXPLORE else 24 if ALL else 1
 
 
 def test_engines_agree_on_random_models(capsys: pytest.CaptureFixture[str]) -> None:
