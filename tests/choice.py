@@ -30,11 +30,11 @@ def chosen(every: Iterable[Item], some: Sequence[Item]) -> list[Item]:
 
 
 def spread(every: Iterable[Item], count: int) -> list[Item]:
-    """All of them, or `count` at equal distances, the first and the last among them."""
+    """All of them, or `count` at equal distances, from the first to the last; one is the first."""
     items = list(every)
     if ALL or len(items) <= count:
         return items
-    return [items[round(i * (len(items) - 1) / (count - 1))] for i in range(count)]
+    return [items[round(i * (len(items) - 1) / max(count - 1, 1))] for i in range(count)]
 
 
 def paired(*axes: Sequence[Any]) -> list[tuple[Any, ...]]:
