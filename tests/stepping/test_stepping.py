@@ -52,6 +52,7 @@ def test_ball_bounces_and_rests() -> None:
     np.testing.assert_allclose(found.states[-1].x, 0.0, atol=1e-12)
 
 
+@repeats("test_ball_bounces_and_rests")
 def test_ball_rests_on_a_moving_table() -> None:
     """Flights become as short as the round-off of the gap is deep; at the end it moves with the table."""
     body = (
