@@ -46,7 +46,7 @@ def paired(*axes: Sequence[Any]) -> list[tuple[Any, ...]]:
 
 def together(name: str, items: Iterable[Any]) -> Callable[[Callable[[Any], None]], Callable[[], None]]:
     """One test of a rule for all items, where the rule takes less than a millisecond: pytest takes three for each test.
-    What fails tells its item."""
+    A failure tells its item."""
 
     def decorated(rule: Callable[[Any], None]) -> Callable[[], None]:
         def test() -> None:

@@ -52,7 +52,7 @@ def packages(root: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
 
 @pytest.fixture(scope="module")
 def site(packages: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the wheel installs."""
+    """The files that the wheel installs."""
     folder = tmp_path_factory.mktemp("site")
     with zipfile.ZipFile(packages[1]) as archive:
         archive.extractall(folder)
