@@ -15,7 +15,7 @@ export PYTHONDONTWRITEBYTECODE :=
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
 
-# uv installs in half of pip's CPU time (docs/adr/0168). Only pip knows what was set for pip, such as an index of one's own: it
+# uv installs in half of pip's CPU time (docs/adr/0035). Only pip knows what was set for pip, such as an index of one's own: it
 # installs where uv cannot. Modules that nothing imports need not be compiled.
 PIP    := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
 UV     := $(BIN)/uv pip install --quiet --system-certs --python $(BIN)/python

@@ -1,4 +1,4 @@
-"""The site of the documents: Sphinx with MyST (docs/adr/0080). `make docs` builds it into build/site."""
+"""The site of the documents: Sphinx with MyST (docs/adr/0034). `make docs` builds it into build/site."""
 
 from __future__ import annotations
 

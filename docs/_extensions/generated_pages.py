@@ -1,4 +1,4 @@
-"""Pages that the build writes from the code: components of the library, models, diagnostics, decisions.
+"""Pages that the build writes from the code: components of the library, models, diagnostics.
 
 They lie beside the written pages, are not kept in the repository, and change only where their text changes. Hundreds of
 entries in the sidebar of every page would make the build ten times as long, so indexes link to them.
@@ -36,7 +36,6 @@ def generate(app: Sphinx) -> None:
     components(folder / "reference" / "components")
     write(folder / "reference" / "models.md", models())
     write(folder / "diagnostics" / "index.md", diagnostics(folder / "diagnostics"))
-    write(folder / "adr" / "index.md", decisions(folder / "adr"))
 
 
 def components(folder: Path) -> None:
@@ -85,18 +84,6 @@ def diagnostics(folder: Path) -> str:
         lines += ["", f"## {family}", "", "| code | |", "|---|---|"]
         lines += [f"| [{code}]({code}.md) | {heading(folder / f'{code}.md')} |" for code in codes]
     return page(lines)
-
-
-def decisions(folder: Path) -> str:
-    """All records of decisions."""
-    names = sorted(path.stem for path in folder.glob("0*.md"))
-    lines = ["# Decisions", "", "Each record says what was decided, why, and what it costs.", ""]
-    return page([*lines, *(f"- [{name[:4]} {bare(folder, name)}]({name}.md)" for name in names)])
-
-
-def bare(folder: Path, name: str) -> str:
-    """The title of a decision without its number."""
-    return re.sub(r"^\d+\. ", "", heading(folder / f"{name}.md"))
 
 
 def heading(path: Path) -> str:

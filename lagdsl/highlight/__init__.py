@@ -1,1 +1,1 @@
-"""Colours of model texts by rules that follow from the grammar (docs/adr/0131)."""
+"""Colours of model texts by rules that follow from the grammar (docs/adr/0033)."""

@@ -1,1 +1,1 @@
-"""Models in notebooks: `%load_ext lagdsl`, cells `%%lag name`, tables, bars (docs/adr/0132)."""
+"""Models in notebooks: `%load_ext lagdsl`, cells `%%lag name`, tables, bars (docs/adr/0034)."""

@@ -27,7 +27,7 @@ Models with discretes: an indicator is positive (or, for relations that allow it
 are those of the contacts, then those that clauses let collide; contacts that are one way have the gap zero and a rate
 that is no derivative of it, with its derivatives by qd in place of the Jacobian. A pass over the clauses gives w after
 it and, action by action, whether it acts: resets with their values, collisions with their restitutions, ends and
-failures (`docs/adr/0030-events.md`). Programs that tell every variable of their model have named values
+failures (`docs/explanation/hybrid_model.md`). Programs that tell every variable of their model have named values
 (`mechanics/named.py`).
 
 Programs that tell their terms and how frames move (`mechanics/by_name.py`): ninertial inertial parameters, ten of a

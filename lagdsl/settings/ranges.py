@@ -1,5 +1,5 @@
 """Many values of one thing: a list, a range as in Modelica (`first:step:last unit`), or `linspace(first, last, count)
-unit`. Counted in the decimals that were typed (docs/adr/0094)."""
+unit`. Counted in the decimals that were typed (docs/adr/0031)."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def _solved(module: ModuleType, t: float, y: np.ndarray, w: np.ndarray) -> tuple
 
 
 def _settle(module: ModuleType, t: float, y: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[str]]:
-    """Passes until nothing changes, as docs/adr/0030-events.md describes them."""
+    """Passes until nothing changes, as docs/explanation/hybrid_model.md describes them."""
     pulses = [k for k, kind in enumerate(module.KINDS) if kind in ("clock", "instant")]
     for _ in range(20):
         after, reset, value, _, _, stop, _ = module.evaluate("event", *_solved(module, t, y, w))

@@ -26,7 +26,7 @@ FENCE = re.compile(r"^```(?P<language>[a-z]+)(?P<marks>[^\n]*)\n(?P<text>.*?)^``
 
 
 def pages() -> list[str]:
-    """Pages that a person wrote: those of diagnostics have their own test, decisions speak of their time."""
+    """Pages that a person wrote: those of diagnostics have their own test, records of decisions have no examples."""
     folder = ROOT / "docs"
     names = [path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*.md"))]
     generated = ("notebooks/", "diagnostics/", "adr/", "reference/components/")

@@ -20,7 +20,7 @@ from lagdsl.record import record
 _CANDIDATES = ("cc", "gcc", "clang")
 # No -ffast-math: results must be those of the order of operations in the text, the same in every run. For the same
 # reason the compiler replaces no function of the library of mathematics by another, or by its value at a constant, and
-# chooses no fused multiply-adds (the text says which there are, docs/adr/0011), nor vectors: GCC
+# chooses no fused multiply-adds (the text says which there are, docs/adr/0014), nor vectors: GCC
 # (seen with 12.2) fuses in those it finds all the same, and Clang takes a quarter longer to look for them. Nobody reads
 # errno or the traps of the floating-point unit.
 _ROUNDED = ("tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "pow")

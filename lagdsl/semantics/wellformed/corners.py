@@ -2,7 +2,7 @@
 
 A bead on a track `y = abs(x)` meets a corner at which its velocity jumps. The balance of momenta does not determine the
 jump: it depends on the materials of bead and track. The simulation takes the limit of a rounded corner, which conserves
-the energy (`docs/adr/0133`), at functions such as `abs` as at relations, in ways of coordinates as in constraints:
+the energy (`docs/adr/0017`), at functions such as `abs` as at relations, in ways of coordinates as in constraints:
 their branches become relations.
 """
 
