@@ -19,10 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.analysis.point import Flow, System
+from lagdsl.flat.frictions import force_unit
 from lagdsl.numerics.connected_blocks import Flags, connected_blocks
 from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, null_space
-from lagdsl.units.dimension import POWER
-from lagdsl.units.naming import unit_text
 
 # A force outside of a disc by less than this part of the largest force is in it; so many tangents are added at most.
 _OUTSIDE = 1e-12
@@ -83,14 +82,14 @@ def friction_forces(system: System, here: Flow) -> tuple[FrictionForce, ...]:
     """All frictions that act at the point of `here`, in the order of the model; those under open contacts do not."""
     laws = _laws(system, here)
     change, shared = _shared(system, here, [law for law in laws if law.sticks])
-    dimensions = {each.name: each.dimension for each in system.flat.events.frictions}
+    units = {each.name: force_unit(each) for each in system.flat.events.frictions}
     return tuple(
         FrictionForce(
             name=law.name,
             mode="sticks" if law.sticks else "slides",
             force=tuple((law.factor * law.force(here.lam + change)).tolist()),
             limit=law.factor * law.bears(change),
-            unit=unit_text(POWER / dimensions[law.name]),
+            unit=units[law.name],
             shared=law.sticks and bool(np.any(shared[list(law.rows)]) or np.any(shared & (law.gain != 0.0))),
         )
         for law in laws
@@ -151,7 +150,7 @@ def _shared(system: System, here: Flow, sticking: Sequence[_Law]) -> tuple[Float
 
 
 def _columns(system: System, here: Flow) -> Floats:
-    """How the equations of motion change with each multiplier (nq, nc), with the loads that it brings along."""
+    """Forces (nq, nc) of multipliers of size one on the coordinates, with the loads that these bring along."""
     jacobian = system.engine.evaluate("velocity_constraint", *here.point.arguments)[1]
     if not system.flat.events.feedbacks:
         return jacobian.T

@@ -17,7 +17,8 @@ from lagdsl.analysis.point import Flow, Point, System
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat.events import Friction, entries
-from lagdsl.flat.model import FlatModel, Output, RateForce
+from lagdsl.flat.frictions import forces_of
+from lagdsl.flat.model import FlatModel, Output
 from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation, compile_flat
@@ -150,8 +151,6 @@ def _observed(flat: FlatModel) -> FlatModel:
 
 
 def _law(flat: FlatModel, friction: Friction) -> list[fx.FlatExpression]:
-    """Slips; forces: those of the rows while it sticks, and the loads while it slides; limits; the mode."""
-    sliding = [each.value for each in flat.loads if isinstance(each, RateForce) and each.label == friction.name]
-    forces = [fx.Binary("+", fx.Multiplier(row), load) for row, load in zip(friction.rows, sliding, strict=True)]
+    """Slips, forces, limits, the mode."""
     most = friction.limit if friction.sticking is None else friction.sticking
-    return [*friction.slips, *forces, friction.limit, most, fx.Variable(friction.sticks)]
+    return [*friction.slips, *forces_of(flat, friction), friction.limit, most, fx.Variable(friction.sticks)]

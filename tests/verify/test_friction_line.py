@@ -101,7 +101,7 @@ def creeping(_: pytest.MonkeyPatch) -> Compilation:
     return replace(compilation, flat=replace(compilation.flat, constraints=(replace(row, residuals=(moved,)),)))
 
 
-# What the note tells, and the largest deviation where it has a closed form.
+# The note, and the largest deviation where it has a closed form.
 FAULTS: dict[str, tuple[Callable[[pytest.MonkeyPatch], Compilation], str, float | None]] = {
     "the sign of the force": (wrong_sense, "power that is not -R |slip|", None),
     "a limit that is too small": (changed_loads(0.9), "force off its limit while it slides", 0.2 / 3.0),
