@@ -109,10 +109,14 @@ def test_motions_of_any_length_take_seconds_to_watch(
 @pytest.mark.parametrize(
     ("name", "first", "last"),
     [
-        ("block_on_slope", ["friction: longest 4.61 N", "ground.friction: slides, 4.61 N"], "ground.friction: sticks, 3.35 N"),
+        (
+            "block_on_slope",
+            ["friction: longest 4.61 N", "ground.friction: slides, 4.61 N"],
+            "ground.friction: sticks, 3.35 N",
+        ),
         ("clutch", ["clutch: slides, 40 N.m"], "clutch: sticks, 18 N.m"),
     ],
-)  # fmt: skip
+)
 def test_the_legend_tells_what_friction_does_now(
     name: str, first: list[str], last: str, browser: Any, tmp_path: Path
 ) -> None:
