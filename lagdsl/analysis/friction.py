@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.analysis.point import Flow, System
-from lagdsl.flat.frictions import force_unit
+from lagdsl.flat.listing import force_unit
 from lagdsl.numerics.connected_blocks import Flags, connected_blocks
 from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, null_space
 

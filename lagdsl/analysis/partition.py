@@ -87,8 +87,8 @@ def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> 
 
 
 def _lost(system: System, point: Point, sizes: Floats, kept: Sequence[int]) -> bool:
-    """True if `kept` rows, which depend on each other here, do not so everywhere. Those of contacts and friction may do
-    so in all of a mode, as the legs of a table: they share their forces."""
+    """True if `kept` rows, which depend on each other here, do not so everywhere. Contacts and friction may have such
+    rows in all of a mode, as the legs of a table have: these share their forces."""
     if not contact_rows(system.flat) & set(kept):
         return True
     chance = np.random.default_rng(_SEED)

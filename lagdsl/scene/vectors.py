@@ -13,7 +13,7 @@ from dataclasses import replace
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
-from lagdsl.flat.frictions import force_unit, forces_of
+from lagdsl.flat.listing import force_unit, forces_of
 from lagdsl.flat.quantity import Spans
 from lagdsl.record import record
 from lagdsl.scene.living import Living, with_scene

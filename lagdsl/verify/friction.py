@@ -17,7 +17,7 @@ from lagdsl.analysis.point import Flow, Point, System
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat.events import Friction, entries
-from lagdsl.flat.frictions import forces_of
+from lagdsl.flat.listing import forces_of
 from lagdsl.flat.model import FlatModel, Output
 from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
