@@ -190,3 +190,27 @@ def test_the_command_tells_forces_limits_and_margins(tmp_path: Path) -> None:
     told = json.loads(target.read_text())
     assert (told["frictions"], told["modes"], told["shared"]) == (["ground.friction"], ["sticks"], [False])
     assert told["margins"] == pytest.approx([1.0 - told["forces"][0] / told["limits"][0]])
+
+
+def test_what_friction_holds_is_linearized_where_it_stands() -> None:
+    """The wedge is held by two faces whose rows depend on each other; opening one lets the load fall."""
+    found = lagdsl.compile(MODELS / "wedge_under_load.lag").linearize()
+    assert [each.name for each in found.states] == ["x"]
+    np.testing.assert_array_equal(found.A, [[0.0]])
+
+
+def test_modes_on_a_base_that_friction_holds() -> None:
+    """A mass on a spring on a block that sticks to the floor: sqrt(k/m), not that of two masses."""
+    text = """model Held
+      parameter Stiffness k = 40 N/m;
+      coordinate Length x, y, b(start = 0.1 m);
+      gravity = -g_n*world.y;
+      mass 3 kg at {x, y};
+      mass 0.4 kg at {x + b, y};
+      potential 1/2*k*(b - 0.1 m)^2;
+      contact floor: y >= 0 with restitution = 0, friction = 0.5, slip = der(x);
+    end Held;
+    """
+    found = lagdsl.compile(text).modes(trim=True).frequencies
+    assert found[found > 0.0] == pytest.approx([10.0 / (2.0 * math.pi)] * np.sum(found > 0.0), rel=1e-9)
+    assert np.any(found > 0.0)
