@@ -104,7 +104,7 @@ static const kind KIND[KINDS] = {
     [CORNERS] = {look_at_corners, corner, corner_noise},
 };
 
-/* How many there are of a kind. Every look asks this for every guard: no calls. */
+/* The number of guards of kind k. Every look asks this for every guard: no calls. */
 static inline size_t count_of(const lag_zero_crossing *crossings, int k)
 {
     const lag_model *model = crossings->motion->model;

@@ -13,7 +13,7 @@ typedef struct lag_course {
 /* So many values in turn are looked at together. */
 enum { LAG_WINDOW = 5 };
 
-/* How far values spread, and how far off the polynomial through all but one is there; no number where some are none. */
+/* The spread of values, and how far off the polynomial through all but one is there; no number where some are none. */
 typedef struct lag_spread {
     double low, high, off;
 } lag_spread;
