@@ -86,6 +86,9 @@ typedef struct lag_arguments {
     double *workspace;
     const double *times; /* (lanes) instead of t, for functions of several states at once */
     const void *context; /* that of the model */
+    /* (kept) for results with few entries, zero at first and written by the model alone: what it leaves out is zero; null: there is none */
+    double *kept;
+    size_t kept_count;
 } lag_arguments;
 
 typedef struct lag_model {

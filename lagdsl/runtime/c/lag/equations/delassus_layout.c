@@ -7,13 +7,13 @@ size_t lag_delassus_memory(size_t n, size_t m, size_t kept)
     return kept > 0 ? 2 * kept * kept + kept * m + 12 * kept + 3 * n : 0;
 }
 
-/* Components have numbers below n; what has another one belongs to the first. */
+/* Components have numbers below n; others belong to the first. */
 static size_t chain_of(const lag_delassus *s, size_t component)
 {
     return component < s->n ? component : 0;
 }
 
-/* Where the entries of rows begin and end, and of which component they are. */
+/* First and last entries of rows, and their components. */
 static void find_entries(lag_delassus *s, const lag_pattern *entries, const size_t *components)
 {
     size_t k = 0;

@@ -16,18 +16,25 @@ typedef struct places {
     double *system;
 } places;
 
-static places place(const lag_model *model, double *memory)
+size_t lag_dynamics_kept(const lag_model *model)
+{
+    return model->nk * (2 * model->nq + model->nc);
+}
+
+/* `kept`: lag_arguments.kept, for what elimination gives; null: there is none. */
+static places place(const lag_model *model, double *kept, double *memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
+    double **sparse = kept != NULL ? &kept : &memory;
     places at;
     at.mass = lag_take(&memory, n * n);
     at.force = lag_take(&memory, n);
     at.jacobian = lag_take(&memory, m * n);
     at.gamma = lag_take(&memory, m);
-    at.response = lag_take(&memory, model->nk * n);
-    at.lam_response = lag_take(&memory, model->nk * m);
-    at.kept_jacobian = lag_take(&memory, model->nk * n);
+    at.response = lag_take(sparse, model->nk * n);
+    at.lam_response = lag_take(sparse, model->nk * m);
+    at.kept_jacobian = lag_take(sparse, model->nk * n);
     at.kept_gamma = lag_take(&memory, model->nk);
     at.delassus = lag_take(&memory, lag_delassus_memory(n, m, model->nk));
     at.system = memory;
@@ -141,7 +148,7 @@ lag_status lag_forward_dynamics_of_lane(
     const size_t m = model->nc;
     const size_t kept = model->nk;
     const size_t lanes = formed->lanes;
-    const places to = place(model, memory);
+    const places to = place(model, NULL, memory);
     lag_system system;
     if (formed->qdd != NULL) {
         pick(n, formed->qdd, lanes, lane, qdd);
@@ -247,7 +254,7 @@ lag_status lag_forward_dynamics_along(
     double *loads = lag_take(&memory, lag_feedback_memory(model));
     solver s; /* not set to zero: that takes as long as small systems do */
     s.model = model;
-    s.to = place(model, memory);
+    s.to = place(model, at->kept, memory);
     s.coordinate = coordinate;
     if (model->nload > 0) {
         return lag_feedback_solve(model, at, solve_with_loads, &s, loads, chord, qdd, lam);

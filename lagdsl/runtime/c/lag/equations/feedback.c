@@ -11,11 +11,8 @@
 
 /* Steps of Newton's method: one where loads are affine in what they depend on. */
 enum { MOST_STEPS = 25 };
-/* Steps with derivatives of an earlier state, each of which leaves no more than this part of the one before. */
-enum { MOST_CHORDS = 12 };
-static const double CONTRACTS = 0.1;
-/* Below this what is left is round-off. */
-static const double ROUND_OFF = 1e-13;
+/* Steps with derivatives of an earlier state: those that contract find loads in fewer. So many times FOUND may be round-off. */
+enum { MOST_CHORDS = 12, ROUNDINGS = 10 };
 /* Loads are found when they change by less than this part of the largest of each. */
 static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
@@ -196,11 +193,11 @@ static lag_status follow_chord(feedback *f, const double *chord, double *qdd, do
     for (int k = 0; k < MOST_CHORDS && status == LAG_OK; ++k) {
         status = change_loads(f, slope, pivot, &left);
         status = status == LAG_OK ? look(f, qdd, lam) : status;
-        if (status == LAG_OK && (left <= FOUND || (before <= ROUND_OFF && left >= CONTRACTS * before))) {
+        if (status == LAG_OK && (left <= FOUND || (left >= before && before <= ROUNDINGS * FOUND))) {
             return LAG_OK;
         }
-        status = k == 0 || left < CONTRACTS * before ? status : LAG_MISSING;
-        before = k == 0 ? 1.0 : left;
+        status = left < before ? status : LAG_MISSING;
+        before = left;
     }
     return LAG_MISSING;
 }

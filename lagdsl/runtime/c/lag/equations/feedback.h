@@ -6,7 +6,7 @@
  * by Newton's method from s = 0, so that the result is a function of the state alone, up to round-off. Where sliding friction drives its own normal
  * force, the determinant of ds - dL, which is one without friction, passes zero: beyond it no unique force exists (wedging; Painleve's paradox).
  *
- * The derivatives take a solution of the system for each load. Those of an earlier state serve again as long as steps with them contract quickly
+ * The derivatives take a solution of the system for each load. Derivatives of an earlier state serve again as long as steps with them contract quickly
  * (the chord method): the product of their inverse with those of this state then lies near one, so that the determinant has kept its sign.
  *
  * Source: Genot, Brogliato, New results on Painleve paradoxes, Eur. J. Mech. A/Solids 18 (1999) 653.

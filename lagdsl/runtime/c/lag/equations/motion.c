@@ -17,7 +17,8 @@ static size_t loads_memory(const lag_model *model)
 
 size_t lag_motion_memory(const lag_model *model)
 {
-    return model->workspace + lag_jacobian_memory(model, NULL) + model->nu + model->nw + model->nq + model->nc + 1 + loads_memory(model);
+    const size_t values = model->nu + model->nw + model->nq + model->nc + 1;
+    return model->workspace + lag_jacobian_memory(model, NULL) + lag_dynamics_kept(model) + values + loads_memory(model);
 }
 
 /* Of a state, for a difference. */
@@ -79,7 +80,9 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
-    motion->u = motion->memory + lag_jacobian_memory(model, NULL);
+    motion->at.kept_count = lag_dynamics_kept(model);
+    motion->at.kept = motion->memory + lag_jacobian_memory(model, NULL);
+    motion->u = motion->at.kept + motion->at.kept_count;
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
     motion->lam = motion->qdd + model->nq;

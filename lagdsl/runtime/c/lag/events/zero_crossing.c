@@ -8,18 +8,12 @@
 
 /* ---- kinds of guards ---- */
 
-/* Guards of one kind: how many there are, how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
+/* Guards of one kind: how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
 typedef struct kind {
-    size_t (*count)(const lag_zero_crossing *crossings);
     lag_status (*look)(lag_zero_crossing *crossings);
     double (*value)(const lag_zero_crossing *crossings, size_t k);
     double (*noise)(const lag_zero_crossing *crossings, size_t k);
 } kind;
-
-static size_t count_relations(const lag_zero_crossing *crossings)
-{
-    return crossings->motion->model->nindicator;
-}
 
 static lag_status look_at_relations(lag_zero_crossing *crossings)
 {
@@ -35,11 +29,6 @@ static double relation(const lag_zero_crossing *crossings, size_t k)
 static double relation_noise(const lag_zero_crossing *crossings, size_t k)
 {
     return crossings->noise->sigma[k];
-}
-
-static size_t count_contacts(const lag_zero_crossing *crossings)
-{
-    return crossings->motion->model->ncontact;
 }
 
 static int is_closed(const lag_zero_crossing *crossings, size_t k)
@@ -67,11 +56,6 @@ static double contact_noise(const lag_zero_crossing *crossings, size_t k)
     return is_closed(crossings, k) ? lag_contacts_force_noise(crossings->contacts, k) : lag_contacts_gap_noise(crossings->contacts, k);
 }
 
-static size_t count_frictions(const lag_zero_crossing *crossings)
-{
-    return crossings->motion->model->nfriction;
-}
-
 static lag_status look_at_frictions(lag_zero_crossing *crossings)
 {
     const lag_status status = lag_frictions_look(crossings->frictions);
@@ -86,11 +70,6 @@ static double friction(const lag_zero_crossing *crossings, size_t k)
 static double friction_noise(const lag_zero_crossing *crossings, size_t k)
 {
     return lag_frictions_band(crossings->frictions, k);
-}
-
-static size_t count_corners(const lag_zero_crossing *crossings)
-{
-    return crossings->corners.count;
 }
 
 static lag_status look_at_corners(lag_zero_crossing *crossings)
@@ -112,20 +91,25 @@ static double corner_noise(const lag_zero_crossing *crossings, size_t k)
 enum { RELATIONS, CONTACTS, FRICTIONS, CORNERS, KINDS };
 
 static const kind KIND[KINDS] = {
-    [RELATIONS] = {count_relations, look_at_relations, relation, relation_noise},
-    [CONTACTS] = {count_contacts, look_at_contacts, contact, contact_noise},
-    [FRICTIONS] = {count_frictions, look_at_frictions, friction, friction_noise},
-    [CORNERS] = {count_corners, look_at_corners, corner, corner_noise},
+    [RELATIONS] = {look_at_relations, relation, relation_noise},
+    [CONTACTS] = {look_at_contacts, contact, contact_noise},
+    [FRICTIONS] = {look_at_frictions, friction, friction_noise},
+    [CORNERS] = {look_at_corners, corner, corner_noise},
 };
 
-/* The kind of guard *which; its number among those of its kind instead. Every look asks this for every guard: no calls. */
-static int kind_of(const lag_zero_crossing *crossings, size_t *which)
+/* The number of guards of kind k. Every look asks this for every guard: no calls. */
+static inline size_t count_of(const lag_zero_crossing *crossings, int k)
 {
     const lag_model *model = crossings->motion->model;
-    const size_t count[CORNERS] = {[RELATIONS] = model->nindicator, [CONTACTS] = model->ncontact, [FRICTIONS] = model->nfriction};
+    return k == RELATIONS ? model->nindicator : k == CONTACTS ? model->ncontact : k == FRICTIONS ? model->nfriction : crossings->corners.count;
+}
+
+/* The kind of guard *which; its number among those of its kind instead. */
+static int kind_of(const lag_zero_crossing *crossings, size_t *which)
+{
     int k = 0;
-    while (k < CORNERS && *which >= count[k]) {
-        *which -= count[k];
+    while (k < KINDS - 1 && *which >= count_of(crossings, k)) {
+        *which -= count_of(crossings, k);
         ++k;
     }
     return k;
@@ -246,7 +230,7 @@ static lag_status evaluate(lag_zero_crossing *crossings, double t, const double 
         lag_motion_look(crossings->motion, t, x);
     }
     for (int k = 0; k < KINDS && status == LAG_OK; ++k) {
-        status = KIND[k].count(crossings) > 0 ? KIND[k].look(crossings) : LAG_OK;
+        status = count_of(crossings, k) > 0 ? KIND[k].look(crossings) : LAG_OK;
     }
     return status;
 }

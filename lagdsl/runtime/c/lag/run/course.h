@@ -13,7 +13,7 @@ typedef struct lag_course {
 /* So many values in turn are looked at together. */
 enum { LAG_WINDOW = 5 };
 
-/* How far values spread, and how far off the polynomial through all but one is there; no number where some are none. */
+/* The spread of values, and how far off the polynomial through all but one is there; no number where some are none. */
 typedef struct lag_spread {
     double low, high, off;
 } lag_spread;
@@ -23,9 +23,6 @@ typedef struct lag_spread {
  * so far by less, a step is not worth its dense output. (Of an oscillation, with a step of three radians.)
  */
 static const double LAG_DOUBT = 0.7;
-/* Beside values along a step, at the places of a method or at equal distances, a cubic exceeds them by less than so many times their range. */
-static const double LAG_MOST_BULGE = 1.25;
-
 /* Distances by which the cubic with values a, b and slopes fa, fb (of the whole step) exceeds its ends: up and down. */
 void lag_bulge_find(double a, double fa, double b, double fb, double *up, double *down);
 

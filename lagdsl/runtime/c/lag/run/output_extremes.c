@@ -147,7 +147,7 @@ static int outputs_get_beyond(const lag_extremes *extremes, const lag_run *run)
     for (size_t i = 0; i < ny; ++i) {
         take_values(extremes->passed, ny, i, SCREEN, 1.0, y);
         const lag_spread all = lag_spread_of(y, weight);
-        const double bulge = LAG_MOST_BULGE * (all.high - all.low);
+        const double bulge = (1.0 + LAG_DOUBT) * (all.high - all.low); /* at such places no cubic exceeds values by their range */
         if (is_counted(run, i)) {
             continue;
         }

@@ -44,10 +44,19 @@ static void store(const uint32_t *word, const double *row, double *result)
     }
 }
 
-static void scatter(const uint32_t *word, const double *row, double *result)
+/* True if the result lies in what the model alone writes, at the same places whenever it does. */
+static int is_kept(const lag_arguments *at, const double *result)
+{
+    const uintptr_t place = (uintptr_t)result - (uintptr_t)at->kept;
+    return at->kept != NULL && place < at->kept_count * sizeof(double);
+}
+
+static void scatter(const uint32_t *word, const lag_arguments *at, const double *row, double *result)
 {
     const uint32_t count = word[3];
-    memset(result, 0, word[2] * sizeof(double));
+    if (!is_kept(at, result)) {
+        memset(result, 0, word[2] * sizeof(double));
+    }
     for (uint32_t i = 0; i < count; ++i) {
         result[word[4 + i]] = row[word[4 + count + i]];
     }
@@ -122,7 +131,7 @@ KEPT_APART void lag_tape_run(const lag_tape_code *code, const lag_arguments *at,
         word += 4 + word[3];
         NEXT;
     CASE(SCATTER):
-        scatter(word, row, results[word[1]]);
+        scatter(word, at, row, results[word[1]]);
         word += 4 + 2 * word[3];
         NEXT;
     CASE(SINCOS):
