@@ -26,6 +26,7 @@ STRUCTURES = {
     "lag_initial": ("initial", "Initial"),
     "lag_run_options": ("run", "RunOptions"),
     "lag_change": ("run", "RunChange"),
+    "lag_step_counts": ("stepper", "StepCounts"),
     "lag_run_report": ("run", "RunReport"),
     "lag_fault": ("run", "RunFault"),
     "lag_ensemble": ("ensemble", "Ensemble"),
@@ -112,7 +113,7 @@ def _type(base: str, stars: int, *, read: bool = False) -> str:
     if typedef:
         return _function(*typedef[0])
     if not stars:
-        return "c_int" if base in _ENUMS else _NUMBERS[base]
+        return STRUCTURES[base][1] if base in STRUCTURES else "c_int" if base in _ENUMS else _NUMBERS[base]
     if base == "char" and stars == 1:
         return "c_char_p"
     if read:

@@ -279,14 +279,23 @@ class RunChange(Structure):
     ]
 
 
+class StepCounts(Structure):
+    """lag_step_counts."""
+
+    _fields_ = [
+        *_all(c_size_t, "steps rejections evaluations jacobians decompositions"),
+    ]
+
+
 class RunReport(Structure):
     """lag_run_report."""
 
     _fields_ = [
         *_all(c_double, "t h trouble_time"),
         *_all(_Numbers, "x"),
-        *_all(c_size_t, "row steps all_steps rejections evaluations jacobians decompositions projections"),
-        *_all(c_size_t, "events changes"),
+        *_all(c_size_t, "row steps"),
+        *_all(StepCounts, "counts"),
+        *_all(c_size_t, "projections events changes"),
         *_all(_Numbers, "w changed guilty doubted"),
         *_all(c_size_t, "fault"),
         *_all(c_double, "next"),

@@ -240,12 +240,12 @@ static void stiffness_is_found(double epsilon, int stiff)
     lag_run *run = place(&OSCILLATOR, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_to(run, 2.0, 0) == LAG_OK);
-    (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.steps,
-        run->stepper.evaluations, run->stepper.jacobians, run->changes, run->stepper.method->name);
+    (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.counts.steps,
+        run->stepper.counts.evaluations, run->stepper.counts.jacobians, run->changes, run->stepper.method->name);
     if (stiff) {
         CHECK(run->changes > 0 && run->change[0].implicit);
         CHECK_NEAR(run->stepper.x[0], 1.706167732170483, 1e-4);
-        CHECK(run->stepper.evaluations < 20000);
+        CHECK(run->stepper.counts.evaluations < 20000);
     } else {
         CHECK(run->changes == 0);
     }

@@ -141,7 +141,8 @@ typedef struct lag_run_report {
     const double *x;            /* (2 nq + nz) */
     size_t row;                 /* rows recorded */
     size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
-    size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
+    lag_step_counts counts;
+    size_t projections, events, changes;
     const double *w;            /* (nw) */
     const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
     const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP, 1: because of this one */

@@ -12,6 +12,24 @@
 
 typedef struct lag_method lag_method;
 
+/* What a method knows of the last accepted step when it chooses the next one. */
+typedef struct lag_step_estimate {
+    double error; /* 0: none */
+    double h;     /* the length that it belongs to */
+    double urge;  /* h |lambda| along the step, as an explicit method sees it; 0: not known */
+} lag_step_estimate;
+
+/* The work so far. */
+typedef struct lag_step_counts {
+    size_t steps, rejections, evaluations, jacobians, decompositions;
+} lag_step_counts;
+
+/* For methods that do not choose their steps. */
+typedef struct lag_fixed_steps {
+    double length;
+    size_t nq; /* for methods of second order: x begins with so many coordinates and their rates */
+} lag_fixed_steps;
+
 typedef struct lag_stepper {
     const lag_ode *ode;
     const lag_method *method;
@@ -25,16 +43,13 @@ typedef struct lag_stepper {
     double *f_before;   /* (size) */
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
-    double error;       /* of the last accepted step, 0: none */
-    double h_of_error;  /* its length */
-    double urge;        /* h |lambda| along the last step, as an explicit method sees it; 0: not known */
+    lag_step_estimate estimate;
     int dense_ready;    /* whether the dense output of the last step has been prepared */
-    size_t evaluations, jacobians, decompositions, steps, rejections;
+    lag_step_counts counts;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;
     double *trouble_x;  /* (size) and the state */
-    double length;      /* of the steps of methods that do not choose it */
-    size_t nq;          /* for methods of second order: x begins with so many coordinates and their rates */
+    lag_fixed_steps fixed;
 } lag_stepper;
 
 struct lag_method {

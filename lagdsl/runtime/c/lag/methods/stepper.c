@@ -35,7 +35,7 @@ void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
 
 lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd)
 {
-    ++s->evaluations;
+    ++s->counts.evaluations;
     lag_status status = s->ode->rates(s->ode->context, t, x, xd);
     if (status == LAG_OK && !lag_finite(s->ode->size, xd)) {
         status = LAG_NOT_FINITE;
@@ -87,14 +87,14 @@ static double first_length(lag_stepper *s, double span)
 lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span)
 {
     s->method = method;
-    s->error = s->h_of_error = s->urge = 0.0;
+    s->estimate = (lag_step_estimate){0.0, 0.0, 0.0};
     s->dense_ready = 0;
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
     }
     if (!(s->h > 0.0)) {
-        s->h = method->error_order > 0 ? first_length(s, span) : s->length;
+        s->h = method->error_order > 0 ? first_length(s, span) : s->fixed.length;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
@@ -107,7 +107,7 @@ lag_status lag_stepper_step(lag_stepper *s, double limit)
 {
     s->dense_ready = 0;
     const lag_status status = s->method->step(s, limit);
-    s->steps += status == LAG_OK;
+    s->counts.steps += status == LAG_OK;
     return status;
 }
 
@@ -122,7 +122,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
     memcpy(s->f, s->f_before, s->ode->size * sizeof(double));
     s->h = h;
-    s->error = s->h_of_error = 0.0;
+    s->estimate.error = s->estimate.h = 0.0;
     s->dense_ready = 0;
     s->method->begin(s);
 }

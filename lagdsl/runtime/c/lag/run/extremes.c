@@ -354,7 +354,7 @@ static void search_outputs(lag_extremes *extremes, lag_run *run, double t)
             take_values(extremes, ny, i, LAG_SAMPLES, sign, y);
             for (size_t k = 0; k <= LAG_SAMPLES; ++k) {
                 const double reach = reach_at(y, LAG_SAMPLES, k);
-                const int worth = extremes->searched < s->evaluations + SPARE && is_hidden(y, LAG_SAMPLES, k);
+                const int worth = extremes->searched < s->counts.evaluations + SPARE && is_hidden(y, LAG_SAMPLES, k);
                 if (reach > record_of(extremes, ny, i, sign) || (reach > -(double)INFINITY && worth)) {
                     const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
                     const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;

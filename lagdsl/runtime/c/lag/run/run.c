@@ -116,8 +116,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.context = options->context;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
-    run->stepper.length = options->h_fixed;
-    run->stepper.nq = model->nq;
+    run->stepper.fixed.length = options->h_fixed;
+    run->stepper.fixed.nq = model->nq;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
@@ -159,11 +159,7 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .x = s->x,
         .row = run->row,
         .steps = run->steps,
-        .all_steps = s->steps,
-        .rejections = s->rejections,
-        .evaluations = s->evaluations,
-        .jacobians = s->jacobians,
-        .decompositions = s->decompositions,
+        .counts = s->counts,
         .projections = run->projection.count,
         .events = run->events,
         .changes = run->changes,

@@ -41,7 +41,7 @@ static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_ste
     const lag_method *chosen = run->options.method;
     const lag_method *method = run->stepper.method;
     run->options.method = run->stepper.method = method_of(step);
-    run->stepper.length = run->stepper.h = h;
+    run->stepper.fixed.length = run->stepper.h = h;
     run->instants.contacts.flight = h;
     const lag_status status = lag_run_to(run, end, MOST_PIECES);
     run->instants.contacts.flight = 0.0;
