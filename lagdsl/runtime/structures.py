@@ -245,6 +245,43 @@ class Initial(Structure):
     ]
 
 
+class RunCallbacks(Structure):
+    """lag_run_callbacks."""
+
+    _fields_ = [
+        *_all(c_void_p, "context"),
+        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
+    ]
+
+
+class Sizes(Structure):
+    """lag_sizes."""
+
+    _fields_ = [
+        *_all(c_void_p, "group natural cap row_sizes"),
+    ]
+
+
+class Lasting(Structure):
+    """lag_lasting."""
+
+    _fields_ = [
+        *_all(c_void_p, "rows"),
+        *_all(c_size_t, "general"),
+    ]
+
+
+class RunInvariants(Structure):
+    """lag_run_invariants."""
+
+    _fields_ = [
+        *_all(c_void_p, "tolerance start size drift"),
+        *_all(c_int, "continued"),
+    ]
+
+
 class RunOptions(Structure):
     """lag_run_options."""
 
@@ -252,19 +289,15 @@ class RunOptions(Structure):
         *_all(c_double, "tolerance"),
         *_all(c_void_p, "method"),
         *_all(c_double, "h_first h_most h_fixed part"),
-        *_all(c_void_p, "p context"),
-        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
-        *_all(c_void_p, "u group natural cap row_sizes"),
+        *_all(c_void_p, "p u"),
+        *_all(RunCallbacks, "callbacks"),
+        *_all(Sizes, "sizes"),
         *_all(c_int, "careful"),
-        *_all(c_void_p, "lasting"),
-        *_all(c_size_t, "general"),
-        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
+        *_all(Lasting, "lasting"),
         *_all(c_double, "length"),
         *_all(c_size_t, "count"),
-        *_all(c_void_p, "times rows"),
-        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
-        *_all(c_void_p, "results invariant_tolerance invariant_start invariant_size invariant_drift"),
-        *_all(c_int, "continued"),
+        *_all(c_void_p, "times rows results"),
+        *_all(RunInvariants, "invariants"),
         *_all(c_void_p, "start"),
         *_all(c_int, "zeroed"),
     ]

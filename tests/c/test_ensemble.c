@@ -20,7 +20,7 @@ static int status[RUNS];
 static lag_run_options options(void)
 {
     return (lag_run_options){
-        .tolerance = 1e-9, .count = TIMES, .times = times, .group = group, .cap = cap, .start = &START, .length = times[TIMES - 1]
+        .tolerance = 1e-9, .count = TIMES, .times = times, .sizes = {.group = group, .cap = cap}, .start = &START, .length = times[TIMES - 1]
     };
 }
 
@@ -54,8 +54,8 @@ static void make_alone(size_t i, double *states)
     double start[SIZE];
     lag_run_options told = options();
     told.rows = states;
-    told.natural = natural + i * SIZE;
-    told.row_sizes = row_sizes;
+    told.sizes.natural = natural + i * SIZE;
+    told.sizes.row_sizes = row_sizes;
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &told)), &MACHINE, &told);
     lag_initial found = {.dependent = dependent, .row_sizes = row_sizes};
     CHECK(lag_run_start(run, 0.0, start) == LAG_OK);

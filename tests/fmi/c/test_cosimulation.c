@@ -11,7 +11,7 @@ static const double OFF = 1e-7;
 /* Steps that the integrator takes for itself. */
 static size_t steps_alone(double stop)
 {
-    const lag_run_options options = {.tolerance = TOLERANCE, .group = OSC_GROUP, .natural = OSC_SIZES, .cap = OSC_CAPS};
+    const lag_run_options options = {.tolerance = TOLERANCE, .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL}};
     lag_run *run = lag_run_place(malloc(lag_run_size(&OSC, &options)), &OSC, &options);
     CHECK(lag_run_begin(run, 0.0, OSC_STATE) == LAG_OK);
     CHECK(lag_run_to(run, stop, 0) == LAG_OK);

@@ -69,16 +69,11 @@ static lag_run_options options_of(lag_instance *instance)
     lag_run_options options = lag_instance_plan();
     options.tolerance = held->integration;
     options.p = instance->p;
-    options.context = instance;
-    options.tell = hear;
-    options.group = fmu->group;
-    options.natural = fmu->natural;
-    options.cap = fmu->cap;
-    options.row_sizes = fmu->row_sizes;
-    options.lasting = fmu->lasting;
-    options.general = fmu->general;
+    options.callbacks = (lag_run_callbacks){.context = instance, .tell = hear};
+    options.sizes = (lag_sizes){fmu->group, fmu->natural, fmu->cap, fmu->row_sizes};
+    options.lasting = (lag_lasting){fmu->lasting, fmu->general};
     options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
-    options.invariant_tolerance = instance->invariant_limits;
+    options.invariants.tolerance = instance->invariant_limits;
     return options;
 }
 

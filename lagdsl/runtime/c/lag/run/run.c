@@ -43,15 +43,15 @@ size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
 {
-    const lag_run_options *options = &run->options;
+    const lag_run_invariants *invariants = &run->options.invariants;
     const size_t ni = model->ni;
     double *own = lag_take(memory, 3 * ni);
     run->watch.motion = &run->motion;
-    run->watch.begun = options->continued;
-    run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
-    run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
-    run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
-    run->watch.tolerance = options->invariant_tolerance;
+    run->watch.begun = invariants->continued;
+    run->watch.start = invariants->start != NULL ? invariants->start : own;
+    run->watch.size = invariants->size != NULL ? invariants->size : own + ni;
+    run->watch.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
+    run->watch.tolerance = invariants->tolerance;
     run->watch.value = lag_take(memory, lag_watch_memory(model));
     run->watch.scale = run->watch.value + ni;
     run->watch.held = run->watch.scale + ni;
@@ -61,12 +61,13 @@ static lag_status tell(void *context, const lag_event_notice *notice)
 {
     lag_run *run = context;
     lag_event_notice told = *notice;
+    const lag_run_callbacks *callbacks = &run->options.callbacks;
     lag_status status = LAG_OK;
     if (run->options.results != NULL) {
         status = lag_results_tell(run->options.results, run, notice);
     }
     told.row = run->row;
-    return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
+    return status == LAG_OK && callbacks->tell != NULL ? callbacks->tell(callbacks->context, run, &told) : status;
 }
 
 static void place_instants(lag_run *run, const lag_model *model, double **memory)
@@ -86,8 +87,8 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
 void lag_run_depend(lag_run *run, const unsigned char *dependent)
 {
     const lag_model *model = run->motion.model;
-    const double *lasting = run->options.lasting;
-    run->look.most = lasting != NULL ? run->options.general : model->rank;
+    const double *lasting = run->options.lasting.rows;
+    run->look.most = lasting != NULL ? run->options.lasting.general : model->rank;
     for (size_t i = 0; i < model->nc; ++i) {
         const int lasts = lasting == NULL || lasting[i] != 0.0;
         const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
@@ -112,8 +113,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
-    run->motion.inputs = options->inputs;
-    run->motion.context = options->context;
+    run->motion.inputs = options->callbacks.inputs;
+    run->motion.context = options->callbacks.context;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.fixed.length = options->h_fixed;

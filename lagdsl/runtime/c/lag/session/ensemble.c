@@ -154,8 +154,8 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     own->options = *ensemble->options;
     own->options.p = ensemble->p + i * model->np;
     own->options.u = ensemble->u == NULL ? NULL : ensemble->u + i * model->nu;
-    own->options.natural = ensemble->natural + i * size;
-    own->options.row_sizes = row_sizes;
+    own->options.sizes.natural = ensemble->natural + i * size;
+    own->options.sizes.row_sizes = row_sizes;
     own->options.results = &own->results;
     lag_run *run = lag_run_place(block, model, &own->options);
     lag_status status = find_start(ensemble, i, run, starts, x, &told);
