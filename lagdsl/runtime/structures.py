@@ -182,15 +182,21 @@ class Range(Structure):
     ]
 
 
+class Strided(Structure):
+    """lag_strided."""
+
+    _fields_ = [
+        *_all(c_void_p, "first"),
+        *_all(c_size_t, "stride"),
+    ]
+
+
 class Batch(Structure):
     """lag_batch."""
 
     _fields_ = [
         *_all(c_size_t, "count"),
-        *_all(c_void_p, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
-        *_all(c_size_t, "t_stride q_stride qd_stride z_stride u_stride w_stride p_stride qdd_stride"),
-        *_all(c_size_t, "lam_stride dq_stride dqd_stride dz_stride du_stride dp_stride dqdd_stride"),
-        *_all(c_size_t, "dlam_stride"),
+        *_all(Strided, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
         *_all(c_void_p, "workspace memory lanes"),
     ]
 
@@ -348,6 +354,14 @@ class RunFault(Structure):
     ]
 
 
+class EnsembleResults(Structure):
+    """lag_ensemble_results."""
+
+    _fields_ = [
+        *_all(c_void_p, "rows kept ended status found"),
+    ]
+
+
 class Ensemble(Structure):
     """lag_ensemble."""
 
@@ -358,7 +372,8 @@ class Ensemble(Structure):
         *_all(c_void_p, "at"),
         *_all(c_size_t, "first_piece piece most_steps"),
         *_all(c_int, "equations"),
-        *_all(c_void_p, "set stopped p u natural x rows kept ended status found"),
+        *_all(c_void_p, "set stopped p u natural x"),
+        *_all(EnsembleResults, "results"),
         *_all(CFUNCTYPE(None, c_void_p, c_size_t, c_void_p, c_int, _Numbers, _Numbers, c_void_p), "failed"),
         *_all(c_void_p, "context"),
     ]

@@ -28,7 +28,8 @@ static lag_ensemble ensemble_of(const lag_run_options *told)
 {
     return (lag_ensemble){
         .model = &MACHINE, .options = told, .stop = times[TIMES - 1], .first_piece = 1000, .piece = 1000, .most_steps = 100000, .equations = 1, .set = set,
-        .p = parameter, .natural = natural, .x = x, .rows = rows, .kept = kept, .ended = ended, .status = status
+        .p = parameter, .natural = natural, .x = x,
+        .results = {.rows = rows, .kept = kept, .ended = ended, .status = status}
     };
 }
 
@@ -115,7 +116,7 @@ static void check_failures(const lag_ensemble *ensemble)
     lag_ensemble told = *ensemble;
     told.failed = hear;
     told.context = &last;
-    told.found = found;
+    told.results.found = found;
     lag_ensemble few = told;
     void *block = malloc(lag_ensemble_size(ensemble));
     const double height = x[SIZE];

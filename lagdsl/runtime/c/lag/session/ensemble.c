@@ -88,8 +88,8 @@ static lag_status find_start(const lag_ensemble *ensemble, size_t i, lag_run *ru
         return LAG_NOT_FINITE;
     }
     status = lag_run_find(run, ensemble->t, ensemble->set, x, told);
-    if (ensemble->found != NULL && model->np > 0) {
-        memcpy(ensemble->found + i * model->np, run->motion.at.p, model->np * sizeof(double));
+    if (ensemble->results.found != NULL && model->np > 0) {
+        memcpy(ensemble->results.found + i * model->np, run->motion.at.p, model->np * sizeof(double));
     }
     return status == LAG_OK && told->fault != LAG_INITIAL_NONE ? LAG_PROJECTION_FAILED : status;
 }
@@ -146,7 +146,7 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     lag_fill(model->nc, 1.0, row_sizes);
     own->kept = (keeper){
         .ensemble = ensemble, .width = lag_results_width(model),
-        .rows = ensemble->rows + i * ensemble->options->count * lag_ensemble_width(model)
+        .rows = ensemble->results.rows + i * ensemble->options->count * lag_ensemble_width(model)
     };
     own->results = (lag_results){
         .most_rows = ROWS, .most_notes = NOTES, .rows = rows, .notes = own->notes, .full = keep, .context = &own->kept
@@ -164,8 +164,8 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
         status = move(ensemble, run, x);
     }
     (void)keep(&own->kept, &own->results);
-    ensemble->kept[i] = own->kept.kept;
-    ensemble->ended[i] = own->results.any ? own->results.last : (double)NAN;
+    ensemble->results.kept[i] = own->kept.kept;
+    ensemble->results.ended[i] = own->results.any ? own->results.last : (double)NAN;
     if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED && !is_stopped(ensemble)) {
         ensemble->failed(ensemble->context, i, run, (int)status, starts, x, started ? NULL : &told);
     }
@@ -183,7 +183,7 @@ size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, 
         if (is_stopped(ensemble)) {
             return i;
         }
-        ensemble->status[i] = (int)status;
+        ensemble->results.status[i] = (int)status;
     }
     return end;
 }
