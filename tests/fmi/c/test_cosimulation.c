@@ -107,7 +107,7 @@ static void chain(void)
 {
     static const size_t rates[2] = {1, 2};
     lag_fmu fmu = OSC_FMU;
-    fmu.input_rates = rates;
+    fmu.inputs.rates = rates;
     lag_instance *one = begun(&fmu, 0.0, 10.0, TOLERANCE);
     set(one, OSC_U, 1.0);
     set(one, OSC_UD, -0.5);
@@ -179,7 +179,7 @@ static void starts(void)
 /* Steps keep to a hundredth of a tolerance that is coarser than the experiment's; importers of states get what they gave. */
 static void tolerances(void)
 {
-    const double own = OSC_FMU.tolerance;
+    const double own = OSC_FMU.experiment.tolerance;
     const double given[] = {0.0, 1e-11, own, 10.0 * own, 1e-4, 1e3};
     const double kept[] = {own, 1e-11, own, own, 1e-6, 1e-3};
     for (unsigned i = 0; i < sizeof given / sizeof *given; ++i) {

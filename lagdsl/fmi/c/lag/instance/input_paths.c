@@ -19,7 +19,7 @@ static const double NOTHING = 1e-6;
 
 void lag_instance_leave_inputs(lag_instance *instance)
 {
-    if (instance->fmu->input_rates != NULL) {
+    if (instance->fmu->inputs.rates != NULL) {
         lag_instance_inputs_at(instance, instance->held.t, instance->left);
         instance->held.left_for = instance->held.exchanged ? 0.0 : instance->held.t - instance->held.left_at;
         instance->held.left_at = instance->held.t;
@@ -51,7 +51,7 @@ static double size_of(const lag_instance *instance, size_t i)
 /* The input that is the derivative of input i; nu without. */
 static size_t rate_of(const lag_instance *instance, size_t i)
 {
-    return i < instance->fmu->model->nu ? instance->fmu->input_rates[i] : i;
+    return i < instance->fmu->model->nu ? instance->fmu->inputs.rates[i] : i;
 }
 
 /* A jump of input i that counts as nothing. */
@@ -72,7 +72,7 @@ static lag_status refuse(lag_instance *instance, size_t i)
 
 lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
-    const unsigned char *follows = instance->fmu->continuous_inputs;
+    const unsigned char *follows = instance->fmu->inputs.continuous;
     const double h = instance->held.left_for;
     const size_t count = follows != NULL && look(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {

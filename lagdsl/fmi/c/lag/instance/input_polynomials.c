@@ -66,7 +66,7 @@ static void find_polynomials(lag_instance *instance)
 void lag_instance_chain_inputs(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
-    const size_t *rates = instance->fmu->input_rates;
+    const size_t *rates = instance->fmu->inputs.rates;
     if (rates == NULL) {
         return;
     }

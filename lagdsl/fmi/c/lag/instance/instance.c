@@ -38,7 +38,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guards(fmu->model) +
-           fmu->ndependent;
+           fmu->dependents.count;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -64,14 +64,14 @@ static lag_run_options options_of(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_held *held = &instance->held;
-    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
+    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
     const double length = stop - held->start;
     lag_run_options options = lag_instance_plan();
     options.tolerance = held->integration;
     options.p = instance->p;
     options.callbacks = (lag_run_callbacks){.context = instance, .tell = hear};
-    options.sizes = (lag_sizes){fmu->group, fmu->natural, fmu->cap, fmu->row_sizes};
-    options.lasting = (lag_lasting){fmu->lasting, fmu->general};
+    options.sizes = fmu->sizes;
+    options.lasting = fmu->lasting;
     options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
     options.invariants.tolerance = instance->invariant_limits;
     return options;
@@ -99,7 +99,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->left = lag_take(&memory, model->nu);
     instance->latched = lag_take(&memory, lag_guards(fmu->model));
     instance->armed = lag_take(&memory, lag_guards(fmu->model));
-    instance->offsets = lag_take(&memory, fmu->ndependent);
+    instance->offsets = lag_take(&memory, fmu->dependents.count);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
     instance->xd = lag_take(&memory, size);
@@ -126,9 +126,9 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     instance->fmu = fmu;
     lay_out(instance, (double *)(void *)(bytes + padded(sizeof(lag_instance))));
     instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
-    instance->held.start = instance->held.t = fmu->start_time;
+    instance->held.start = instance->held.t = fmu->experiment.start;
     instance->held.stop = (double)INFINITY;
-    instance->held.tolerance = instance->held.integration = fmu->tolerance;
+    instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
         memcpy(instance->guess, model->defaults, model->np * sizeof(double));
@@ -139,7 +139,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
 
 double lag_instance_rate(const lag_instance *instance)
 {
-    const double length = instance->fmu->stop_time - instance->fmu->start_time;
+    const double length = instance->fmu->experiment.stop - instance->fmu->experiment.start;
     return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
 }
 
@@ -162,7 +162,7 @@ void lag_instance_renew(lag_instance *instance)
 static double integration_tolerance(const lag_instance *instance, lag_kinds kind)
 {
     const double given = instance->held.tolerance;
-    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->tolerance)) : given;
+    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->experiment.tolerance)) : given;
 }
 
 lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
@@ -176,7 +176,7 @@ lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double sta
     }
     held->start = held->t = start;
     held->stop = stop;
-    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
+    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
     held->integration = integration_tolerance(instance, kind);
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);

@@ -16,7 +16,7 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     case LAG_ROLE_PARAMETER:
         return instance->p;
     case LAG_ROLE_CONSTANT:
-        return instance->fmu->constants;
+        return instance->fmu->constants.numbers;
     case LAG_ROLE_STATE:
     case LAG_ROLE_DEPENDENT:
         return instance->x;
@@ -144,7 +144,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 static const lag_range *range_of(const lag_fmu *fmu, const lag_variable *variable, size_t i)
 {
     const lag_range *ranges = variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range :
-                              variable->role == LAG_ROLE_INPUT     ? fmu->input_range :
+                              variable->role == LAG_ROLE_INPUT     ? fmu->inputs.range :
                                                                      NULL;
     return ranges == NULL ? NULL : ranges + variable->first + i;
 }

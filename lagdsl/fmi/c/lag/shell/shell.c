@@ -53,9 +53,9 @@ static void begin(lag_shell *shell)
         .early_return = now->early_return,
         .mode = LAG_MODE_INSTANTIATED,
         .stale = 1,
-        .time = shell->fmu->start_time,
-        .reached = shell->fmu->start_time,
-        .start = shell->fmu->start_time,
+        .time = shell->fmu->experiment.start,
+        .reached = shell->fmu->experiment.start,
+        .start = shell->fmu->experiment.start,
         .stop = (double)INFINITY,
     };
 }
