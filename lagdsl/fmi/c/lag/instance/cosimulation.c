@@ -35,7 +35,7 @@ static lag_status deliver(lag_instance *instance, double t)
         status = lag_run_inside(instance->run, t, instance->x);
     }
     instance->held.t = t;
-    instance->known = 0;
+    instance->values.known = 0;
     if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
         status = LAG_NOT_FINITE;
     }
@@ -146,7 +146,7 @@ static lag_status go_fixed(lag_instance *instance, double end)
     }
     lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
+        status = lag_run_fixed(run, (end - begun) / count, method, instance->scratch.fixed);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
             status = LAG_NOT_FINITE;

@@ -95,7 +95,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const size_t count = lag_guards(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;
-    instance->known = 0;
+    instance->values.known = 0;
     held->jumped = 1;
     held->tied = 0;
     lag_fill(located ? 0 : count, 0.0, run->pending);
@@ -140,9 +140,9 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
-        memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->scratch.point, instance->x, lag_instance_order(instance) * sizeof(double));
         status = lag_instance_carry_out(instance);
-        told->states_changed = memcmp(instance->point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
+        told->states_changed = memcmp(instance->scratch.point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
     }
     told->next = next_instant(instance);
     told->terminate = held->stopped;
@@ -167,7 +167,7 @@ lag_status lag_instance_terminate(lag_instance *instance)
     if (status == LAG_OK) {
         status = lag_run_end(run);
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        instance->known = 0;
+        instance->values.known = 0;
     }
     return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
 }

@@ -19,11 +19,6 @@ static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 /* Entries of the longest variable. */
 static size_t longest(const lag_fmu *fmu)
 {
@@ -80,7 +75,7 @@ static lag_run_options options_of(lag_instance *instance)
 size_t lag_instance_size(const lag_fmu *fmu)
 {
     const lag_run_options options = lag_instance_plan();
-    return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
+    return lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
 }
 
 static void lay_out(lag_instance *instance, double *memory)
@@ -91,29 +86,29 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
-    instance->guess = lag_take(&memory, model->np);
-    instance->begin = lag_take(&memory, size);
-    instance->given = lag_take(&memory, size);
-    instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
-    instance->given_inputs = lag_take(&memory, model->nu);
-    instance->left = lag_take(&memory, model->nu);
-    instance->latched = lag_take(&memory, lag_guards(fmu->model));
-    instance->armed = lag_take(&memory, lag_guards(fmu->model));
+    instance->starts.parameters = lag_take(&memory, model->np);
+    instance->starts.values = lag_take(&memory, size);
+    instance->starts.given = lag_take(&memory, size);
+    instance->inputs.course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->inputs.given = lag_take(&memory, model->nu);
+    instance->inputs.left = lag_take(&memory, model->nu);
+    instance->guards.latched = lag_take(&memory, lag_guards(fmu->model));
+    instance->guards.armed = lag_take(&memory, lag_guards(fmu->model));
     instance->offsets = lag_take(&memory, fmu->dependents.count);
     instance->kept_count = (size_t)(memory - instance->kept);
-    instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
-    instance->xd = lag_take(&memory, size);
-    instance->y = lag_take(&memory, model->ny);
-    instance->local = lag_take(&memory, fmu->model->nd);
-    instance->unasked = lag_take(&memory, model->nc);
-    instance->point = lag_take(&memory, size);
-    instance->tangent = lag_take(&memory, size);
-    instance->entry = lag_take(&memory, longest(fmu));
+    instance->values.g = lag_take(&memory, lag_instance_indicator_count(fmu));
+    instance->values.xd = lag_take(&memory, size);
+    instance->values.y = lag_take(&memory, model->ny);
+    instance->values.local = lag_take(&memory, fmu->model->nd);
+    instance->values.unasked = lag_take(&memory, model->nc);
+    instance->scratch.point = lag_take(&memory, size);
+    instance->scratch.tangent = lag_take(&memory, size);
+    instance->scratch.entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
-    instance->written = (unsigned char *)lag_take(&memory, size);
-    instance->initial_memory = lag_take(&memory, lag_initial_memory(model));
-    instance->fixed_memory = lag_take(&memory, lag_fixed_memory(size));
-    instance->slopes = lag_take(&memory, lag_instance_slopes(model));
+    instance->starts.written = (unsigned char *)lag_take(&memory, size);
+    instance->scratch.initial = lag_take(&memory, lag_initial_memory(model));
+    instance->scratch.fixed = lag_take(&memory, lag_fixed_memory(size));
+    instance->scratch.slopes = lag_take(&memory, lag_instance_slopes(model));
     lag_derivatives_place(&instance->derivatives, model, memory);
 }
 
@@ -122,16 +117,16 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     const lag_model *model = fmu->model;
     char *bytes = block;
     lag_instance *instance = block;
-    memset(block, 0, padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    memset(block, 0, lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
     instance->fmu = fmu;
-    lay_out(instance, (double *)(void *)(bytes + padded(sizeof(lag_instance))));
-    instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    lay_out(instance, (double *)(void *)(bytes + lag_padded(sizeof(lag_instance))));
+    instance->run = (lag_run *)(void *)(bytes + lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
     instance->held.start = instance->held.t = fmu->experiment.start;
     instance->held.stop = (double)INFINITY;
     instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
-        memcpy(instance->guess, model->defaults, model->np * sizeof(double));
+        memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
     }
     lag_instance_renew(instance);
     return instance;
@@ -154,7 +149,7 @@ void lag_instance_renew(lag_instance *instance)
     instance->run->motion.at.p = instance->p;
     lag_derivatives_size(&instance->derivatives, instance->run->natural, instance->run->row_sizes);
     instance->held.prepared = instance->held.initialized = 0;
-    instance->known = 0;
+    instance->values.known = 0;
     lag_instance_tell_inputs(instance);
 }
 

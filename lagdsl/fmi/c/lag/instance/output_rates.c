@@ -23,7 +23,7 @@ static lag_status values_at(lag_instance *instance, size_t variable, double t, c
         instance->x[i] = x[i] + s * xd[i];
     }
     instance->held.t = t + s;
-    instance->known = 0;
+    instance->values.known = 0;
     return lag_instance_get(instance, variable, values);
 }
 
@@ -37,17 +37,17 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
     }
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
-    memcpy(instance->point, instance->x, size * sizeof(double));
-    memcpy(instance->tangent, instance->xd, size * sizeof(double));
+    memcpy(instance->scratch.point, instance->x, size * sizeof(double));
+    memcpy(instance->scratch.tangent, instance->values.xd, size * sizeof(double));
     memset(values, 0, count * sizeof(double));
     for (size_t k = 0; k < LAG_POINTS && status == LAG_OK; ++k) {
-        status = values_at(instance, variable, t, instance->point, instance->tangent, LAG_POINT[k] * s, instance->entry);
+        status = values_at(instance, variable, t, instance->scratch.point, instance->scratch.tangent, LAG_POINT[k] * s, instance->scratch.entry);
         for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-            values[i] += LAG_WEIGHT[k] * instance->entry[i] / s;
+            values[i] += LAG_WEIGHT[k] * instance->scratch.entry[i] / s;
         }
     }
-    memcpy(instance->x, instance->point, size * sizeof(double));
+    memcpy(instance->x, instance->scratch.point, size * sizeof(double));
     instance->held.t = t;
-    instance->known = 0;
+    instance->values.known = 0;
     return status;
 }

@@ -21,23 +21,23 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     case LAG_ROLE_DEPENDENT:
         return instance->x;
     case LAG_ROLE_DERIVATIVE:
-        return instance->xd;
+        return instance->values.xd;
     case LAG_ROLE_INPUT:
         return instance->run->motion.u;
     case LAG_ROLE_OUTPUT:
-        return instance->y;
+        return instance->values.y;
     case LAG_ROLE_LOCAL:
-        return instance->local;
+        return instance->values.local;
     case LAG_ROLE_DISCRETE:
         return instance->run->motion.w;
     case LAG_ROLE_MULTIPLIER:
         return instance->run->motion.lam;
     case LAG_ROLE_INDICATOR:
-        return instance->g;
+        return instance->values.g;
     case LAG_ROLE_ENERGY:
-        return instance->energy;
+        return instance->values.energy;
     case LAG_ROLE_RESIDUAL:
-        return instance->residual;
+        return instance->values.residual;
     case LAG_ROLE_OPTION:
         return &instance->held.step;
     case LAG_ROLE_CLOCK:
@@ -120,7 +120,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const unsigned what = needed(role);
     const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
     lag_status status = LAG_OK;
-    if ((what & ~instance->known) != 0) {
+    if ((what & ~instance->values.known) != 0) {
         status = lag_instance_know(instance, what);
     } else if (follows) {
         status = lag_instance_ready(instance);
@@ -194,11 +194,11 @@ static int put_states(lag_instance *instance, const lag_variable *variable, cons
         return changed;
     }
     for (size_t i = 0; i < variable->count; ++i) {
-        double *given = &instance->given[variable->first + i];
+        double *given = &instance->starts.given[variable->first + i];
         changed = changed || *given == 0.0;
         *given = 1.0;
     }
-    return put(variable->count, values, instance->begin + variable->first) || changed;
+    return put(variable->count, values, instance->starts.values + variable->first) || changed;
 }
 
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values)
@@ -212,7 +212,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     }
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
-        changed = put(which->count, values, instance->guess + which->first);
+        changed = put(which->count, values, instance->starts.parameters + which->first);
         changed = put(which->count, values, instance->p + which->first) || changed;
         held->prepared = held->prepared && !changed;
         break;
@@ -246,7 +246,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     if (changed) {
         held->jumped = 1;
         held->initialized = 0;
-        instance->known = 0;
+        instance->values.known = 0;
     }
     return LAG_OK;
 }

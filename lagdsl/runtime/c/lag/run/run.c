@@ -30,14 +30,9 @@ static size_t scratch(const lag_model *model, const lag_run_options *options)
     return initial + (lag_run_crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)) +
+    return lag_padded(sizeof(lag_run)) + lag_padded(model->nclock * sizeof(lag_clock)) +
            (lag_run_numbers(model) + scratch(model, options)) * sizeof(double);
 }
 
@@ -106,8 +101,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     }
     lag_run *run = block;
     run->options = *options;
-    run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
-    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)));
+    run->clock = (lag_clock *)(void *)(bytes + lag_padded(sizeof(lag_run)));
+    double *memory = (double *)(void *)(bytes + lag_padded(sizeof(lag_run)) + lag_padded(model->nclock * sizeof(lag_clock)));
     run->memory = memory;
     run->numbers = lag_run_numbers(model);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;

@@ -25,11 +25,6 @@ typedef struct bench {
     lag_note notes[NOTES];
 } bench;
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 /* Doubles beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
 static size_t own_memory(const lag_model *model)
 {
@@ -43,7 +38,7 @@ size_t lag_ensemble_width(const lag_model *model)
 
 size_t lag_ensemble_size(const lag_ensemble *ensemble)
 {
-    return padded(sizeof(bench)) + padded(own_memory(ensemble->model) * sizeof(double)) +
+    return lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double)) +
            lag_run_size(ensemble->model, ensemble->options);
 }
 
@@ -176,8 +171,8 @@ size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, 
 {
     char *bytes = block;
     bench *own = block;
-    double *memory = (double *)(void *)(bytes + padded(sizeof(bench)));
-    char *rest = bytes + padded(sizeof(bench)) + padded(own_memory(ensemble->model) * sizeof(double));
+    double *memory = (double *)(void *)(bytes + lag_padded(sizeof(bench)));
+    char *rest = bytes + lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double));
     for (size_t i = first; i < end; ++i) {
         const lag_status status = run_one(ensemble, i, own, memory, rest);
         if (is_stopped(ensemble)) {
