@@ -109,10 +109,10 @@ static lag_status stays(lag_instance *instance, const double *starts, int *still
         status = unmoved(instance, still);
     }
     if (status == LAG_OK) {
-        status = lag_derivatives_residuals(d, d->phi, d->residual);
+        status = lag_derivatives_residuals(d, d->terms.phi, d->terms.residual);
     }
     for (size_t i = 0; i < model->nc && *still; ++i) {
-        *still = d->phi[i] == 0.0 && d->residual[i] == 0.0;
+        *still = d->terms.phi[i] == 0.0 && d->terms.residual[i] == 0.0;
     }
     return status;
 }
@@ -167,7 +167,7 @@ static lag_status residuals(lag_instance *instance, changes *to)
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         double most = 0.0;
         to->worst[level] = 0.0;
-        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->unused);
+        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->work.unused);
         for (size_t i = 0; i < model->nc; ++i) {
             const double part = to->value[level][i] / instance->run->row_sizes[i];
             if ((level > 0 || model->position_level[i]) && fabs(part) > most) {
