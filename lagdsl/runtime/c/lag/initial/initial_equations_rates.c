@@ -73,7 +73,7 @@ void lag_joint_find_rates(const lag_joint_parts *t, lag_joint *joint, double *x)
     for (int round = 0; round < ROUNDS && far > SETTLED; ++round) {
         find_slopes(t, joint);
         memcpy(x, joint->origin, size * sizeof(double));
-        b->slopes = t->slopes;
+        b->equations.slopes = t->slopes;
         b->memory = t->memory;
         lag_initialization_find_qd(b, x);
         if (b->told.fault != LAG_INITIAL_NONE) {

@@ -12,11 +12,11 @@ enum { TRIES = 12 };
 static void draw(const lag_joint *joint, unsigned long long *seed, size_t which, double *all, double *y)
 {
     const lag_initialization *b = joint->b;
-    lag_initialization_point(b, seed, which, b->x, all);
+    lag_initialization_point(b, seed, which, b->starts.x, all);
     for (size_t k = 0; k < joint->count; ++k) {
         const size_t i = (size_t)joint->free[k];
         const double other = 0.4 * lag_initialization_draw(seed);
-        y[k] = i < b->motion->model->nq ? (all[i] - b->x[i]) / b->widths[i] : i < 2 * b->motion->model->nq ? 0.0 : other;
+        y[k] = i < b->motion->model->nq ? (all[i] - b->starts.x[i]) / b->starts.widths[i] : i < 2 * b->motion->model->nq ? 0.0 : other;
     }
 }
 

@@ -246,9 +246,9 @@ static int take_step(walk *w, unsigned long long *seed, size_t which, double sca
 {
     lag_initialization *b = w->b;
     const size_t n = b->motion->model->nq;
-    lag_initialization_point(b, seed, which, b->x, w->step);
+    lag_initialization_point(b, seed, which, b->starts.x, w->step);
     for (size_t j = 0; j < n; ++j) {
-        w->step[j] = (w->step[j] - b->x[j]) / b->sizes[j];
+        w->step[j] = (w->step[j] - b->starts.x[j]) / b->sizes[j];
     }
     keep_tangent(w);
     for (size_t j = 0; j < n; ++j) {

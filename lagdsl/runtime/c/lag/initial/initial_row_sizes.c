@@ -104,8 +104,8 @@ static void turn_discretes(lag_initialization *b, unsigned long long *seed)
     for (size_t i = 0; i < model->nw; ++i) {
         const int relation = i >= places.relation && i < places.relation + model->nindicator;
         const int timed = i >= places.timed && i < places.timed + model->ntimed;
-        const int truth = model->kinds[i] == LAG_KIND_VARIABLE && (b->w[i] == 0.0 || b->w[i] == 1.0);
-        b->motion->w[i] = relation || timed || truth ? (double)(lag_initialization_draw(seed) > 0.0) : b->w[i];
+        const int truth = model->kinds[i] == LAG_KIND_VARIABLE && (b->aside.w[i] == 0.0 || b->aside.w[i] == 1.0);
+        b->motion->w[i] = relation || timed || truth ? (double)(lag_initialization_draw(seed) > 0.0) : b->aside.w[i];
     }
 }
 
@@ -115,13 +115,13 @@ static void look_at_branches(lag_initialization *b, const double *q)
     const lag_model *model = b->motion->model;
     unsigned long long seed = 20021;
     memcpy(b->q, q, model->nq * sizeof(double));
-    memcpy(b->w, b->motion->w, model->nw * sizeof(double));
+    memcpy(b->aside.w, b->motion->w, model->nw * sizeof(double));
     for (size_t k = 0; k < SIZED_AT; ++k) {
         turn_discretes(b, &seed);
         lag_initialization_velocities(b);
         measure(b, k);
     }
-    memcpy(b->motion->w, b->w, model->nw * sizeof(double));
+    memcpy(b->motion->w, b->aside.w, model->nw * sizeof(double));
 }
 
 /* The component of the coordinate that enters a row most; all are one where nobody tells. */
@@ -184,16 +184,16 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     if (lag_initialization_has_defaults(b)) {
         return;
     }
-    find_most(b, length, b->widths);
+    find_most(b, length, b->starts.widths);
     for (size_t i = 0; i < model->nc; ++i) {
-        any = any || (length[i] > 0.0 && length[i] < LOST * b->widths[component_of(b, i)]);
+        any = any || (length[i] > 0.0 && length[i] < LOST * b->starts.widths[component_of(b, i)]);
     }
     if (!any) {
         return;
     }
     measure_changes(b, q);
     for (size_t i = 0; i < model->nc && b->told.fault == LAG_INITIAL_NONE; ++i) {
-        const double part = length[i] / b->widths[component_of(b, i)];
+        const double part = length[i] / b->starts.widths[component_of(b, i)];
         if (length[i] > 0.0 && part < LOST && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
             b->told.fault = LAG_INITIAL_SIZES;
             b->told.which = i;
@@ -207,7 +207,7 @@ static void leave_out_round_off(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
-    double *most = b->widths;
+    double *most = b->starts.widths;
     find_most(b, b->row_sizes, most);
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
         const size_t component = component_of(b, i);

@@ -51,8 +51,8 @@ void lag_joint_place(lag_joint *joint, lag_initialization *b, double **memory)
     joint->y = lag_take(memory, joint->all);
     joint->qdd = lag_take(memory, model->nq);
     joint->lam = lag_take(memory, model->nc);
-    memcpy(joint->origin, b->x, size * sizeof(double));
-    memcpy(joint->width, b->widths, size * sizeof(double));
+    memcpy(joint->origin, b->starts.x, size * sizeof(double));
+    memcpy(joint->width, b->starts.widths, size * sizeof(double));
     for (size_t k = 0; k < joint->parameters; ++k) {
         const size_t i = (size_t)joint->parameter[k];
         const double value = b->told.p[i];
