@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import lagdsl
 
 ROOT = Path(lagdsl.__file__).parent
 RUNTIME, SHELL = ROOT / "runtime" / "c" / "lag", ROOT / "fmi" / "c" / "lag"
-CONSTANT = re.compile(r"^static const double ", re.MULTILINE)
+CONSTANT = re.compile(r"^static const double [A-Za-z_]", re.MULTILINE)
+COMMENT = re.compile(r"/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", re.DOTALL | re.MULTILINE)
+STRUCT = re.compile(r"\b(?:struct|union)\s*(\w*)\s*\{")
+MEMBERS = 20
+# Structs with more. lag_model is the table of what is generated for a model: generated text fills it, member by member.
+LARGE = {
+    "lag_model": 116,
+    "lag_run": 40,
+    "lag_event_iteration": 50,
+    "lag_zero_crossing": 32,
+    "lag_contacts": 37,
+    "lag_system": 27,
+    "lag_delassus": 22,
+}
 # Events, contacts with friction, impulses, and the scan.
 HYBRID = ("events", "contacts", "impulses")
 SCAN = ("run_scan", "run_instants", "run_zero_crossings", "run_corners", "scan")
@@ -22,6 +36,50 @@ def _sources(*folders: Path) -> list[Path]:
 
 def _lines(paths: list[Path]) -> int:
     return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in paths)
+
+
+def _parts(text: str, separator: str) -> Iterator[str]:
+    """Between separators that stand in no brackets."""
+    depth, part = 0, ""
+    for letter in text:
+        if letter == separator and depth == 0:
+            yield part
+            part = ""
+        else:
+            part += letter
+            depth += (letter in "([{") - (letter in ")]}")
+    yield part
+
+
+def _members(text: str) -> Iterator[tuple[str, int]]:
+    """Every structure with a name, and how many members it declares; a pointer to a function is one."""
+    bare = COMMENT.sub(" ", text)
+    for found in STRUCT.finditer(bare):
+        body = next(_parts(bare[found.end() :], "}"))
+        declarations = [part for part in _parts(body, ";") if part.strip()]
+        yield found[1], sum(len(list(_parts(part, ","))) for part in declarations)
+
+
+def test_structs_have_few_members() -> None:
+    counts = [
+        each for path in _sources(RUNTIME, SHELL) for each in _members(path.read_text(encoding="utf-8")) if each[0]
+    ]
+    assert len(counts) > 100
+    assert {name: count for name, count in counts if count > MEMBERS} == LARGE
+
+
+def test_members_are_counted() -> None:
+    text = """
+    #define MANY struct x { \\
+        int a; }
+    typedef struct one {
+        double *a, b[3]; /* int c; */
+        void (*d)(int, int);
+        struct { int e, f; } g;
+        enum { X, Y } h;
+    } one;
+    """
+    assert list(_members(text)) == [("one", 5), ("", 2)]
 
 
 def test_few_constants_have_names() -> None:
