@@ -13,6 +13,9 @@
 #include "lag/equations/delassus.h"
 #include "lag/model.h"
 
+/* A solution satisfies a row if it leaves less than this part of what was there. */
+static const double LAG_REACHED = 1e-8;
+
 /* One system; everything points into memory of the caller. */
 typedef struct lag_system {
     size_t n, m;            /* unknown accelerations, rows */

@@ -12,6 +12,9 @@
 
 typedef struct lag_method lag_method;
 
+/* A step that would leave less than this part of itself before the limit is stretched to it. */
+static const double LAG_STRETCH = 1.01;
+
 /* What a method knows of the last accepted step when it chooses the next one. */
 typedef struct lag_step_estimate {
     double error; /* 0: none */

@@ -9,8 +9,6 @@
 
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
-/* Length of the step that led here, as a part of the experiment, where nobody tells. */
-static const double STEP = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
 static const double LATE = 1e-9;
 
@@ -91,7 +89,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
-    const double h = located ? run->half.length : STEP * fmax(run->instants.contacts.length, fabs(t));
+    const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guards(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;

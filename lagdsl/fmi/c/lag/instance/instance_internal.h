@@ -18,6 +18,10 @@ enum { LAG_POINTS = 4 };
 static const double LAG_POINT[LAG_POINTS] = {1.0, -1.0, 0.5, -0.5};
 static const double LAG_WEIGHT[LAG_POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
 
+/* The larger distance, as a part of what a value changes over by itself; and a short time, as a part of an experiment, before the first step. */
+static const double LAG_DISTANCE = 1e-3;
+static const double LAG_SHORT_TIME = 1e-6;
+
 typedef enum lag_phase {
     LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
     LAG_PHASE_MOTION

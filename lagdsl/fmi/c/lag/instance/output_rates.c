@@ -4,14 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Distance as a part of the step that the integrator would take next, or of the experiment where it has taken none. */
-static const double PART = 1e-3;
-static const double PART_OF_EXPERIMENT = 1e-6;
-
+/* Of what the integrator would step over next. */
 static double distance(const lag_instance *instance)
 {
     const lag_run *run = instance->run;
-    const double h = run->stepper.h > 0.0 ? PART * run->stepper.h : PART_OF_EXPERIMENT * run->instants.contacts.length;
+    const double h = run->stepper.h > 0.0 ? LAG_DISTANCE * run->stepper.h : LAG_SHORT_TIME * run->instants.contacts.length;
     const double t = fabs(instance->held.t);
     return t + h > t ? (t + h) - t : h; /* a distance that the time has */
 }

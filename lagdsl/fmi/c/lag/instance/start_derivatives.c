@@ -11,8 +11,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* The largest change of a value, as a part of its size; smaller values than this have this size. */
-static const double PART = 1e-3;
+/* Smaller values than this have this size. */
 static const double SMALLEST = 1e-2;
 
 size_t lag_instance_start_slopes_memory(const lag_model *model)
@@ -76,7 +75,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     const double time = most_of(1, &instance->derivatives.time, &instance->held.t, 1.0);
     const double states = fmax(time, most_of(size, direction, instance->x, SMALLEST));
     const double set = fmax(most_of(model->nu, direction + size, u, SMALLEST), most_of(model->np, direction + size + model->nu, instance->p, SMALLEST));
-    const double h = PART / fmax(states, set);
+    const double h = LAG_DISTANCE / fmax(states, set);
     lag_status status = LAG_OK;
     motion->inputs = NULL;
     for (size_t k = 0; k < LAG_POINTS && h < (double)INFINITY && status == LAG_OK; ++k) {

@@ -2,10 +2,8 @@
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
-
-/* Largest value of the Integer type of FMI. */
-static const double MOST_INTEGER = 2147483647.0;
 
 /* The array that a variable is in, as it is known now; null: its role has none. */
 static const double *array_of(const lag_instance *instance, lag_role role)
@@ -100,7 +98,7 @@ static lag_status check_found(lag_instance *instance, const lag_variable *variab
             return lag_instance_fail(
                 instance, LAG_NOT_FINITE, "t = %.10g s: %s is infinite or not a number", instance->held.t, variable->name);
         }
-        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= MOST_INTEGER)) {
+        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= (double)INT32_MAX)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
                 variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : variable->name, values[i]);
         }

@@ -5,13 +5,11 @@
 
 #include "lag/equations/correction.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 
-static const double ROUNDING = 1e-14;
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
 static const double CLOSE = 1e3;
-/* Rates are on the constraints if residuals, rows of size one, are below this part of what they were before. */
-static const double REACHED = 1e-8;
 
 static const double LIGHT = 1e-6;
 
@@ -108,7 +106,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
 void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes)
 {
     for (size_t i = 0; i < projection->motion->model->nc; ++i) {
-        projection->round_off[i] = ROUNDING * row_sizes[i];
+        projection->round_off[i] = LAG_ROUNDING * row_sizes[i];
         projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), projection->round_off[i]);
     }
 }
@@ -255,7 +253,7 @@ static int satisfies(lag_projection *projection, double size)
     for (size_t i = 0; i < model->nc; ++i) {
         const double left = projection->phi[i] + lag_dot(model->nq, projection->jacobian + i * model->nq, projection->step.change);
         const double part = fabs(left) / (projection->least[i] * largest_beside(projection, i));
-        if (!model->position_level[i] && !(part <= fmax(CLOSE, REACHED * size))) {
+        if (!model->position_level[i] && !(part <= fmax(CLOSE, LAG_REACHED * size))) {
             projection->lost = i;
         }
     }
@@ -321,7 +319,7 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
     memcpy(projection->step.chosen, projection->jacobian, rows * n * sizeof(double));
     for (size_t i = 0; i < rows; ++i) {
         projection->step.right[i] = -projection->phi[i];
-        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
+        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * LAG_ROUNDING / projection->round_off[i]);
     }
     for (size_t j = 0; j < n && held != NULL; ++j) {
         if (held[j] != 0.0) {
@@ -341,8 +339,8 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
     for (size_t i = 0; i < rows; ++i) {
         const double rest = lag_dot(n, projection->step.chosen + i * n, projection->step.change) - projection->step.right[i];
         const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
-        const double unit = i < model->nc ? projection->round_off[i] / ROUNDING : 1.0;
-        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size) * unit;
+        const double unit = i < model->nc ? projection->round_off[i] / LAG_ROUNDING : 1.0;
+        *reached = *reached && fabs(rest) <= LAG_REACHED * (1.0 + size) * unit;
     }
     return LAG_OK;
 }
@@ -384,7 +382,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
 double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row)
 {
     lag_motion *motion = projection->motion;
-    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / ROUNDING : 1.0;
+    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / LAG_ROUNDING : 1.0;
     lag_motion_look(motion, t, x);
     const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
     return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;

@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "lag/equations/system_scales.h"
+#include "lag/linalg/linalg.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
-static const double ZERO_TOLERANCE = 1e-14;
 static const double SHORT_ROW = 1e-3;
 static const double LIGHTEST = 1e3;
 /*
@@ -40,7 +40,7 @@ static void scale_coordinates(lag_system *s)
     }
     for (size_t i = 0; i < n; ++i) {
         const double own = fabs(s->mass[i * n + i]);
-        const int counts = own > 0.0 && own > ZERO_TOLERANCE * ZERO_TOLERANCE * largest_tied(s, i);
+        const int counts = own > 0.0 && own > LAG_ROUNDING * LAG_ROUNDING * largest_tied(s, i);
         s->column_scale[i] = 1.0 / sqrt(counts ? own : largest);
     }
 }
@@ -116,7 +116,7 @@ static void scale_rows(lag_system *s, int dependent)
             sum += s->rows[i * n + j] * s->rows[i * n + j];
         }
         const double part = fmin(1.0, judged / (SHORT_ROW * longest));
-        s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? length_of_row(s, i, part, dependent) / sqrt(sum) : 0.0;
+        s->row_scale[i] = judged > LAG_ROUNDING * longest ? length_of_row(s, i, part, dependent) / sqrt(sum) : 0.0;
         s->row_scale[i] *= s->late != NULL && s->late[i] ? LATE : 1.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];

@@ -7,12 +7,6 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-/* In a singular position singular values of J are below this part of the largest. */
-static const double LOST = 1e-7;
-static const double DIFFERENCE = 1e-6;
-static const double TARGET = 1e-13;
-enum { DESCENTS = 100 };
-
 /* n' gamma at rates v + along' y for every combination n of rows that vanishes: zero along a branch of the motion. */
 static void bias(lag_rates *r, const double *y, size_t moved, double by, double *result)
 {
@@ -39,13 +33,13 @@ static void at_branches(void *context, const double *y, double *residual, double
 {
     lag_rates *r = context;
     for (size_t k = 0; k < r->branch.width; ++k) {
-        bias(r, y, k, -DIFFERENCE, residual);
+        bias(r, y, k, -LAG_DIFFERENCE, residual);
         for (size_t i = 0; i < r->branch.lost; ++i) {
             jacobian[i * r->branch.width + k] = -residual[i];
         }
-        bias(r, y, k, DIFFERENCE, residual);
+        bias(r, y, k, LAG_DIFFERENCE, residual);
         for (size_t i = 0; i < r->branch.lost; ++i) {
-            jacobian[i * r->branch.width + k] = (jacobian[i * r->branch.width + k] + residual[i]) / (2.0 * DIFFERENCE);
+            jacobian[i * r->branch.width + k] = (jacobian[i * r->branch.width + k] + residual[i]) / (2.0 * LAG_DIFFERENCE);
         }
     }
     bias(r, y, r->branch.width, 0.0, residual);
@@ -63,7 +57,7 @@ static int descend_along(lag_rates *r, const double *along, size_t width)
     const lag_parts parts = lag_parts_of(r->branch.lost, width, NULL, lag_take(&memory, lag_parts_memory(m, n)));
     lag_levenberg_marquardt_place(&minimizer, r->branch.lost, width, memory);
     lag_fill(width, 0.0, r->change);
-    lag_descend(&minimizer, &equations, &parts, TARGET, DESCENTS, r->change);
+    lag_descend(&minimizer, &equations, &parts, LAG_EXACT, LAG_DESCENTS, r->change);
     if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, lag_dot(n, r->v, r->v)))) {
         return 0;
     }
@@ -84,7 +78,7 @@ void lag_initialization_branch(lag_rates *r)
         }
     }
     const lag_svd svd = lag_svd_of(n, m, r->branch.turned, r->svd);
-    const size_t rank = lag_svd_rank(&svd, LOST);
+    const size_t rank = lag_svd_rank(&svd, LAG_ROUGH_RANK);
     if (rank >= model->rank) {
         return;
     }

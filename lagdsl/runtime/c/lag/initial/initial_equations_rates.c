@@ -54,7 +54,7 @@ static double correct(const lag_joint_parts *t, lag_joint *joint)
     lag_fill(count, 0.0, t->trial);
     lag_joint_evaluate(joint, t->trial, minimizer.residual, minimizer.jacobian);
     if (lag_levenberg_marquardt_size(&minimizer, &equations) > LAG_JOINT_TARGET) {
-        lag_descend(&minimizer, &equations, &parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
+        lag_descend(&minimizer, &equations, &parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->trial);
     }
     lag_joint_put(joint, t->trial);
     memcpy(joint->origin, joint->at, joint->all * sizeof(double));

@@ -31,7 +31,7 @@ static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *
             continue;
         }
         const lag_svd svd = lag_svd_of(rows, columns, block, svd_memory);
-        if (lag_svd_rank(&svd, LAG_JOINT_ROUGH) < columns) {
+        if (lag_svd_rank(&svd, LAG_ROUGH_RANK) < columns) {
             return 1;
         }
     }
@@ -99,13 +99,13 @@ static double descend(const lag_joint_parts *t, lag_joint *joint, const lag_part
     unsigned long long seed = 20011;
     double sum = 0.0;
     lag_fill(joint->count, 0.0, t->best);
-    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->best);
+    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->best);
     memcpy(found->sizes, minimizer->sizes, parts->count * sizeof(double));
     lag_parts_norms(parts, 0, t->best, found->distances);
     const size_t tries = find_open(t, joint, parts, found) ? TRIES : 0;
     for (size_t k = 0; k < tries; ++k) {
         draw(joint, &seed, k, t->point, t->trial);
-        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
+        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->trial);
         take_better(t, parts, minimizer, found);
     }
     for (size_t i = 0; i < parts->count; ++i) {

@@ -2,19 +2,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/rank.h"
 #include "lag/initial/initialization_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
-
-static const double RANK = 1e-9;
-/* The same where initial equations take part, whose derivatives are differences. */
-static const double ROUGH = 1e-7;
-/* A rate that the remaining freedom moves by less than this part is decided by the others (dead centers). */
-static const double INDEPENDENT = 1e-6;
-static const double CONSISTENT = 1e-9;
-/* Rates that met their values exactly keep them exactly, not to within round-off. */
-static const double EXACT = 1e-13;
 
 /* Conditions at most. */
 static size_t most(const lag_model *model)
@@ -107,7 +99,7 @@ static int are_as_wanted(lag_rates *r)
     const size_t n = r->b->motion->model->nq;
     int alike = r->b->equations.slopes == NULL;
     for (size_t i = 0; i < r->conditions && alike; ++i) {
-        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= EXACT * (1.0 + fabs(r->right[i]));
+        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= LAG_EXACT * (1.0 + fabs(r->right[i]));
     }
     return alike && lag_initialization_is_regular(r->b, r->svd);
 }
@@ -172,7 +164,7 @@ static int satisfy(lag_rates *r, size_t which)
         with_equations = with_equations || (r->b->equations.slopes != NULL && row >= model->nc && row < model->nc + model->ne);
     }
     const lag_svd svd = lag_svd_of(count, n, r->its.block, r->svd);
-    const double least = with_equations ? ROUGH : RANK;
+    const double least = with_equations ? LAG_ROUGH_RANK : LAG_RANK; /* their derivatives are differences */
     const size_t rank = lag_svd_rank(&svd, least);
     lag_svd_solve(&svd, r->its.right, least, 0.0, r->its.v);
     for (size_t i = 0; i < count; ++i) {
@@ -185,7 +177,7 @@ static int satisfy(lag_rates *r, size_t which)
     }
     r->its.width = n - rank;
     memcpy(r->its.free, svd.v + rank * n, (n - rank) * n * sizeof(double));
-    if (worst <= (with_equations ? LAG_HOLDS : CONSISTENT) * (1.0 + largest)) {
+    if (worst <= (with_equations ? LAG_HOLDS : LAG_RANK) * (1.0 + largest)) {
         return 1;
     }
     tell(r, (size_t)r->parts.row[first + place], worst);
@@ -207,7 +199,7 @@ static void impose(lag_rates *r, const double *column)
             r->part[i] = r->its.free[i * n + j];
             length += r->part[i] * r->part[i];
         }
-        if (!(sqrt(length) > INDEPENDENT)) {
+        if (!(sqrt(length) > LAG_FOLLOWS)) { /* the others decide it, as at dead centers */
             continue;
         }
         const double missing = (r->its.wanted[j] - r->its.v[j]) / length;
@@ -254,7 +246,7 @@ static void complete(lag_rates *r, const double *mass)
     }
     if (width > 0) {
         const lag_svd svd = lag_svd_of(width, width, r->inner, r->svd);
-        lag_svd_solve(&svd, r->part, RANK, 0.0, r->force);
+        lag_svd_solve(&svd, r->part, LAG_RANK, 0.0, r->force);
     }
     for (size_t i = 0; i < width; ++i) {
         lag_axpy(n, r->force[i], r->its.free + i * n, r->its.v);
@@ -287,7 +279,7 @@ static int settle(lag_rates *r, size_t which)
     }
     for (size_t i = 0; r->its.columns == 0 && i < conditions; ++i) { /* rows that no rate moves */
         const size_t its = (size_t)r->parts.row[row + i];
-        if (!(fabs(r->right[its]) <= CONSISTENT)) {
+        if (!(fabs(r->right[its]) <= LAG_RANK)) {
             tell(r, its, fabs(r->right[its]));
             return 0;
         }
@@ -366,7 +358,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     }
     for (size_t j = 0; j < n; ++j) {
         const double rate = r.v[j] * b->sizes[j];
-        const double wanted = b->starts.x[n + j];
-        x[n + j] = possible && fabs(rate - wanted) <= EXACT * fmax(fabs(wanted), b->sizes[j]) ? wanted : rate;
+        const double wanted = b->starts.x[n + j]; /* what is met is kept exactly, not to within round-off */
+        x[n + j] = possible && fabs(rate - wanted) <= LAG_EXACT * fmax(fabs(wanted), b->sizes[j]) ? wanted : rate;
     }
 }

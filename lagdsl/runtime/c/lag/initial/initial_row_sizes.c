@@ -6,10 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Rows that are smaller than this part of the largest are zero but for round-off. */
-static const double ROUNDING = 1e-12;
-/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
-static const double ABSENT = 1e-13;
 /* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/equations/system_scales.h). */
 static const double LOST = 1e-7;
 /* Errors of the numbers that enter, and the part by which round-off changes with them. */
@@ -211,9 +207,9 @@ static void leave_out_round_off(lag_initialization *b)
     find_most(b, b->row_sizes, most);
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
         const size_t component = component_of(b, i);
-        const double round_off = ROUNDING * most[component];
+        const double round_off = LAG_NO_ROW * most[component];
         for (size_t j = 0; j < n; ++j) {
-            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(LAG_EXACT * b->row_sizes[i], round_off);
         }
         if (!(b->row_sizes[i] > round_off)) {
             b->row_sizes[i] = b->row_sizes[i] > 0.0 ? most[component] : 1.0;

@@ -13,7 +13,6 @@
 
 /* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
-static const double RANK = 1e-9;
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
 enum { LOOKED_AT = 3 };
 
@@ -119,7 +118,7 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
         return 0;
     }
     const lag_svd svd = lag_svd_of(count, width, matrix, memory);
-    return lag_svd_rank(&svd, RANK);
+    return lag_svd_rank(&svd, LAG_RANK);
 }
 
 int lag_initialization_is_regular(lag_initialization *b, double *memory)

@@ -7,6 +7,8 @@
 
 /* Residuals, as a part of the row's size, below which a constraint counts as met. */
 #define LAG_HOLDS 1e-7
+/* Rows of J that are shorter than this part of the largest are zero but for round-off. */
+static const double LAG_NO_ROW = 1e-12;
 
 /* (2 nq + nz) the start values x, with flags of them and what they weigh. */
 typedef struct lag_start_values {

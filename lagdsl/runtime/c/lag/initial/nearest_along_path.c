@@ -9,18 +9,14 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-static const double DIFFERENCE = 1e-6;
 static const double STATIONARY = 1e-11;
-static const double RANK = 1e-9;
-static const double TARGET = 1e-13;
 /* The Hessian counts as at least so curved: steps stay within reach. */
 static const double LEAST_CURVED = 0.05;
 /* A saddle bends down by more than this; so far the way from it leads, as a part of the size of the point. */
 static const double SADDLE = 1e-6;
 static const double AWAY = 0.1;
-static const double SHORTEST = 1e-6;
 static const double BENT = 0.5;
-enum { ITERATIONS = 60, DESCENTS = 100 };
+enum { ITERATIONS = 60, HALVINGS = 20 };
 
 /* Columns of a part, and where its (columns, columns) numbers stand among those of all parts. */
 static size_t square_of(const lag_parts *parts, size_t which, size_t *first, size_t *place)
@@ -48,13 +44,13 @@ static void weigh(lag_nearest_configuration *s, size_t which, const double *poin
     size_t first = 0;
     const size_t rows = lag_parts_rows(s->parts, which, &first);
     gather(s->parts, which, point, s->part);
-    lag_svd_solve_transposed(svd, s->part, RANK, s->bend.weight);
+    lag_svd_solve_transposed(svd, s->part, LAG_RANK, s->bend.weight);
     for (size_t i = 0; i < rows; ++i) {
         s->bend.weights[(size_t)s->parts->row[first + i]] = -s->bend.weight[i];
     }
 }
 
-/* One step of size DIFFERENCE along direction number `index` of all parts that have so many, added to or taken from `point`. */
+/* One step of size LAG_DIFFERENCE along direction number `index` of all parts that have so many, added to or taken from `point`. */
 static void displace(const lag_nearest_configuration *s, size_t index, double sign, const double *point, double *x)
 {
     memcpy(x, point, s->parts->n * sizeof(double));
@@ -62,7 +58,7 @@ static void displace(const lag_nearest_configuration *s, size_t index, double si
         size_t first = 0;
         const size_t columns = lag_parts_columns(s->parts, which, &first);
         for (size_t j = 0; j < columns && (double)index < s->bend.widths[which]; ++j) {
-            x[(size_t)s->parts->column[first + j]] += sign * DIFFERENCE * s->bend.directions[place + index * columns + j];
+            x[(size_t)s->parts->column[first + j]] += sign * LAG_DIFFERENCE * s->bend.directions[place + index * columns + j];
         }
         place += columns * columns;
     }
@@ -94,7 +90,7 @@ static void bend(lag_nearest_configuration *s, const double *point)
                     const size_t entry = line * parts->n + (size_t)parts->column[column + j];
                     sum += s->bend.weights[line] * (s->jacobian[entry] - s->bend.before[entry]);
                 }
-                s->bend.bends[place + index * columns + j] = sum / (2.0 * DIFFERENCE);
+                s->bend.bends[place + index * columns + j] = sum / (2.0 * LAG_DIFFERENCE);
             }
             place += columns * columns;
         }
@@ -113,7 +109,7 @@ static void find_tangents(lag_nearest_configuration *s, const double *point)
         s->bend.widths[which] = 0.0;
         if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
             const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
-            const size_t rank = lag_svd_rank(&svd, RANK);
+            const size_t rank = lag_svd_rank(&svd, LAG_RANK);
             s->bend.widths[which] = (double)(columns - rank);
             memcpy(s->bend.directions + place, svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
             weigh(s, which, point, &svd);
@@ -198,13 +194,14 @@ static void shorten(lag_nearest_configuration *s, const double *point, double si
     memcpy(result, point, parts->n * sizeof(double));
     lag_fill(count, 0.0, done);
     lag_parts_norms(parts, 0, point, s->lengths);
-    for (double factor = 1.0; factor > SHORTEST && left; factor *= 0.5) {
+    double factor = 1.0;
+    for (int k = 0; k < HALVINGS && left; ++k, factor *= 0.5) {
         for (size_t j = 0; j < parts->n; ++j) {
             const size_t which = (size_t)parts->column_part[j];
             const int tried = moving[which] != 0.0 && done[which] == 0.0;
             s->path.trial[j] = tried ? point[j] + sign * factor * s->path.steps[j] : result[j];
         }
-        lag_descend(&s->minimizer, s->equations, parts, TARGET, DESCENTS, s->path.trial);
+        lag_descend(&s->minimizer, s->equations, parts, LAG_EXACT, LAG_DESCENTS, s->path.trial);
         lag_parts_norms(parts, 0, s->path.trial, s->path.distances);
         left = 0;
         for (size_t which = 0; which < count; ++which) {

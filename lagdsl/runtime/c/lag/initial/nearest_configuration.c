@@ -10,9 +10,8 @@
 static const double PENALTIES[] = {1.0, 0.3, 0.1, 0.03, 0.01, 1e-3};
 /* Distances that differ by less are the same; the point that is reached from the start then stays. */
 static const double TIE = 1e-9;
-static const double TARGET = 1e-13;
 static const double ROUNDED = 1e6;
-enum { ITERATIONS = 100, RELAXED = 20 };
+enum { RELAXED = 20 };
 
 size_t lag_nearest_configuration_memory(size_t m, size_t n)
 {
@@ -87,7 +86,7 @@ static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_
 /* Descends from `found->point` to a solution. */
 static void descend(lag_nearest_configuration *s, lag_found *found)
 {
-    lag_descend(&s->minimizer, s->equations, s->parts, TARGET, ITERATIONS, found->point);
+    lag_descend(&s->minimizer, s->equations, s->parts, LAG_EXACT, LAG_DESCENTS, found->point);
     memcpy(found->sizes, s->minimizer.sizes, s->parts->count * sizeof(double));
     lag_parts_norms(s->parts, 0, found->point, found->distances);
 }
@@ -145,7 +144,7 @@ static void follow(lag_nearest_configuration *s, double *point)
     lag_fill(s->equations->n, 0.0, point);
     for (size_t i = 0; i < sizeof PENALTIES / sizeof *PENALTIES; ++i) {
         s->relaxed.penalty = PENALTIES[i];
-        lag_descend(&s->relaxed.minimizer, &wider, &s->relaxed.parts, TARGET, RELAXED, point);
+        lag_descend(&s->relaxed.minimizer, &wider, &s->relaxed.parts, LAG_EXACT, RELAXED, point);
     }
 }
 

@@ -18,6 +18,12 @@ typedef struct lag_parts {
     double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
 } lag_parts;
 
+/* Residuals of equations of order one that are round-off: descents aim at it, in so many iterations. */
+static const double LAG_EXACT = 1e-13;
+enum { LAG_DESCENTS = 100 };
+/* A step for central differences of such equations. */
+static const double LAG_DIFFERENCE = 1e-6;
+
 /* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. */
 typedef struct lag_equations {
     size_t m, n;

@@ -6,9 +6,6 @@
 
 #include "lag/linalg/finite.h"
 
-/* Steps that would leave less than this part of themselves before the limit are stretched to it. */
-static const double STRETCH = 1.01;
-
 size_t lag_stepper_memory(size_t size)
 {
     const size_t explicit_work = lag_dop853.memory(size);
@@ -144,7 +141,7 @@ double lag_stepper_length(const lag_stepper *s, double limit)
 {
     const double rest = limit - s->t;
     const double h = fmin(s->h, s->h_most);
-    return h * STRETCH >= rest ? rest : h;
+    return h * LAG_STRETCH >= rest ? rest : h;
 }
 
 double lag_stepper_end(const lag_stepper *s, double h, double limit)

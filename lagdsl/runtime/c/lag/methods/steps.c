@@ -7,9 +7,6 @@
 #include "lag/stepper.h"
 #include "lag/linalg/vector.h"
 
-/* A last step that would leave less than this part of itself is stretched. */
-static const double STRETCH = 1.01;
-
 /* Origin of the count of steps: start time, length of the first, number of steps of this length after it. */
 typedef struct places {
     double *start, *first, *count;
@@ -72,7 +69,7 @@ static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
     const places at = place(s);
     const lag_ode ode = {s->ode->size, s, rates, jacobian};
     double end = *at.start + *at.first + *at.count * s->fixed.length;
-    if (limit - s->t <= STRETCH * (end - s->t)) {
+    if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;
     }
     memcpy(at.x, s->x, s->ode->size * sizeof(double));
