@@ -1,8 +1,8 @@
 /* Inputs in time: constants, or polynomials about the time at which they were set. */
 #include "lag/instance/instance_internal.h"
 
-#include <math.h>
-#include <string.h>
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
 
 void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 {
@@ -57,10 +57,7 @@ void lag_instance_inputs_about(lag_instance *instance, double t)
 static void find_polynomials(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
-    instance->held.polynomial = 0;
-    for (size_t i = nu; i < (LAG_INPUT_ORDER + 1) * nu; ++i) {
-        instance->held.polynomial = instance->held.polynomial || instance->inputs.course[i] != 0.0;
-    }
+    instance->held.polynomial = lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
 }
 
 void lag_instance_chain_inputs(lag_instance *instance)
@@ -121,10 +118,8 @@ lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t vari
     if (which->role != LAG_ROLE_INPUT || order < 1 || order > LAG_INPUT_ORDER) {
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of inputs can be set up to order %d", LAG_INPUT_ORDER);
     }
-    for (size_t i = 0; i < which->count; ++i) {
-        if (!isfinite(values[i])) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of %s is infinite or not a number", which->name);
-        }
+    if (!lag_finite(which->count, values)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of %s is infinite or not a number", which->name);
     }
     set(instance, (size_t)order, which->first, which->count, values);
     return LAG_OK;
