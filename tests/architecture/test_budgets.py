@@ -21,7 +21,6 @@ LARGE = {
     "lag_event_iteration": 50,
     "lag_zero_crossing": 32,
     "lag_contacts": 37,
-    "lag_system": 27,
     "lag_delassus": 22,
 }
 # Events, contacts with friction, impulses, and the scan.

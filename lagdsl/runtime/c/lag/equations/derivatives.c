@@ -40,13 +40,13 @@ static void place_system(lag_derivatives *d, const lag_model *model, double **me
     d->terms.residual = lag_take(memory, m);
     d->work.unused = lag_take(memory, m * n);
     lag_system_place(&d->system, n, m, model->components, lag_take(memory, lag_system_memory(n, m)));
-    d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
+    d->system.choice.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 
 void lag_derivatives_size(lag_derivatives *d, const double *sizes, const double *row_sizes)
 {
-    d->system.sizes = sizes;
-    d->system.row_sizes = row_sizes;
+    d->system.choice.sizes = sizes;
+    d->system.choice.row_sizes = row_sizes;
 }
 
 void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *memory)
