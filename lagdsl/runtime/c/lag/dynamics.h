@@ -13,7 +13,10 @@
 #include "lag/equations/delassus.h"
 #include "lag/model.h"
 
-/* A solution satisfies a row if it leaves less than this part of what was there. */
+/*
+ * Rows of which less than this part is left beside others depend on them (RANK_TOLERANCE of the NumPy modules). So a solution satisfies rows if it
+ * leaves less than this part of what was there.
+ */
 static const double LAG_REACHED = 1e-8;
 
 /* Of rows that depend on each other, those that count. */

@@ -15,12 +15,13 @@ typedef struct lag_method lag_method;
 /* A step that would leave less than this part of itself before the limit is stretched to it. */
 static const double LAG_STRETCH = 1.01;
 
-/* What a method knows of the last accepted step when it chooses the next one. */
-typedef struct lag_step_estimate {
-    double error; /* 0: none */
-    double h;     /* the length that it belongs to */
-    double urge;  /* h |lambda| along the step, as an explicit method sees it; 0: not known */
-} lag_step_estimate;
+/* What is known of the last accepted step. */
+typedef struct lag_last_step {
+    double error;    /* 0: none */
+    double h;        /* the length that it belongs to */
+    double urge;     /* h |lambda| along the step, as an explicit method sees it; 0: not known */
+    int dense_ready; /* whether its dense output has been prepared */
+} lag_last_step;
 
 /* The work so far. */
 typedef struct lag_step_counts {
@@ -46,8 +47,7 @@ typedef struct lag_stepper {
     double *f_before;   /* (size) */
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
-    lag_step_estimate estimate;
-    int dense_ready;    /* whether the dense output of the last step has been prepared */
+    lag_last_step last;
     lag_step_counts counts;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;

@@ -7,8 +7,8 @@
 #include "lag/fixed.h"
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 
-static const double LEAST_TOLERANCE = 1e-13;
 static const double MOST_TOLERANCE = 0.1;
 /* Integrators of our own keep this part of a tolerance: it is that of values at communication points, long after the errors of the steps. */
 static const double INTEGRATION = 0.01;
@@ -171,7 +171,7 @@ lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double sta
     }
     held->start = held->t = start;
     held->stop = stop;
-    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
+    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
     held->integration = integration_tolerance(instance, kind);
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);

@@ -7,7 +7,6 @@
 #include "lag/linalg/arena.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
-static const double RANK_TOLERANCE = 1e-8;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -173,7 +172,7 @@ lag_status lag_system_factor(
         return LAG_NOT_FINITE;
     }
     lag_system_scale(s, most < s->m);
-    s->rank = lag_qr(s->m, s->n, s->rows, s->tau, s->diagonal, s->pivot, most, RANK_TOLERANCE);
+    s->rank = lag_qr(s->m, s->n, s->rows, s->tau, s->diagonal, s->pivot, most, LAG_REACHED);
     find_excess(s);
     reduce(s);
     const size_t free_count = s->n - s->rank;

@@ -12,9 +12,8 @@ static const double LIGHTEST = 1e3;
  * what is left of them. Rows that are to be taken last are so much shorter: others are taken where they leave less.
  */
 static const double LATE = 0.3;
-/* Such rows are not stretched where they are shorter than this part of their natural size; and shorter than that none of them becomes. */
+/* Such rows are not stretched where they are shorter than this part of their natural size; none of them becomes shorter than SHORT_ROW. */
 static const double SHORT_PART = 0.3;
-static const double LEAST_PART = 1e-3;
 
 /* The largest inertia of the coordinates that M ties to number i, itself included. */
 static double largest_tied(const lag_system *s, size_t i)
@@ -57,7 +56,7 @@ static double length_of_row(const lag_system *s, size_t i, double part, int depe
         sum += entry * entry;
     }
     const double natural = fmin(1.0, sqrt(sum) / SHORT_PART);
-    return fmax(natural < part ? natural : part, fmin(LEAST_PART, part));
+    return fmax(natural < part ? natural : part, fmin(SHORT_ROW, part));
 }
 
 static size_t component(const lag_system *s, size_t coordinate)

@@ -14,9 +14,6 @@
 enum { MOST_SWEEPS = 4000, SWEEPS = 10, MOST_STEPS = 20 };
 /* Newton's method goes on down to this part. */
 static const double ROUNDING = 1e-15;
-/* G is known to this part: entries across the diagonal that differ by less are equal, and singular values below are none. Forces that
- * nothing determines are the smallest ones. */
-static const double KNOWN = 1e-12;
 
 /* The problem with rows scaled to a unit diagonal of G, and c to a size of one. */
 typedef struct scaled {
@@ -245,7 +242,7 @@ static double improve(scaled *s)
     memcpy(s->best, s->lam, n * sizeof(double));
     for (int k = 0; k < MOST_STEPS && least > ROUNDING; ++k) {
         const lag_svd svd = lag_svd_of(n, n, s->slope, s->work);
-        lag_svd_solve(&svd, s->rest, KNOWN, 0.0, s->change);
+        lag_svd_solve(&svd, s->rest, LAG_KNOWN_ROWS, 0.0, s->change);
         lag_axpy(n, -1.0, s->change, s->lam);
         const double left = look(s) / size_of(s);
         if (left < least) {
@@ -313,7 +310,7 @@ static int is_symmetric(const lag_friction_problem *problem, size_t size)
     for (size_t i = 0; i < size; ++i) {
         for (size_t j = 0; j < i; ++j) {
             const double largest = sqrt(fabs(g[i * size + i] * g[j * size + j]));
-            symmetric = symmetric && fabs(g[i * size + j] - g[j * size + i]) <= KNOWN * largest;
+            symmetric = symmetric && fabs(g[i * size + j] - g[j * size + i]) <= LAG_KNOWN_ROWS * largest;
         }
     }
     return symmetric;

@@ -22,6 +22,8 @@
 
 /* Laws of forces, of impulses and of energies hold to this part of their largest terms. */
 static const double LAG_SOLVED = 1e-9;
+/* Rows and their Delassus matrix are known to this part of their terms: what is below is none. */
+static const double LAG_KNOWN_ROWS = 1e-12;
 /* So many round-offs of what enters are round-off. */
 static const double LAG_FEW = 16.0;
 

@@ -7,15 +7,13 @@
 #include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse_step.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 
 /* Newton's method for rates: one step where T is quadratic in them. A step that overshoots is halved so often. */
 enum { MOST_STEPS = 60, MOST_HALVES = 300 };
-/* The iteration ends when the residual of the momenta is this part of their size, that of the rows this part of their terms. */
+/* The iteration ends when the residual of the momenta is this part of their size, that of the rows LAG_KNOWN_ROWS of their terms. */
 static const double ROUNDING = 1e-11;
-static const double OF_ROWS = 1e-12;
-/* Momenta that are off by less than this part of their size are where they were: there is nothing to balance. */
-static const double NONE = 1e-13;
 /* A step overshoots where the momenta behind it are beyond their aim by this part of what they were short of it. */
 static const double BEYOND = 0.5;
 /* Less than this part of a step changes no rate. */
@@ -278,7 +276,7 @@ lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const 
             return status;
         }
         find_sizes(impulse, qd);
-        if (impulse->part < NOTHING || !is_off(impulse, qd, ROUNDING, OF_ROWS)) {
+        if (impulse->part < NOTHING || !is_off(impulse, qd, ROUNDING, LAG_KNOWN_ROWS)) {
             return LAG_OK;
         }
     }
@@ -296,6 +294,6 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     lag_impulse_choose(impulse, NULL);
     memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
     find_sizes(impulse, qd);
-    *jumped = is_off(impulse, qd, NONE, LAG_SOLVED);
+    *jumped = is_off(impulse, qd, LAG_EXACT, LAG_SOLVED);
     return *jumped ? lag_impulse_iterate(impulse, t, x, held, NULL) : LAG_OK;
 }

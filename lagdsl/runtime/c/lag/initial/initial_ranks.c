@@ -14,8 +14,7 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-/* Points are as good as exact below this residual; J is known to so many residuals. */
-static const double EXACT = 1e-10;
+/* J is known to so many residuals; a point is as good as exact if that is better than roughly. */
 static const double KNOWN = 1e3;
 /* A part whose largest singular value is below this has no content but round-off. */
 static const double CONTENT = 1e-3;
@@ -204,7 +203,7 @@ static int look(walk *w, double residual)
 {
     lag_initialization *b = w->b;
     const size_t n = b->motion->model->nq;
-    double *ranks = residual <= EXACT ? w->ranks : w->rough;
+    double *ranks = KNOWN * residual <= LAG_ROUGH_RANK ? w->ranks : w->rough;
     for (size_t j = 0; j < n; ++j) {
         b->q[j] = w->point[j] * b->sizes[j];
     }
@@ -272,7 +271,7 @@ void lag_initialization_find_rank(lag_initialization *b, const double *x)
     for (size_t k = 0; k < TRIES && found < WANTED; ++k) {
         if (take_step(&w, &seed, k, scale, &residual)) {
             memcpy(w.here, w.point, n * sizeof(double));
-            found += residual <= EXACT;
+            found += KNOWN * residual <= LAG_ROUGH_RANK;
         } else {
             scale *= SHORTER;
         }

@@ -2,12 +2,11 @@
 #include "lag/equations/discretes.h"
 #include "lag/initial/initialization.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/equations/system_scales.h). */
-static const double LOST = 1e-7;
 /* Errors of the numbers that enter, and the part by which round-off changes with them. */
 static const double ERROR = 0x1p-50;
 static const double CHANGED = 1e-3;
@@ -182,7 +181,7 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     }
     find_most(b, length, b->starts.widths);
     for (size_t i = 0; i < model->nc; ++i) {
-        any = any || (length[i] > 0.0 && length[i] < LOST * b->starts.widths[component_of(b, i)]);
+        any = any || (length[i] > 0.0 && length[i] < LAG_ROUGH_RANK * b->starts.widths[component_of(b, i)]);
     }
     if (!any) {
         return;
@@ -190,7 +189,7 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     measure_changes(b, q);
     for (size_t i = 0; i < model->nc && b->told.fault == LAG_INITIAL_NONE; ++i) {
         const double part = length[i] / b->starts.widths[component_of(b, i)];
-        if (length[i] > 0.0 && part < LOST && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
+        if (length[i] > 0.0 && part < LAG_ROUGH_RANK && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
             b->told.fault = LAG_INITIAL_SIZES;
             b->told.which = i;
             b->told.residual = part;

@@ -10,6 +10,8 @@
 
 #include <stddef.h>
 
+#include "lag/linalg/linalg.h"
+
 /* Numbers of rows and columns are kept as doubles: a workspace is of one type. */
 typedef struct lag_parts {
     size_t m, n, count;                 /* rows, columns, parts */
@@ -18,8 +20,7 @@ typedef struct lag_parts {
     double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
 } lag_parts;
 
-/* Residuals of equations of order one that are round-off: descents aim at it, in so many iterations. */
-static const double LAG_EXACT = 1e-13;
+/* Iterations that descend to round-off. */
 enum { LAG_DESCENTS = 100 };
 /* A step for central differences of such equations. */
 static const double LAG_DIFFERENCE = 1e-6;

@@ -284,12 +284,12 @@ static lag_status step(lag_stepper *s, double limit)
             status = lag_stepper_rates(s, t_new, at.x_new, end_slope);
         }
         if (error <= 1.0 && status == LAG_OK) {
-            const double factor = factor_of(error, s->estimate.error > 0.0 ? s->estimate.error : 1e-4);
+            const double factor = factor_of(error, s->last.error > 0.0 ? s->last.error : 1e-4);
             const double next = h * (rejected ? fmin(factor, 1.0) : factor);
-            s->estimate.urge = urge_of(s, &at, h);
+            s->last.urge = urge_of(s, &at, h);
             s->h = h < proposed && !rejected ? fmax(next, proposed) : next;
-            s->estimate.error = fmax(error, 1e-4);
-            s->estimate.h = h;
+            s->last.error = fmax(error, 1e-4);
+            s->last.h = h;
             lag_stepper_accept(s, t_new, at.x_new, end_slope);
             return LAG_OK;
         }

@@ -155,7 +155,7 @@ static double factor_of(const lag_stepper *s, unsigned stages, double h, double 
     if (!(error > 0.0)) {
         return GROW;
     }
-    const double trend = s->estimate.error > 0.0 ? h / s->estimate.h * pow(s->estimate.error / error, exponent) : 1.0;
+    const double trend = s->last.error > 0.0 ? h / s->last.h * pow(s->last.error / error, exponent) : 1.0;
     return fmin(1.0, trend) * pow(error, -exponent);
 }
 
@@ -212,7 +212,7 @@ static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_r
     }
     memo->age = memo->decomposed = 0.0;
     memo->trust = 1.0;
-    s->estimate.error = 0.0;
+    s->last.error = 0.0;
 }
 
 /* Length of the next step, where `factor` is what the error of this one, of length h, allows for. */
@@ -242,8 +242,8 @@ static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h,
 static void go_on(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
 {
     s->h = next;
-    s->estimate.error = fmax(error, 1e-2);
-    s->estimate.h = h;
+    s->last.error = fmax(error, 1e-2);
+    s->last.h = h;
     choose_order(s, at, solved, next / h);
 }
 

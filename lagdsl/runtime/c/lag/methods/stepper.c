@@ -84,8 +84,7 @@ static double first_length(lag_stepper *s, double span)
 lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span)
 {
     s->method = method;
-    s->estimate = (lag_step_estimate){0.0, 0.0, 0.0};
-    s->dense_ready = 0;
+    s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
@@ -102,7 +101,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 
 lag_status lag_stepper_step(lag_stepper *s, double limit)
 {
-    s->dense_ready = 0;
+    s->last.dense_ready = 0;
     const lag_status status = s->method->step(s, limit);
     s->counts.steps += status == LAG_OK;
     return status;
@@ -119,19 +118,19 @@ void lag_stepper_undo(lag_stepper *s, double h)
     memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
     memcpy(s->f, s->f_before, s->ode->size * sizeof(double));
     s->h = h;
-    s->estimate.error = s->estimate.h = 0.0;
-    s->dense_ready = 0;
+    s->last.error = s->last.h = 0.0;
+    s->last.dense_ready = 0;
     s->method->begin(s);
 }
 
 lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
 {
-    if (!s->dense_ready) {
+    if (!s->last.dense_ready) {
         const lag_status status = s->method->prepare_dense(s);
         if (status != LAG_OK) {
             return status;
         }
-        s->dense_ready = 1;
+        s->last.dense_ready = 1;
     }
     s->method->dense(s, t, x);
     return LAG_OK;

@@ -104,7 +104,7 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
         return s->method;
     }
     if (!s->method->implicit) {
-        stiffness->signs = s->estimate.urge > BORDER ? stiffness->signs + 1 : 0;
+        stiffness->signs = s->last.urge > BORDER ? stiffness->signs + 1 : 0;
         if (stiffness->signs < SIGNS) {
             return s->method;
         }

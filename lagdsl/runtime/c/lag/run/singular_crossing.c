@@ -177,8 +177,7 @@ static lag_status take(lag_singular *s, double length, double limit)
     lag_collocation.dense(stepper, stepper->t, stepper->x);
     lag_singular_project(s, stepper->t, stepper->x);
     stepper->h = 0.0;
-    stepper->estimate = (lag_step_estimate){0.0, 0.0, 0.0};
-    stepper->dense_ready = 1;
+    stepper->last = (lag_last_step){0.0, 0.0, 0.0, 1};
     ++stepper->counts.steps;
     return lag_stepper_correct(stepper);
 }

@@ -70,10 +70,10 @@ static void record_stepper(lag_stepper *s, lag_record *record)
     RECORD(s->h);
     RECORD(s->h_least);
     RECORD(s->h_most);
-    RECORD(s->estimate.error);
-    RECORD(s->estimate.h);
-    RECORD(s->estimate.urge);
-    RECORD(s->dense_ready);
+    RECORD(s->last.error);
+    RECORD(s->last.h);
+    RECORD(s->last.urge);
+    RECORD(s->last.dense_ready);
     RECORD(s->counts.evaluations);
     RECORD(s->counts.jacobians);
     RECORD(s->counts.decompositions);
