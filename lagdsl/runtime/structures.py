@@ -216,7 +216,7 @@ class Extremes(Structure):
 
     _fields_ = [
         *_all(c_size_t, "size count"),
-        *_all(c_void_p, "low high turns pivot way sample outputs"),
+        *_all(c_void_p, "low high turns pivot way sample outputs passed when"),
         *_all(c_size_t, "searched"),
     ]
 

@@ -20,7 +20,7 @@ static void one_cycle(const lag_method *method, double *end)
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &options)), &MACHINE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_to(run, 0.1, 0) == LAG_OK);
-    CHECK(run->row == ROWS);
+    CHECK(run->counts.row == ROWS);
     memcpy(end, rows + (ROWS - 1) * SIZE, SIZE * sizeof(double));
     free(run);
 }

@@ -353,7 +353,7 @@ static void of_a_run(void)
     for (size_t i = 0; i < SIZE; ++i) {
         CHECK(run->stepper.x[i] == x[i]);
     }
-    CHECK(run->dependent[2] && run->lasting[2] == 0.0 && run->lasting[0] == 1.0);
+    CHECK(run->ranks.dependent[2] && run->ranks.lasting[2] == 0.0 && run->ranks.lasting[0] == 1.0);
     free(run);
 }
 

@@ -148,7 +148,7 @@ static void constraints_hold(const lag_method *method)
     CHECK(circle_gap(run->stepper.x) < 1e-11);
     CHECK_NEAR(rows[1] / rows[0], 0.1 / 0.7, 1e-4);
     CHECK(lag_run_to(run, 10.0, 0) == LAG_OK);
-    CHECK(run->stepper.t == 10.0 && run->row == 201);
+    CHECK(run->stepper.t == 10.0 && run->counts.row == 201);
     CHECK(run->projection.count > 10);
     for (size_t i = 0; i <= 200; ++i) {
         const double *x = rows + 4 * i;
@@ -241,13 +241,13 @@ static void stiffness_is_found(double epsilon, int stiff)
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_to(run, 2.0, 0) == LAG_OK);
     (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.counts.steps,
-        run->stepper.counts.evaluations, run->stepper.counts.jacobians, run->changes, run->stepper.method->name);
+        run->stepper.counts.evaluations, run->stepper.counts.jacobians, run->methods.changes, run->stepper.method->name);
     if (stiff) {
-        CHECK(run->changes > 0 && run->change[0].implicit);
+        CHECK(run->methods.changes > 0 && run->methods.change[0].implicit);
         CHECK_NEAR(run->stepper.x[0], 1.706167732170483, 1e-4);
         CHECK(run->stepper.counts.evaluations < 20000);
     } else {
-        CHECK(run->changes == 0);
+        CHECK(run->methods.changes == 0);
     }
     free(run);
 }

@@ -111,7 +111,7 @@ static void rollback(void)
         CHECK(alike(run, straight));
         free(bytes);
     }
-    CHECK(run->events > 10);
+    CHECK(run->counts.events > 10);
     free(run);
     free(straight);
 }

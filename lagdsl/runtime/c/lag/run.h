@@ -91,6 +91,13 @@ typedef struct lag_change {
 
 enum { LAG_CHANGES = 16 };
 
+/* Methods that the run has gone over to. */
+typedef struct lag_methods {
+    lag_stiffness stiffness;
+    lag_change change[LAG_CHANGES];
+    size_t changes;           /* all; the first LAG_CHANGES are kept */
+} lag_methods;
+
 /* A step of which what happens at its end is still to come. */
 typedef struct lag_half {
     int open;            /* there is one */
@@ -99,7 +106,47 @@ typedef struct lag_half {
     double t;            /* where that is; the end of the step where nothing happens */
     double length, next; /* of the step, as far as the method went; proposed for the next one */
     double left;         /* relations wait for the ticks at t: the time scale of what happens there; 0: none do */
+    double *pending;     /* (nindicator + ncontact + nfriction) what happens at its end */
+    double *waiting;     /* the same: what waits for the ticks there */
 } lag_half;
+
+/* Sizes of changes of order one; the arrays are those of the options, or the block's. */
+typedef struct lag_run_sizes {
+    int found;                       /* natural sizes are known */
+    double *group, *natural, *cap;   /* (2 nq + nz) */
+    double *rows;                    /* (nc) of the constraints */
+} lag_run_sizes;
+
+/* Ranks of the rows of the constraints, and where the motion crosses positions at which one is lost. */
+typedef struct lag_run_ranks {
+    lag_look look;
+    double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
+    unsigned char *dependent; /* (nc) */
+    lag_singular singular;    /* where it goes across singular positions */
+    const lag_method *behind; /* the method behind one */
+} lag_run_ranks;
+
+/* The state that could not be accepted. */
+typedef struct lag_lost {
+    double *x; /* (2 nq + nz) */
+    double t;  /* infinite: none */
+} lag_lost;
+
+typedef struct lag_counts {
+    size_t row;     /* the next one */
+    size_t steps;   /* of this call */
+    size_t events;  /* all */
+    double begun;   /* time at which the run began */
+    double entered; /* time at which it was put into its state from outside */
+} lag_counts;
+
+/* The one block of memory. */
+typedef struct lag_block {
+    double *memory;  /* (numbers) all arrays of the run, one after the other */
+    size_t numbers;
+    double *p;       /* (np) the parameters, where some are found with the start */
+    double *initial; /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
+} lag_block;
 
 struct lag_run {
     lag_run_options options;
@@ -107,38 +154,21 @@ struct lag_run {
     lag_stepper stepper;
     lag_projection projection;
     lag_accuracy accuracy;
-    lag_look look;
-    lag_singular singular;    /* where it goes across singular positions */
-    const lag_method *behind; /* the method behind one */
+    lag_run_sizes sizes;
+    lag_run_ranks ranks;
     lag_watch watch;
     lag_zero_crossing crossings;
     lag_instants instants;
-    double begun;             /* time at which it began */
-    lag_clock pace;           /* the ends of steps of fixed length, counted: nothing adds up */
-    lag_stiffness stiffness;
-    int sized;                /* natural sizes are known */
-    double *group, *natural, *cap, *row_sizes;
-    double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
-    unsigned char *dependent; /* (nc) */
-    double *point;            /* (2 nq + nz) */
-    double *p;                /* (np) the parameters, where some are found with the start */
-    double *lost;             /* (2 nq + nz) the state that could not be accepted, at time */
-    double lost_time;         /* infinite: none */
-    double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
-    double *waiting;          /* (nindicator + ncontact) what waits for the ticks there */
-    double *u_before;         /* (nu) the inputs before a jump */
+    lag_methods methods;
+    lag_clock pace;   /* the ends of steps of fixed length, counted: nothing adds up */
+    lag_clock *clock; /* (nclock) */
     lag_turns turns;
     lag_half half;
-    lag_clock *clock;         /* (nclock) */
-    size_t row;               /* the next one */
-    size_t steps;             /* of this call */
-    size_t events;            /* all */
-    double entered;           /* time at which the run was put into its state from outside */
-    lag_change change[LAG_CHANGES];
-    size_t changes;           /* all; the first LAG_CHANGES are kept */
-    double *memory;           /* (numbers) all arrays of it, one after the other */
-    size_t numbers;
-    double *initial;          /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
+    lag_counts counts;
+    lag_lost lost;
+    lag_block block;
+    double *point;    /* (2 nq + nz) */
+    double *u_before; /* (nu) the inputs before a jump */
 };
 
 /* Time and cost of a run. */

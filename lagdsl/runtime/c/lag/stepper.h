@@ -34,6 +34,18 @@ typedef struct lag_fixed_steps {
     size_t nq; /* for methods of second order: x begins with so many coordinates and their rates */
 } lag_fixed_steps;
 
+/*
+ * States that a method evaluates anyway and that lie near the motion, up to terms of the fourth order in the length of the step at least: at its
+ * beginning, between, at its end. Methods tell those that they have.
+ */
+enum { LAG_PASSED_BEGIN, LAG_PASSED_END = 4, LAG_PASSED };
+
+/* Who wants these states. */
+typedef struct lag_passing {
+    void (*pass)(void *context, unsigned place, double t); /* told just after one was evaluated at t; null: nobody asks */
+    void *context;
+} lag_passing;
+
 typedef struct lag_stepper {
     const lag_ode *ode;
     const lag_method *method;
@@ -53,6 +65,7 @@ typedef struct lag_stepper {
     double trouble_time;
     double *trouble_x;  /* (size) and the state */
     lag_fixed_steps fixed;
+    lag_passing passing;
 } lag_stepper;
 
 struct lag_method {
@@ -106,6 +119,8 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x);
 
 /* f(t, x), counted; what is not finite is trouble. */
 lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd);
+/* The state that was evaluated last lies at this place of the step. */
+void lag_stepper_pass(const lag_stepper *s, unsigned place, double t);
 /* Root mean square of error (size) over tolerance; infinite where it is no number. */
 double lag_stepper_norm(const lag_stepper *s, const double *error);
 /* Length of the next trial: the proposed one, cut or stretched a little to hit the limit. */

@@ -126,10 +126,10 @@ static int needs_implicit(lag_instance *instance, double h)
 {
     lag_run *run = instance->run;
     int decays = 0;
-    if (run->motion.ode.jacobian(&run->motion, run->stepper.t, run->stepper.x, run->stiffness.matrix) != LAG_OK) {
+    if (run->motion.ode.jacobian(&run->motion, run->stepper.t, run->stepper.x, run->methods.stiffness.matrix) != LAG_OK) {
         return 0;
     }
-    return h * lag_stiffness_fastest(&run->stiffness, &run->stepper, &decays) > STABLE;
+    return h * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper, &decays) > STABLE;
 }
 
 /* Steps of one length, none longer than the option wants it. */

@@ -169,10 +169,10 @@ static lag_status residuals(lag_instance *instance, changes *to)
         to->worst[level] = 0.0;
         status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->work.unused);
         for (size_t i = 0; i < model->nc; ++i) {
-            const double part = to->value[level][i] / instance->run->row_sizes[i];
+            const double part = to->value[level][i] / instance->run->sizes.rows[i];
             if ((level > 0 || model->position_level[i]) && fabs(part) > most) {
                 most = fabs(part);
-                to->worst[level] = (part < 0.0 ? -1.0 : 1.0) * to->residual[level][i] / instance->run->row_sizes[i];
+                to->worst[level] = (part < 0.0 ? -1.0 : 1.0) * to->residual[level][i] / instance->run->sizes.rows[i];
             }
         }
     }

@@ -87,7 +87,7 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
     const int leaves = room(instance, i) < near;
-    instance->run->crossings.seen[0][i] = value_of(instance, i);
+    instance->run->crossings.pieces.seen[0][i] = value_of(instance, i);
     instance->guards.latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
@@ -123,7 +123,7 @@ static int goes_on(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double value = value_of(instance, i);
-    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.seen[0][i]) <= sigma;
+    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.pieces.seen[0][i]) <= sigma;
 }
 
 lag_status lag_instance_latch(lag_instance *instance)

@@ -96,19 +96,19 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     instance->values.known = 0;
     held->jumped = 1;
     held->tied = 0;
-    lag_fill(located ? 0 : count, 0.0, run->pending);
+    lag_fill(located ? 0 : count, 0.0, run->half.pending);
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
-    lag_status status = held->exchanged ? find_left(instance, t, run->pending, &flies) : LAG_OK;
+    lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;
     status = status == LAG_OK ? place(instance, t, located) : status;
-    status = status == LAG_OK ? find_left(instance, t, run->pending, &flies) : status;
-    any = lag_any(count, run->pending);
+    status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
+    any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
         status = lag_event_iteration_conditions(&run->instants.iteration, t, instance->x, &any);
     }
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
         run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
-        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->pending);
+        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->half.pending);
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;

@@ -30,7 +30,7 @@ void lag_instance_leave_inputs(lag_instance *instance)
 static int look(lag_instance *instance)
 {
     const double t = instance->held.t;
-    const int known = t == instance->held.left_at && t > instance->run->begun;
+    const int known = t == instance->held.left_at && t > instance->run->counts.begun;
     if (known) {
         lag_instance_inputs_at(instance, t, instance->run->motion.u);
     }

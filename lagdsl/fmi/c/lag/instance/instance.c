@@ -147,7 +147,7 @@ void lag_instance_renew(lag_instance *instance)
     }
     instance->run = lag_run_place(instance->run, instance->fmu->model, &options);
     instance->run->motion.at.p = instance->p;
-    lag_derivatives_size(&instance->derivatives, instance->run->natural, instance->run->row_sizes);
+    lag_derivatives_size(&instance->derivatives, instance->run->sizes.natural, instance->run->sizes.rows);
     instance->held.prepared = instance->held.initialized = 0;
     instance->values.known = 0;
     lag_instance_tell_inputs(instance);

@@ -40,7 +40,7 @@ static const char *guilty(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     size_t i = 0;
-    while (i < model->nw && instance->run->instants.iteration.guilty[i] == 0.0) {
+    while (i < model->nw && instance->run->instants.iteration.discretes.guilty[i] == 0.0) {
         ++i;
     }
     return name_of(model->nw, model->discretes, i);
@@ -53,7 +53,7 @@ static const char *displacing(const lag_instance *instance)
     const lag_run *run = instance->run;
     for (size_t i = 0; i < model->nreset; ++i) {
         const size_t place = model->reset_places[i];
-        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.iteration.from[place]) {
+        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.iteration.instant.from[place]) {
             return model->resets[i];
         }
     }
@@ -106,7 +106,7 @@ static words words_of(const lag_instance *instance, lag_status status, char *row
 {
     const lag_model *model = instance->fmu->model;
     const lag_run *run = instance->run;
-    const size_t fault = run->instants.iteration.fault;
+    const size_t fault = run->instants.iteration.clauses.fault;
     const char *coordinate = name_of(model->nq, model->coordinates, run->motion.coordinate);
     switch (status) {
     case LAG_SINGULAR:

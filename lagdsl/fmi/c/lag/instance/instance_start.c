@@ -89,7 +89,7 @@ static lag_status nearest(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     lag_run *run = instance->run;
-    lag_initial told = {.dependent = run->dependent, .p = instance->p};
+    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
     if (model->nc + model->ne == 0) {
         return LAG_OK;
     }
@@ -98,7 +98,7 @@ static lag_status nearest(lag_instance *instance)
     }
     const lag_status status = lag_initial_find(
         &run->motion, instance->fmu->start, instance->starts.written, instance->held.t, instance->x, instance->scratch.initial, &told);
-    lag_run_depend(run, run->dependent);
+    lag_run_depend(run, run->ranks.dependent);
     return status == LAG_OK ? status : explain(instance, status, &told);
 }
 
@@ -138,7 +138,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     held->left_at = held->t;
     held->left_for = 0.0;
     held->implicit = -1;
-    run->begun = held->t;
+    run->counts.begun = held->t;
     lag_status status = find(instance);
     if (status != LAG_OK) {
         return status;

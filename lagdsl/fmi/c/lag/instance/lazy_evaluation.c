@@ -29,7 +29,7 @@ static lag_status accelerations(lag_instance *instance)
         return lag_motion_solve(motion, held->t, instance->x);
     }
     if (held->phase == LAG_PHASE_MOTION && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
-        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->entered);
+        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->counts.entered);
         return LAG_OK;
     }
     return lag_motion_pulled(motion, 0.0, held->t, instance->x, motion->qdd, motion->lam);
@@ -67,7 +67,7 @@ static lag_status residuals(lag_instance *instance)
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
         for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
-            const double part = fabs(projection->phi[i]) / instance->run->row_sizes[i];
+            const double part = fabs(projection->phi[i]) / instance->run->sizes.rows[i];
             if (!isfinite(part)) {
                 return LAG_NOT_FINITE;
             }

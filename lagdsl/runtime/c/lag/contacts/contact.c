@@ -11,7 +11,7 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 15 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 16 * model->ncontact + (3 + model->nq) * model->ngap + 6 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -19,15 +19,15 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
     contacts->gap = lag_take(memory, model->ngap);
     contacts->speed = lag_take(memory, model->ngap);
     contacts->jacobian = lag_take(memory, model->ngap * model->nq);
-    contacts->part = lag_take(memory, model->ngap);
-    lag_inequalities_place(&contacts->blow, model, lag_take(memory, lag_inequalities_memory(model)));
+    contacts->blows.part = lag_take(memory, model->ngap);
+    lag_inequalities_place(&contacts->blows.rows, model, lag_take(memory, lag_inequalities_memory(model)));
 }
 
 static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
-    double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
-        &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
-        &contacts->back, &contacts->first, &contacts->entries, &contacts->met};
+    double **const arrays[] = {&contacts->sizes.scale, &contacts->sizes.pace, &contacts->sizes.force, &contacts->until, &contacts->restitution,
+        &contacts->capture_speed, &contacts->zeno_time, &contacts->blows.approach, &contacts->blows.order, &contacts->blows.closing, &contacts->blows.before,
+        &contacts->blows.back, &contacts->blows.compliance, &contacts->sizes.first, &contacts->sizes.entries, &contacts->blows.met};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
         *arrays[k] = lag_take(memory, count);
         memset(*arrays[k], 0, count * sizeof(double));
@@ -46,11 +46,11 @@ static void find_entries(lag_contacts *contacts, const lag_model *model)
         while (pattern != NULL && k < pattern->count && pattern->row[k] < model->contact_rows[i]) {
             ++k;
         }
-        contacts->first[i] = (double)k;
+        contacts->sizes.first[i] = (double)k;
         while (pattern != NULL && k < pattern->count && pattern->row[k] == model->contact_rows[i]) {
             ++k;
         }
-        contacts->entries[i] = pattern != NULL ? (double)k - contacts->first[i] : (double)model->nq;
+        contacts->sizes.entries[i] = pattern != NULL ? (double)k - contacts->sizes.first[i] : (double)model->nq;
     }
 }
 
@@ -69,18 +69,14 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     place_gaps(contacts, model, &memory);
     place_each(contacts, model->ncontact, &memory);
     find_entries(contacts, model);
-    contacts->hit = lag_take(&memory, model->nq + model->nz);
-    contacts->tau = lag_take(&memory, model->nq);
-    contacts->zero = lag_take(&memory, model->nq);
-    contacts->moved = lag_take(&memory, model->nq);
-    contacts->other = lag_take(&memory, model->nq);
+    contacts->blows.hit = lag_take(&memory, model->nq + model->nz);
     contacts->forces = lag_take(&memory, model->nq);
-    contacts->peak = lag_take(&memory, 2 * model->nq);
-    contacts->least = lag_take(&memory, model->nq);
-    memset(contacts->zero, 0, model->nq * sizeof(double));
-    memset(contacts->peak, 0, 2 * model->nq * sizeof(double));
+    contacts->zero = lag_take(&memory, model->nq);
+    contacts->sizes.peak = lag_take(&memory, 2 * model->nq);
+    contacts->sizes.least = lag_take(&memory, model->nq);
+    memset(contacts->sizes.peak, 0, 2 * model->nq * sizeof(double));
     for (size_t j = 0; j < model->nq; ++j) {
-        contacts->least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
+        contacts->sizes.least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
     }
 }
 
@@ -134,7 +130,7 @@ lag_status lag_contacts_apart(
         return status;
     }
     for (size_t i = 0; i < count; ++i) {
-        const double inside = INSIDE * contacts->scale[i];
+        const double inside = INSIDE * contacts->sizes.scale[i];
         pierced[i] = contacts->gap[i] < -inside && gap[i] - contacts->gap[i] > inside;
         status = pierced[i] != 0.0 ? LAG_PENETRATION : status;
     }

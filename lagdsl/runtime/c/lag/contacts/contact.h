@@ -3,10 +3,7 @@
  *
  * Each contact is judged by what enters its own gap. Its length is sum |dgap/dq_j| |q_j|, with the largest magnitudes so far: gaps are
  * zero to round-off of that; its speed is sum |dgap/dq_j| |qd_j|; its force is the one that would cancel the accelerations that the forces give
- * its own coordinates, with forces that act and those that would where positions change by as much as they are. So what does not enter a gap changes nothing, in whatever units and sizes.
- *
- * A contact that rebounds at the speed v, after an approach at v/r, and is accelerated back by a, is in the air for T = 2 v/a, and for r T,
- * r^2 T, ... afterwards: it rests T/(1 - r) later. It is held from now on where that is short, and told to be closed at that time.
+ * its own coordinates. So what does not enter a gap changes nothing, in whatever units and sizes.
  */
 #ifndef LAG_CONTACT_H
 #define LAG_CONTACT_H
@@ -15,33 +12,44 @@
 
 struct lag_frictions;
 
+/* Sizes of the numbers that enter each contact (contact_scale.c). */
+typedef struct lag_contact_sizes {
+    double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
+    double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
+    double *scale, *pace;    /* (ncontact) length and speed of each, at the state looked at last */
+    double *force;           /* (ncontact) the largest that each had to carry, about */
+} lag_contact_sizes;
+
+/* Blows of one instant, and what they leave (contact_strike.c, accumulation.c). */
+typedef struct lag_blows {
+    lag_inequalities rows;   /* of one of them, */
+    double *part;            /* (ngap) the contacts, or collisions behind them, of its normals, */
+    double *hit;             /* (nq + nz) by component: it takes place in it */
+    double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
+    double *closing;         /* (ncontact) */
+    double *approach;        /* (ncontact) speed at the first impact, zero without, */
+    double *order;           /* (ncontact) those that struck, in the order in which they did, */
+    size_t struck;           /* so many, */
+    double *before;          /* (ncontact) which contacts were closed before them */
+    double *compliance;      /* (ncontact) what a unit impulse of each adds to its own speed, of the last blow in which it took part */
+    double *back;            /* (ncontact) accelerations of gaps while they are open */
+} lag_blows;
+
 typedef struct lag_contacts {
     lag_motion *motion;      /* its w tells which contacts are closed */
     lag_places places;
     lag_impulse *impulse;    /* its arrays are used */
     struct lag_frictions *frictions; /* under them */
-    lag_inequalities blow;   /* rows of one impact, */
-    double *part;            /* (ngap) the contacts, or collisions behind them, of its normals */
+    lag_contact_sizes sizes;
+    lag_blows blows;
     double length;           /* of the experiment [s] */
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
-    double lookahead;           /* gaps that close so soon at their present speed close now [s] */
     const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
-    double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
-    double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
-    double *scale, *pace;    /* (ncontact) length and speed of each, at the state looked at last */
-    double *force;           /* (ncontact) the largest that each had to carry, about */
     double *until;           /* (ncontact) bounces that were too short to follow last up to then; infinite: there are none */
     double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state looked at last */
     double *restitution, *capture_speed, *zeno_time;   /* (ncontact) */
-    double *approach;        /* (ncontact) of lag_contacts_strike: speed at the first impact, zero without, */
-    double *order;           /* (ncontact) those that struck, in the order in which they did, */
-    size_t struck;           /* so many, */
-    double *before;          /* (ncontact) which contacts were closed before it */
-    double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
-    double *closing;         /* (ncontact) */
-    double *back;            /* (ncontact) accelerations of gaps while they are open */
-    double *hit;             /* (nq + nz) by component: one impact takes place in it */
-    double *tau, *zero, *moved, *other, *forces; /* (nq) each */
+    double *forces;          /* (nq) magnitudes of generalized forces */
+    double *zero;            /* (nq) */
 } lag_contacts;
 
 /* Doubles for them. */
@@ -51,9 +59,6 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
 
 /* The motion passed through x: magnitudes. */
 void lag_contacts_follow(lag_contacts *contacts, const double *x);
-
-/* Length and speed of every contact with these gradients (ngap, nq). */
-void lag_contacts_scale(lag_contacts *contacts, const double *jacobian);
 
 /* Round-off of a gap, and of a force, with these lengths and forces. */
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
@@ -80,8 +85,8 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
 
-/* True if flights at contact i, of which the next takes so long and each of the others this part of the one before, are too short to follow. */
-int lag_contacts_are_brief(const lag_contacts *contacts, size_t i, double flight, double ratio);
+/* Which contacts are closed behind these impacts, and which are held, as their bounces accumulate. */
+lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double *x);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */
 double lag_contacts_next(const lag_contacts *contacts);
@@ -93,7 +98,10 @@ double lag_contacts_next(const lag_contacts *contacts);
 lag_status lag_contacts_apart(
     lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced);
 
-/* For the parts of it: gaps at a state with their scales, the multipliers, forces by which pulls are told from round-off. */
+/* Gaps with their scales where `motion` is. */
+lag_status lag_contacts_evaluate(lag_contacts *contacts);
+
+/* For the parts of it: the same at a state, the multipliers, forces by which pulls are told from round-off. */
 lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x);
 void lag_contacts_solve(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x);
@@ -111,6 +119,19 @@ static inline int lag_contacts_is_one_way(const lag_contacts *contacts, size_t i
 {
     const unsigned char *one_way = contacts->motion->model->one_way;
     return one_way != NULL && one_way[i] != 0;
+}
+
+/* The component of the mechanism that gap i belongs to. */
+static inline size_t lag_contacts_component(const lag_contacts *contacts, size_t i)
+{
+    const lag_model *model = contacts->motion->model;
+    return lag_row_component(model, contacts->jacobian + i * model->nq);
+}
+
+/* 1: contact i was located as closing at this instant, or its gap is zero. */
+static inline int lag_contacts_touches(const lag_contacts *contacts, size_t i)
+{
+    return contacts->blows.met[i] != 0.0 || contacts->gap[i] <= lag_contacts_touch(contacts, i);
 }
 
 static inline double lag_contacts_multiplier(const lag_contacts *contacts, size_t i)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/contacts/contact.h"
+#include "lag/linalg/arena.h"
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
@@ -14,12 +15,6 @@ static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
 /* Constraints satisfied to their limits let gaps be so many limits off. */
 static const double LIMITS = 4.0;
-/* Positions are moved by this part of their magnitudes to see how large forces are. */
-static const double CHANGE = 1e-4;
-/* Magnitudes of forces that differ by less than this factor are alike. */
-static const double ALIKE = 2.0;
-/* Gaps close now that close within this part of the moment. */
-static const double PASSING = 1e-2;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
@@ -27,7 +22,7 @@ void lag_contacts_follow(lag_contacts *contacts, const double *x)
     const size_t count = model->ncontact + model->nfriction > 0 ? 2 * model->nq : 0;
     for (size_t j = 0; j < count; ++j) {
         const double magnitude = fabs(x[j]);
-        contacts->peak[j] = magnitude > contacts->peak[j] ? magnitude : contacts->peak[j];
+        contacts->sizes.peak[j] = magnitude > contacts->sizes.peak[j] ? magnitude : contacts->sizes.peak[j];
     }
 }
 
@@ -40,47 +35,57 @@ static void scale_one(lag_contacts *contacts, size_t i, const double *gradient, 
     for (size_t k = 0; k < count; ++k) {
         const size_t j = columns != NULL ? columns[k] : k;
         const double slope = fabs(gradient[j]);
-        length += slope * fmax(contacts->peak[j], contacts->least[j]);
-        speed += slope * contacts->peak[n + j];
+        length += slope * fmax(contacts->sizes.peak[j], contacts->sizes.least[j]);
+        speed += slope * contacts->sizes.peak[n + j];
         slopes += slope;
     }
-    contacts->scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
-    contacts->pace[i] = speed;
+    contacts->sizes.scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
+    contacts->sizes.pace[i] = speed;
 }
 
-void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
+static void find_scales(lag_contacts *contacts)
 {
     const lag_model *model = contacts->motion->model;
     const lag_pattern *entries = model->jacobian_pattern;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        const size_t first = (size_t)contacts->first[i];
-        const size_t count = (size_t)contacts->entries[i];
-        scale_one(contacts, i, jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
+        const size_t first = (size_t)contacts->sizes.first[i];
+        const size_t count = (size_t)contacts->sizes.entries[i];
+        scale_one(contacts, i, contacts->jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
     }
 }
 
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i)
 {
-    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->scale[i];
+    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->sizes.scale[i];
 }
 
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
 {
-    return NO_FORCE * contacts->force[i];
+    return NO_FORCE * contacts->sizes.force[i];
 }
 
 double lag_contacts_touch(const lag_contacts *contacts, size_t i)
 {
     const double off = contacts->limits != NULL ? LIMITS * contacts->limits[contacts->motion->model->contact_rows[i]] : 0.0;
-    const double soon = -PASSING * contacts->lookahead * contacts->speed[i];
     const double closed = *lag_contacts_flag(contacts, i) != 0.0 ? off : 0.0;
-    return fmax(fmax(TOUCHING * contacts->scale[i], closed), soon);
+    return fmax(TOUCHING * contacts->sizes.scale[i], closed);
 }
 
 double lag_contacts_creep(const lag_contacts *contacts, size_t i)
 {
-    const double drift = contacts->length > 0.0 ? TOUCHING * contacts->scale[i] / contacts->length : 0.0;
-    return fmax(TOUCHING * contacts->pace[i], drift);
+    const double drift = contacts->length > 0.0 ? TOUCHING * contacts->sizes.scale[i] / contacts->length : 0.0;
+    return fmax(TOUCHING * contacts->sizes.pace[i], drift);
+}
+
+lag_status lag_contacts_evaluate(lag_contacts *contacts)
+{
+    const lag_motion *motion = contacts->motion;
+    const lag_status status = motion->model->contact(
+        &motion->at, contacts->gap, contacts->speed, contacts->jacobian, contacts->restitution, contacts->capture_speed, contacts->zeno_time);
+    if (status == LAG_OK) {
+        find_scales(contacts);
+    }
+    return status;
 }
 
 lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x)
@@ -88,12 +93,7 @@ lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x)
     lag_motion *motion = contacts->motion;
     lag_motion_look(motion, t, x);
     lag_contacts_follow(contacts, x);
-    const lag_status status = motion->model->contact(
-        &motion->at, contacts->gap, contacts->speed, contacts->jacobian, contacts->restitution, contacts->capture_speed, contacts->zeno_time);
-    if (status == LAG_OK) {
-        lag_contacts_scale(contacts, contacts->jacobian);
-    }
-    return status;
+    return lag_contacts_evaluate(contacts);
 }
 
 void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
@@ -123,64 +123,19 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
     return compliance > 0.0 ? acceleration / compliance : 0.0;
 }
 
-/* Generalized forces (nq) that act where the positions are moved by this part of their magnitudes: all up, or every other one down. */
-static lag_status act(lag_contacts *contacts, const double *x, double part, int alternate, double *force)
+/* Magnitudes of the generalized forces that act. */
+static lag_status find_forces(lag_contacts *contacts)
 {
     lag_motion *motion = contacts->motion;
-    for (size_t j = 0; j < motion->model->nq; ++j) {
-        const double by = part * fmax(contacts->peak[j], contacts->least[j]);
-        contacts->moved[j] = alternate && j % 2 != 0 ? x[j] - by : x[j] + by;
-    }
-    motion->at.q = contacts->moved;
+    const size_t n = motion->model->nq;
+    lag_fill(n, 0.0, contacts->zero);
     motion->at.qdd = contacts->zero;
-    const lag_status status = motion->model->inverse_dynamics(&motion->at, force);
+    const lag_status status = motion->model->inverse_dynamics(&motion->at, contacts->forces);
     motion->at.qdd = motion->qdd;
-    motion->at.q = x;
-    return status;
-}
-
-/* Magnitudes of the generalized forces: those that act, and those that would where positions change by as much as they are. */
-static lag_status find_forces(lag_contacts *contacts, const double *x)
-{
-    const size_t n = contacts->motion->model->nq;
-    const lag_status status = act(contacts, x, 0.0, 0, contacts->tau);
     for (size_t j = 0; j < n; ++j) {
-        contacts->forces[j] = fabs(contacts->tau[j]);
-    }
-    for (int k = 0; k < 2 && status == LAG_OK; ++k) {
-        if (act(contacts, x, CHANGE, k, contacts->other) == LAG_OK) {
-            for (size_t j = 0; j < n; ++j) {
-                const double by = fabs(contacts->other[j] - contacts->tau[j]) / CHANGE;
-                contacts->forces[j] = isfinite(by) ? fmax(contacts->forces[j], by) : contacts->forces[j];
-            }
-        }
+        contacts->forces[j] = fabs(contacts->forces[j]);
     }
     return status;
-}
-
-/*
- * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
- * Contacts between bodies on which only their neighbours act then have a scale, too.
- */
-static void hand_on(lag_contacts *contacts)
-{
-    const size_t n = contacts->motion->model->nq;
-    const size_t count = contacts->motion->model->ncontact;
-    int grew = 1;
-    for (size_t round = 0; round < count && grew; ++round) {
-        grew = 0;
-        for (size_t i = 0; i < count; ++i) {
-            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
-            const double force = touches ? force_of(contacts, i, 1) : 0.0;
-            for (size_t j = 0; j < n && force > 0.0; ++j) {
-                const double by = fabs(contacts->jacobian[i * n + j]) * force;
-                if (by > ALIKE * contacts->forces[j]) {
-                    contacts->forces[j] = by;
-                    grew = 1;
-                }
-            }
-        }
-    }
 }
 
 lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
@@ -188,16 +143,13 @@ lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
     lag_motion *motion = contacts->motion;
     const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    lag_status status = find_forces(contacts, x);
+    lag_status status = find_forces(contacts);
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, contacts->impulse->mass);
     }
-    if (status == LAG_OK) {
-        hand_on(contacts);
-    }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const double force = force_of(contacts, i, 1);
-        contacts->force[i] = fmax(contacts->force[i], force > 0.0 ? force : force_of(contacts, i, 0));
+        contacts->sizes.force[i] = fmax(contacts->sizes.force[i], force > 0.0 ? force : force_of(contacts, i, 0));
     }
     return status;
 }

@@ -72,7 +72,7 @@ lag_status lag_frictions_look(lag_frictions *frictions)
     const lag_motion *motion = frictions->motion;
     const lag_model *model = motion->model;
     const size_t n = model->nq;
-    const double *peak = frictions->contacts->peak + n;
+    const double *peak = frictions->contacts->sizes.peak + n;
     if (model->nfriction == 0) {
         return LAG_OK;
     }

@@ -68,7 +68,7 @@ static const double *contact_row(const lag_modes *modes, size_t i)
 static int pushes(const lag_modes *modes, size_t i, double most)
 {
     const double force = lag_contacts_multiplier(modes->contacts, i);
-    const double size = modes->contacts->force[i] > 0.0 ? modes->contacts->force[i] : most;
+    const double size = modes->contacts->sizes.force[i] > 0.0 ? modes->contacts->sizes.force[i] : most;
     return !isnan(modes->frictions->reserve[i]) || force >= -PULL * size;
 }
 

@@ -11,32 +11,17 @@ static const double LEAST_PIVOT = 1e-6;
 static const double LARGEST_EXCESS = 1e-10;
 static const double SHORT_RESPONSE = 1e-3;
 
-size_t lag_delassus_memory(size_t m, size_t kept)
-{
-    return 2 * kept * kept + kept * m + 9 * kept;
-}
-
 /* Column of entry k. */
 static size_t column_of(const lag_delassus *s, size_t k)
 {
     return s->entries != NULL ? s->entries->column[k] : k;
 }
 
-/* One behind the last entry of kept row i. */
-static size_t end_of(const lag_delassus *s, size_t i)
-{
-    size_t k = (size_t)s->first[i];
-    while (s->entries != NULL && k < s->entries->count && s->entries->row[k] == s->row[i]) {
-        ++k;
-    }
-    return s->entries != NULL ? k : s->n;
-}
-
 /* Row i of J times y (n). */
 static double along(const lag_delassus *s, size_t i, const double *y)
 {
     const double *row = s->jacobian + i * s->n;
-    const size_t end = end_of(s, i);
+    const size_t end = (size_t)s->end[i];
     double sum = 0.0;
     for (size_t k = (size_t)s->first[i]; k < end; ++k) {
         const size_t j = column_of(s, k);
@@ -45,49 +30,9 @@ static double along(const lag_delassus *s, size_t i, const double *y)
     return sum;
 }
 
-void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *memory)
-{
-    s->n = n;
-    s->m = m;
-    s->kept = kept;
-    s->rank = 0;
-    s->dependent = 0;
-    s->row = row;
-    s->response = NULL;
-    s->lam_response = NULL;
-    s->jacobian = NULL;
-    s->entries = NULL;
-    s->factor = lag_take(&memory, kept * kept);
-    s->left = lag_take(&memory, kept);
-    s->weight = lag_take(&memory, kept);
-    s->chosen = lag_take(&memory, kept);
-    s->excess = lag_take(&memory, kept * m);
-    s->gram = lag_take(&memory, kept * kept);
-    s->part = lag_take(&memory, kept);
-    s->x = lag_take(&memory, kept);
-    s->rest = lag_take(&memory, kept);
-    s->first = lag_take(&memory, kept);
-    s->component = lag_take(&memory, kept);
-    s->lead = lag_take(&memory, kept);
-    lag_delassus_know(s, NULL, NULL);
-}
-
-void lag_delassus_know(lag_delassus *s, const lag_pattern *entries, const size_t *components)
-{
-    size_t k = 0;
-    s->entries = entries;
-    for (size_t i = 0; i < s->kept; ++i) { /* entries are listed row by row, and kept rows ascend */
-        while (entries != NULL && k < entries->count && entries->row[k] < s->row[i]) {
-            ++k;
-        }
-        s->first[i] = (double)k;
-        s->component[i] = components != NULL && entries != NULL && k < end_of(s, i) ? (double)components[entries->column[k]] : 0.0;
-    }
-}
-
 int lag_delassus_holds(const lag_delassus *s, size_t i)
 {
-    const size_t end = end_of(s, i);
+    const size_t end = (size_t)s->end[i];
     size_t k = (size_t)s->first[i];
     while (k < end && s->jacobian[i * s->n + column_of(s, k)] == 0.0) {
         ++k;
@@ -95,10 +40,11 @@ int lag_delassus_holds(const lag_delassus *s, size_t i)
     return k < end;
 }
 
-/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
-static void weigh(lag_delassus *s)
+/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. The largest one that is comparable. */
+static double weigh(lag_delassus *s)
 {
     double longest = 0.0;
+    double first = -1.0;
     for (size_t i = 0; i < s->kept; ++i) {
         s->left[i] = along(s, i, s->response + i * s->n);
         longest = fmax(longest, s->left[i]);
@@ -106,17 +52,18 @@ static void weigh(lag_delassus *s)
     for (size_t i = 0; i < s->kept; ++i) {
         const double part = fmin(1.0, s->left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
         s->weight[i] = s->left[i] > 0.0 ? part / s->left[i] : 0.0;
-        s->chosen[i] = (double)i;
-        s->lead[i] = 0.0;
+        const double own = s->left[i] * s->weight[i];
+        first = own > first ? own : first;
     }
+    return first;
 }
 
-/* Position, from k on, of the row that has the longest rest. */
-static size_t longest_rest(const lag_delassus *s, size_t k)
+/* Among positions from k to the end: that of the row that has the longest rest. */
+static size_t longest_rest(const lag_delassus *s, size_t k, size_t end)
 {
     size_t best = k;
     double largest = -1.0;
-    for (size_t i = k; i < s->kept; ++i) {
+    for (size_t i = k; i < end; ++i) {
         const size_t row = (size_t)s->chosen[i];
         const double own = s->left[row] * s->weight[row];
         if (own > largest) {
@@ -127,25 +74,34 @@ static size_t longest_rest(const lag_delassus *s, size_t k)
     return best;
 }
 
-/* Column k of the factor, for the rows that are not chosen yet. Rows of other components have zeros there. */
-static void append_column(lag_delassus *s, size_t k)
+/* Column k of the factor, for the rows up to position `end` that are not chosen yet. */
+static void append_column(lag_delassus *s, size_t k, size_t end)
 {
     const size_t pivot = (size_t)s->chosen[k];
     double *own = s->factor + pivot * s->kept;
     const double root = sqrt(s->left[pivot]);
     const size_t from = (size_t)s->lead[pivot];
     own[k] = root;
-    for (size_t i = k + 1; i < s->kept; ++i) {
+    for (size_t i = k + 1; i < end; ++i) {
         const size_t row = (size_t)s->chosen[i];
         double *to = s->factor + row * s->kept;
-        to[k] = 0.0;
-        if (s->component[row] == s->component[pivot]) {
-            const double element = along(s, row, s->response + pivot * s->n);
-            to[k] = (element - lag_dot(k - from, to + from, own + from)) / root;
-            s->left[row] -= to[k] * to[k];
-        }
+        const double element = along(s, row, s->response + pivot * s->n);
+        to[k] = (element - lag_dot(k - from, to + from, own + from)) / root;
+        s->left[row] -= to[k] * to[k];
         s->lead[row] += (size_t)s->lead[row] == k && to[k] == 0.0 ? 1.0 : 0.0;
     }
+}
+
+/* The rows of the component that row i leads come to position `begin` and behind it; the end of them. */
+static size_t gather(lag_delassus *s, size_t i, size_t begin)
+{
+    size_t k = begin;
+    for (size_t row = i; row < s->kept; row = s->several ? (size_t)s->follower[row] : row + 1) {
+        s->chosen[k] = (double)row;
+        s->lead[row] = (double)begin;
+        ++k;
+    }
+    return k;
 }
 
 /* x (rank) := L'^-1 x for the chosen rows. */
@@ -177,7 +133,8 @@ static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
 static void find_direction(lag_delassus *s, size_t own, double *direction)
 {
     for (size_t k = 0; k < s->rank; ++k) {
-        s->rest[k] = s->factor[own * s->kept + k];
+        const int shared = (double)k >= s->lead[own] && (double)k < s->reach[own];
+        s->rest[k] = shared ? s->factor[own * s->kept + k] : 0.0;
     }
     solve_upper(s, s->rest);
     lag_fill(s->kept, 0.0, s->x);
@@ -255,33 +212,58 @@ static lag_status factor_nothing(lag_delassus *s)
     return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
+/*
+ * Factors the rows at positions from *k to `end`, of one component; *k is the position behind the independent ones. LAG_MISSING: a rest is neither
+ * long enough nor round-off beside `first`.
+ */
+static lag_status factor_rows(lag_delassus *s, size_t *k, size_t end, double first)
+{
+    for (; *k < end; ++*k) {
+        const size_t best = longest_rest(s, *k, end);
+        const double kept = s->chosen[*k];
+        s->chosen[*k] = s->chosen[best];
+        s->chosen[best] = kept;
+        const size_t pivot = (size_t)s->chosen[*k];
+        const double size = s->left[pivot] * s->weight[pivot];
+        if (size <= LARGEST_EXCESS * first) {
+            return LAG_OK;
+        }
+        if (!(size > LEAST_PIVOT * first) || !isfinite(s->left[pivot])) {
+            return LAG_MISSING;
+        }
+        append_column(s, *k, end);
+    }
+    return LAG_OK;
+}
+
 lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
 {
-    double first = 0.0;
+    size_t k = 0;
+    size_t others = 0;
     s->rank = rank;
     s->dependent = s->kept - rank;
     if (rank == 0) {
         return factor_nothing(s);
     }
-    weigh(s);
-    for (size_t k = 0; k < s->kept; ++k) {
-        const size_t best = longest_rest(s, k);
-        const double kept = s->chosen[k];
-        s->chosen[k] = s->chosen[best];
-        s->chosen[best] = kept;
-        const size_t pivot = (size_t)s->chosen[k];
-        const double size = s->left[pivot] * s->weight[pivot];
-        first = k == 0 ? size : first;
-        if (k == rank) {
-            if (size <= LARGEST_EXCESS * first) {
-                break;
-            }
+    const double first = weigh(s);
+    for (size_t i = 0; i < (s->several ? s->kept : 1); ++i) {
+        if (s->several && s->leader[(size_t)s->component[i]] != (double)i) {
+            continue;
+        }
+        const size_t end = gather(s, i, k);
+        if (factor_rows(s, &k, end, first) != LAG_OK) {
             return LAG_MISSING;
         }
-        if (!(size > LEAST_PIVOT * first) || !isfinite(s->left[pivot])) {
-            return LAG_MISSING;
+        for (size_t at = k; at < end; ++at) {
+            s->reach[(size_t)s->chosen[at]] = (double)k;
+            s->x[others++] = s->chosen[at];
         }
-        append_column(s, k);
+    }
+    if (k != rank) {
+        return LAG_MISSING;
+    }
+    for (size_t at = 0; at < others; ++at) {
+        s->chosen[rank + at] = s->x[at];
     }
     forget_zero_rows(s);
     return find_excess(s) ? LAG_OK : LAG_MISSING;
@@ -309,8 +291,11 @@ static void add_accelerations(const lag_delassus *s, double *a)
         if (s->x[i] == 0.0) {
             continue;
         }
-        for (size_t j = 0; j < s->n; ++j) {
-            a[j] += s->response[i * s->n + j] * s->x[i];
+        const double *response = s->response + i * s->n;
+        size_t j = s->several ? (size_t)s->coordinate[(size_t)s->component[i]] : 0;
+        while (j < s->n) {
+            a[j] += response[j] * s->x[i];
+            j = s->several ? (size_t)s->beside[j] : j + 1;
         }
     }
 }

@@ -23,9 +23,12 @@ typedef struct lag_delassus {
     const double *lam_response;     /* K (kept, m), zero at the kept rows */
     const double *jacobian;         /* J (kept, n) */
     const lag_pattern *entries;     /* those of J (m, n) that may not be zero; null: all */
-    double *first;                  /* (kept) where the entries of each row begin */
+    double *first, *end;            /* (kept) where the entries of each row begin, and one behind the last */
     double *component;              /* (kept) that of each row: rows of two share nothing */
-    double *lead;                   /* (kept) so many zeros the factor of each row begins with */
+    int several;                    /* there are several: */
+    double *coordinate, *beside;    /* (n) (n) the first coordinate of each, and the next one in the same; n: none */
+    double *leader, *follower;      /* (n) (kept) the first row of each, and the next one in the same; kept: none */
+    double *lead, *reach;           /* (kept) the factor of each row is zero before and behind these columns */
     double *factor;                 /* (kept, rank) S = L L', rows as they stand, of those not chosen the first part */
     double *left;                   /* (kept) what is left of the diagonal of S */
     double *weight;                 /* (kept) for comparing rows */
@@ -36,14 +39,15 @@ typedef struct lag_delassus {
     double *x, *rest;               /* (kept) */
 } lag_delassus;
 
-/* Doubles that `kept` of m rows need. */
-size_t lag_delassus_memory(size_t m, size_t kept);
+/* Doubles that `kept` of m rows of n accelerations need. */
+size_t lag_delassus_memory(size_t n, size_t m, size_t kept);
 
-/* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. Nothing is known of its pattern. */
-void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, double *memory);
-
-/* The pattern of all rows of J (m, n), and components (n); null: not known. */
-void lag_delassus_know(lag_delassus *system, const lag_pattern *entries, const size_t *components);
+/*
+ * Lays out the system in `memory`; Y, K and J are set by the caller and must stay. With the pattern of all rows of J (m, n), and components (n);
+ * null: not known.
+ */
+void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, const lag_pattern *entries,
+    const size_t *components, double *memory);
 
 /* True if kept row i of J has an entry that is not zero. */
 int lag_delassus_holds(const lag_delassus *system, size_t i);

@@ -1,36 +1,41 @@
 #include "lag/equations/discretes.h"
 
-/* The first entry of this kind or of a later one. */
-static size_t first(const lag_model *model, lag_kind kind)
+enum { KINDS = LAG_KIND_LOAD + 1 };
+
+/* The first entry of each kind or of a later one. */
+static void find_first(const lag_model *model, size_t *first)
 {
     size_t i = 0;
-    while (i < model->nw && model->kinds != NULL && model->kinds[i] < (unsigned char)kind) {
-        ++i;
+    for (unsigned kind = 0; kind < KINDS; ++kind) {
+        while (i < model->nw && model->kinds != NULL && model->kinds[i] < kind) {
+            ++i;
+        }
+        first[kind] = i;
     }
-    return i;
 }
 
-/* The one entry of a kind; nw where the model has none. */
-static size_t only(const lag_model *model, lag_kind kind)
+/* The one entry of a kind, if it is this one; nw where the model has none. */
+static size_t only(const lag_model *model, lag_kind kind, size_t i)
 {
-    const size_t i = first(model, kind);
     return i < model->nw && model->kinds[i] == (unsigned char)kind ? i : model->nw;
 }
 
 lag_places lag_places_of(const lag_model *model)
 {
+    size_t first[KINDS];
+    find_first(model, first);
     return (lag_places){
-        .contact = first(model, LAG_KIND_CONTACT),
-        .impacts = first(model, LAG_KIND_IMPACTS),
-        .sticks = first(model, LAG_KIND_STICKS),
-        .direction = first(model, LAG_KIND_DIRECTION),
-        .relation = first(model, LAG_KIND_RELATION),
-        .timed = first(model, LAG_KIND_TIMED),
-        .condition = first(model, LAG_KIND_CONDITION),
-        .clock = first(model, LAG_KIND_CLOCK),
-        .initial = only(model, LAG_KIND_INITIAL),
-        .terminal = only(model, LAG_KIND_TERMINAL),
-        .load = first(model, LAG_KIND_LOAD),
+        .contact = first[LAG_KIND_CONTACT],
+        .impacts = first[LAG_KIND_IMPACTS],
+        .sticks = first[LAG_KIND_STICKS],
+        .direction = first[LAG_KIND_DIRECTION],
+        .relation = first[LAG_KIND_RELATION],
+        .timed = first[LAG_KIND_TIMED],
+        .condition = first[LAG_KIND_CONDITION],
+        .clock = first[LAG_KIND_CLOCK],
+        .initial = only(model, LAG_KIND_INITIAL, first[LAG_KIND_INITIAL]),
+        .terminal = only(model, LAG_KIND_TERMINAL, first[LAG_KIND_TERMINAL]),
+        .load = first[LAG_KIND_LOAD],
     };
 }
 

@@ -29,7 +29,7 @@ static places place(const lag_model *model, double *memory)
     at.lam_response = lag_take(&memory, model->nk * m);
     at.kept_jacobian = lag_take(&memory, model->nk * n);
     at.kept_gamma = lag_take(&memory, model->nk);
-    at.delassus = lag_take(&memory, lag_delassus_memory(m, model->nk));
+    at.delassus = lag_take(&memory, lag_delassus_memory(n, m, model->nk));
     at.system = memory;
     return at;
 }
@@ -38,7 +38,7 @@ size_t lag_dynamics_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(n, m, model->nk);
     return n * n + n + m * n + m + kept + lag_system_memory(n, m) + lag_feedback_memory(model);
 }
 
@@ -91,8 +91,8 @@ lag_status lag_factor_eliminated(
     lag_delassus *system)
 {
     size_t rank = 0;
-    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
-    lag_delassus_know(system, model->jacobian_pattern, model->components);
+    lag_delassus_place(
+        system, model->nq, model->nc, model->nk, model->kept_rows, model->jacobian_pattern, model->components, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
@@ -222,11 +222,29 @@ static lag_status solve_with_loads(void *context, const lag_arguments *at, int a
     return status;
 }
 
+/* Elimination as the whole solution of a model without rows left to run time and without loads. */
+static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
+{
+    double none = 0.0;
+    double pivot = 0.0;
+    const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
+    return status == LAG_OK && pivot > lag_smallest_pivot(model) && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
+}
+
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
+    const int whole = model->elimination != NULL && model->nk == 0 && model->nload == 0;
+    if (whole && eliminate_all(model, at, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
     double *loads = lag_take(&memory, lag_feedback_memory(model));
-    solver s = {.model = model, .to = place(model, memory), .coordinate = coordinate};
-    return model->nload > 0 ? lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam)
-                            : solve_with_loads(&s, at, 0, qdd, lam);
+    solver s; /* not set to zero: that takes as long as small systems do */
+    s.model = model;
+    s.to = place(model, memory);
+    s.coordinate = coordinate;
+    if (model->nload > 0) {
+        return lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam);
+    }
+    return whole ? solve_system(&s, at, 0, qdd, lam) : solve_with_loads(&s, at, 0, qdd, lam);
 }

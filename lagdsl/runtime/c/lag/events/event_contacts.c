@@ -16,7 +16,7 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
 static lag_status tell_mode(const lag_event_iteration *iteration, double t, const double *x, size_t i)
 {
     const lag_contacts *contacts = iteration->contacts;
-    const int before = contacts->before[i] != 0.0;
+    const int before = contacts->blows.before[i] != 0.0;
     const int now = *lag_contacts_flag(contacts, i) != 0.0;
     const int bounces = now && contacts->until[i] < (double)INFINITY;
     return before == now || bounces ? LAG_OK : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
@@ -27,10 +27,10 @@ static lag_status find_modes(lag_event_iteration *iteration, double t, const dou
 {
     lag_contacts *contacts = iteration->contacts;
     for (size_t i = 0; i < iteration->motion->model->ncontact; ++i) {
-        contacts->closing[i] = contacts->met[i] != 0.0 && contacts->approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
+        contacts->blows.closing[i] = contacts->blows.met[i] != 0.0 && contacts->blows.approach[i] == 0.0 && contacts->speed[i] <= lag_contacts_creep(contacts, i);
     }
-    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->closing, iteration->left);
-    iteration->left = NULL;
+    const lag_status status = lag_modes_find(iteration->modes, t, x, contacts->blows.closing, iteration->leaving.left);
+    iteration->leaving.left = NULL;
     return status;
 }
 
@@ -39,25 +39,25 @@ lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t,
     const lag_contacts *contacts = iteration->contacts;
     const size_t frictions = iteration->motion->model->nfriction + iteration->motion->model->nslip;
     const double *modes = iteration->motion->w + iteration->places.sticks;
-    memcpy(iteration->frictions, modes, frictions * sizeof(double));
-    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
-    iteration->modes->jumped = iteration->modes->jumped || contacts->struck > 0 ||
+    memcpy(iteration->leaving.frictions, modes, frictions * sizeof(double));
+    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->clauses.restitution);
+    iteration->modes->jumped = iteration->modes->jumped || contacts->blows.struck > 0 ||
         (collision != NULL && lag_any(iteration->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(iteration, t, x) : status;
-    int any = contacts->struck > 0 || !lag_same(frictions, iteration->frictions, modes);
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
+    int any = contacts->blows.struck > 0 || !lag_same(frictions, iteration->leaving.frictions, modes);
+    for (size_t k = 0; k < contacts->blows.struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->blows.order[k];
         status = lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i);
         status = status == LAG_OK ? tell_mode(iteration, t, x, i) : status;
     }
     for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
-        if (contacts->approach[i] == 0.0) {
-            any = any || (contacts->before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
+        if (contacts->blows.approach[i] == 0.0) {
+            any = any || (contacts->blows.before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
             status = tell_mode(iteration, t, x, i);
         }
     }
     *acted = *acted || any;
-    iteration->acted = iteration->acted || any;
+    iteration->instant.acted = iteration->instant.acted || any;
     return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
 }
 
@@ -86,44 +86,19 @@ lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, co
     return status == LAG_OK && bends ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
-/* Multipliers a moment later, with contacts as they are now. */
-static void look_ahead(lag_event_iteration *iteration, double t, const double *x)
-{
-    lag_event_iteration_move_on(iteration, t, x);
-    lag_event_iteration_solve(iteration->motion, t + iteration->lookahead, iteration->later);
-}
-
-/* The force of a contact there, in round-offs of its own; what is no number pulls. */
-static double push(const lag_event_iteration *iteration, size_t i)
-{
-    const double force = iteration->motion->lam[iteration->motion->model->contact_rows[i]];
-    return force == force ? force / fmax(lag_contacts_force_noise(iteration->contacts, i), 1e-300) : -(double)INFINITY;
-}
-
-void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling)
-{
-    const size_t count = iteration->motion->model->ncontact;
-    if (lag_any(count, pulling)) {
-        look_ahead(iteration, t, x);
-    }
-    for (size_t i = 0; i < count; ++i) {
-        pulling[i] = pulling[i] != 0.0 && push(iteration, i) < -1.0;
-    }
-}
-
 lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
 {
     const lag_model *model = iteration->motion->model;
     const double *closed = iteration->motion->w + iteration->places.contact;
     int acted = 0;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        iteration->contacts->met[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        iteration->contacts->blows.met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    memcpy(iteration->sides_left, changed, (model->ncontact + model->nfriction) * sizeof(double));
+    memcpy(iteration->leaving.flags, changed, (model->ncontact + model->nfriction) * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
-        iteration->sides_left[i] = changed[i] != 0.0 && closed[i] != 0.0;
+        iteration->leaving.flags[i] = changed[i] != 0.0 && closed[i] != 0.0;
     }
-    iteration->left = iteration->turned ? NULL : iteration->sides_left;
+    iteration->leaving.left = iteration->leaving.turned ? NULL : iteration->leaving.flags;
     return lag_any(model->ncontact + model->nfriction, changed) ? lag_event_iteration_collide(iteration, t, x, NULL, &acted) : LAG_OK;
 }
 
@@ -134,10 +109,10 @@ static lag_status cross(lag_event_iteration *iteration, double t, double *x, siz
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    memcpy(x, iteration->aside, lag_motion_size(model) * sizeof(double));
-    memcpy(truth, iteration->sides, model->nindicator * sizeof(double));
-    const int located = iteration->located != NULL && iteration->located[which] != 0.0;
-    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->lookahead, refracted, back);
+    memcpy(x, iteration->trial.x, lag_motion_size(model) * sizeof(double));
+    memcpy(truth, iteration->trial.truth, model->nindicator * sizeof(double));
+    const int located = iteration->sides.located != NULL && iteration->sides.located[which] != 0.0;
+    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->instant.moment, refracted, back);
 }
 
 /* True if the rates behind the step, which were looked at last, drive in a contact that is closed and does not hold. */
@@ -205,14 +180,14 @@ lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, d
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
     iteration->refraction->length = iteration->contacts->length;
-    memcpy(iteration->aside, x, lag_motion_size(model) * sizeof(double));
-    memcpy(iteration->sides, truth, model->nindicator * sizeof(double));
+    memcpy(iteration->trial.x, x, lag_motion_size(model) * sizeof(double));
+    memcpy(iteration->trial.truth, truth, model->nindicator * sizeof(double));
     const lag_status status = lag_any(model->ncontact, iteration->motion->w + iteration->places.contact)
         ? cross_on_contacts(iteration, t, x, which, refracted, back)
         : cross(iteration, t, x, which, refracted, back);
     truth[which] = *back ? truth[which] : 1.0 - truth[which];
     if (status == LAG_CHATTER) {
-        iteration->guilty[iteration->places.relation + which] = 1.0;
+        iteration->discretes.guilty[iteration->places.relation + which] = 1.0;
     }
     return status == LAG_OK && *refracted ? lag_event_iteration_settled(iteration, t, x) : status;
 }

@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           6 * lag_motion_size(model) + model->nz + 6 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
+           3 * lag_motion_size(model) + model->nz + 5 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
            lag_position_maps_memory(model);
 }
 
@@ -31,42 +31,38 @@ void lag_event_iteration_place(
     iteration->projection = projection;
     iteration->noise = noise;
     iteration->places = lag_places_of(model);
-    iteration->lookahead = iteration->moment = 1e-9;
-    iteration->before = lag_take(&memory, model->nw);
-    iteration->next = lag_take(&memory, model->nw);
-    iteration->guilty = lag_take(&memory, model->nw);
-    iteration->settled = lag_take(&memory, model->nw);
-    memset(iteration->settled, 0, model->nw * sizeof(double));
-    iteration->reset = lag_take(&memory, model->nreset);
-    iteration->value = lag_take(&memory, model->nreset);
-    iteration->collision = lag_take(&memory, model->ncollision);
-    iteration->restitution = lag_take(&memory, model->ncollision);
-    iteration->stop = lag_take(&memory, model->nstop);
-    iteration->fail = lag_take(&memory, model->nfail);
-    iteration->held = lag_take(&memory, size);
-    iteration->rate = lag_take(&memory, size);
-    iteration->middle = lag_take(&memory, size);
-    iteration->later = lag_take(&memory, size);
-    iteration->point = lag_take(&memory, size);
-    iteration->states = lag_take(&memory, model->nz);
-    iteration->now = lag_take(&memory, model->nindicator);
-    iteration->then = lag_take(&memory, model->nindicator);
-    iteration->soon = lag_take(&memory, model->nindicator);
-    iteration->half = lag_take(&memory, model->nindicator);
-    iteration->truth = lag_take(&memory, model->nindicator);
-    iteration->aside = lag_take(&memory, size);
-    iteration->sides = lag_take(&memory, model->nindicator);
+    iteration->instant.moment = 1e-9;
+    iteration->discretes.before = lag_take(&memory, model->nw);
+    iteration->discretes.next = lag_take(&memory, model->nw);
+    iteration->discretes.guilty = lag_take(&memory, model->nw);
+    iteration->discretes.settled = lag_take(&memory, model->nw);
+    memset(iteration->discretes.settled, 0, model->nw * sizeof(double));
+    iteration->clauses.reset = lag_take(&memory, model->nreset);
+    iteration->clauses.value = lag_take(&memory, model->nreset);
+    iteration->clauses.collision = lag_take(&memory, model->ncollision);
+    iteration->clauses.restitution = lag_take(&memory, model->ncollision);
+    iteration->clauses.stop = lag_take(&memory, model->nstop);
+    iteration->clauses.fail = lag_take(&memory, model->nfail);
+    iteration->clauses.held = lag_take(&memory, size);
+    iteration->trial.point = lag_take(&memory, size);
+    iteration->trial.states = lag_take(&memory, model->nz);
+    iteration->sides.now = lag_take(&memory, model->nindicator);
+    iteration->sides.side = lag_take(&memory, model->nindicator);
+    iteration->sides.half = lag_take(&memory, model->nindicator);
+    iteration->sides.truth = lag_take(&memory, model->nindicator);
+    iteration->trial.x = lag_take(&memory, size);
+    iteration->trial.truth = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->pulling = lag_take(&memory, model->ncontact);
-    iteration->sides_left = lag_take(&memory, model->ncontact + model->nfriction);
-    iteration->frictions = lag_take(&memory, model->nfriction + model->nslip);
+    iteration->leaving.flags = lag_take(&memory, model->ncontact + model->nfriction);
+    iteration->leaving.frictions = lag_take(&memory, model->nfriction + model->nslip);
     lag_position_maps_place(&iteration->maps, iteration->motion, memory);
 }
 
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)
 {
     const lag_event_notice notice = {.t = t, .what = what, .which = which, .x = x, .w = iteration->motion->w};
-    return iteration->tell != NULL ? iteration->tell(iteration->context, &notice) : LAG_OK;
+    return iteration->listener.tell != NULL ? iteration->listener.tell(iteration->listener.context, &notice) : LAG_OK;
 }
 
 /* ---- one pass ---- */
@@ -74,7 +70,7 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
 /* 1: no discretes changed since the pass began; loads follow the state. */
 static int rests(const lag_event_iteration *iteration)
 {
-    return lag_same(iteration->places.load, iteration->before, iteration->motion->w);
+    return lag_same(iteration->places.load, iteration->discretes.before, iteration->motion->w);
 }
 
 void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
@@ -93,8 +89,8 @@ static lag_status look(lag_event_iteration *iteration, double t, const double *x
 {
     const lag_model *model = iteration->motion->model;
     lag_event_iteration_solve(iteration->motion, t, x);
-    return model->event(&iteration->motion->at, iteration->next, iteration->reset, iteration->value, iteration->collision, iteration->restitution,
-        iteration->stop, iteration->fail);
+    return model->event(&iteration->motion->at, iteration->discretes.next, iteration->clauses.reset, iteration->clauses.value, iteration->clauses.collision, iteration->clauses.restitution,
+        iteration->clauses.stop, iteration->clauses.fail);
 }
 
 lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x)
@@ -104,19 +100,19 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
     double *w = iteration->motion->w;
     lag_status status = LAG_OK;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
-        memcpy(iteration->before, w, model->nw * sizeof(double));
+        memcpy(iteration->discretes.before, w, model->nw * sizeof(double));
         status = lag_event_iteration_stand(iteration, t, x);
         if (status == LAG_OK) {
             status = look(iteration, t, x);
         }
         for (size_t i = places->condition; i < places->clock; ++i) {
-            w[i] = iteration->next[i];
+            w[i] = iteration->discretes.next[i];
         }
         if (rests(iteration)) {
             break;
         }
     }
-    memcpy(iteration->settled, w, model->nw * sizeof(double));
+    memcpy(iteration->discretes.settled, w, model->nw * sizeof(double));
     return status;
 }
 
@@ -125,7 +121,7 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
     const lag_places *places = &iteration->places;
     const size_t count = places->clock - places->condition;
     const lag_status status = count > 0 ? look(iteration, t, x) : LAG_OK;
-    *changed = status == LAG_OK && !lag_same(count, iteration->next + places->condition, iteration->motion->w + places->condition);
+    *changed = status == LAG_OK && !lag_same(count, iteration->discretes.next + places->condition, iteration->motion->w + places->condition);
     return status;
 }
 
@@ -135,12 +131,12 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
 static lag_status strike(lag_event_iteration *iteration, double t, double *x, int *acted)
 {
     const lag_model *model = iteration->motion->model;
-    const int any = lag_any(model->ncollision, iteration->collision);
+    const int any = lag_any(model->ncollision, iteration->clauses.collision);
     if (!any && model->ncontact == 0 && model->nfriction == 0) {
         return LAG_OK;
     }
     *acted = *acted || any;
-    return lag_event_iteration_collide(iteration, t, x, iteration->collision, acted);
+    return lag_event_iteration_collide(iteration, t, x, iteration->clauses.collision, acted);
 }
 
 /* ---- clauses ---- */
@@ -151,23 +147,23 @@ static lag_status reset(lag_event_iteration *iteration, double t, double *x, int
     const lag_model *model = iteration->motion->model;
     lag_status status = LAG_OK;
     int conflict = 0;
-    memset(iteration->held, 0, lag_motion_size(model) * sizeof(double));
+    memset(iteration->clauses.held, 0, lag_motion_size(model) * sizeof(double));
     for (size_t i = 0; i < model->nreset; ++i) {
         const size_t place = model->reset_places[i];
-        if (iteration->reset[i] == 0.0) {
+        if (iteration->clauses.reset[i] == 0.0) {
             continue;
         }
         *any = 1;
-        if (iteration->held[place] == 0.0) {
-            iteration->held[place] = 1.0;
-            x[place] = iteration->value[i];
-        } else if (x[place] != iteration->value[i]) {
-            iteration->fault = i;
+        if (iteration->clauses.held[place] == 0.0) {
+            iteration->clauses.held[place] = 1.0;
+            x[place] = iteration->clauses.value[i];
+        } else if (x[place] != iteration->clauses.value[i]) {
+            iteration->clauses.fault = i;
             conflict = 1;
         }
     }
     for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
-        status = iteration->reset[i] != 0.0 ? lag_event_iteration_tell(iteration, t, x, LAG_REINIT, i) : LAG_OK;
+        status = iteration->clauses.reset[i] != 0.0 ? lag_event_iteration_tell(iteration, t, x, LAG_REINIT, i) : LAG_OK;
     }
     return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
@@ -190,14 +186,14 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     const lag_model *model = iteration->motion->model;
     lag_status status = LAG_OK;
     for (size_t i = 0; i < model->nfail; ++i) {
-        if (iteration->fail[i] != 0.0) {
-            iteration->fault = i;
+        if (iteration->clauses.fail[i] != 0.0) {
+            iteration->clauses.fault = i;
             return LAG_ASSERTION_FAILED;
         }
     }
     for (size_t i = 0; i < model->nstop && status == LAG_OK; ++i) {
-        if (iteration->stop[i] != 0.0) {
-            iteration->stopped = 1;
+        if (iteration->clauses.stop[i] != 0.0) {
+            iteration->clauses.stopped = 1;
             status = lag_event_iteration_tell(iteration, t, x, LAG_TERMINATE, i);
         }
     }
@@ -216,7 +212,7 @@ static int is_settled(const lag_event_iteration *iteration)
     const lag_places *places = &iteration->places;
     const size_t relations = iteration->motion->model->nindicator;
     const double *w = iteration->motion->w;
-    return lag_same(places->contact, w, iteration->settled) && lag_same(relations, w + places->relation, iteration->settled + places->relation);
+    return lag_same(places->contact, w, iteration->discretes.settled) && lag_same(relations, w + places->relation, iteration->discretes.settled + places->relation);
 }
 
 /* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
@@ -224,19 +220,19 @@ static const double *settled_before(lag_event_iteration *iteration)
 {
     const lag_places *places = &iteration->places;
     const lag_model *model = iteration->motion->model;
-    memcpy(iteration->next, iteration->before, model->nw * sizeof(double));
-    memcpy(iteration->next, iteration->settled, places->contact * sizeof(double));
-    memcpy(iteration->next + places->relation, iteration->settled + places->relation, model->nindicator * sizeof(double));
-    return iteration->next;
+    memcpy(iteration->discretes.next, iteration->discretes.before, model->nw * sizeof(double));
+    memcpy(iteration->discretes.next, iteration->discretes.settled, places->contact * sizeof(double));
+    memcpy(iteration->discretes.next + places->relation, iteration->discretes.settled + places->relation, model->nindicator * sizeof(double));
+    return iteration->discretes.next;
 }
 
 /* x with other states z (nz), into `point`. */
 static const double *with_states(lag_event_iteration *iteration, const double *x, const double *z)
 {
     const lag_model *model = iteration->motion->model;
-    memcpy(iteration->point, x, 2 * model->nq * sizeof(double));
-    memcpy(iteration->point + 2 * model->nq, z, model->nz * sizeof(double));
-    return iteration->point;
+    memcpy(iteration->trial.point, x, 2 * model->nq * sizeof(double));
+    memcpy(iteration->trial.point + 2 * model->nq, z, model->nz * sizeof(double));
+    return iteration->trial.point;
 }
 
 /*
@@ -247,15 +243,15 @@ static const double *with_states(lag_event_iteration *iteration, const double *x
 static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
 {
     const lag_model *model = iteration->motion->model;
-    const double *held = acted ? iteration->held + model->nq : NULL;
+    const double *held = acted ? iteration->clauses.held + model->nq : NULL;
     int jumped = 0;
-    if (is_settled(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->states)) {
+    if (is_settled(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->trial.states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
     iteration->modes->jumped = 1; /* slips may depend on what has changed */
-    const double *was = with_states(iteration, x, iteration->states);
+    const double *was = with_states(iteration, x, iteration->trial.states);
     lag_status status = lag_impulse_keep(iteration->impulse, t, was, settled_before(iteration));
-    memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
+    memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
     }
@@ -266,7 +262,7 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 {
     int jumped = 0;
     const lag_status status = lag_impulse_keep(iteration->impulse, t, x, iteration->motion->w);
-    memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
+    memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     return status == LAG_OK ? lag_impulse_balance(iteration->impulse, t, x, NULL, &jumped) : status;
 }
 
@@ -278,13 +274,13 @@ static lag_status turn(lag_event_iteration *iteration, double t, double *x, cons
 {
     const size_t count = iteration->motion->model->nindicator;
     double *truth = iteration->motion->w + iteration->places.relation;
-    memcpy(iteration->truth, truth, count * sizeof(double));
+    memcpy(iteration->sides.truth, truth, count * sizeof(double));
     lag_status status = lag_event_iteration_ahead(iteration, t, x, turned);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         int refracted = 0;
         int back = 0;
-        if (truth[i] != iteration->truth[i]) {
-            truth[i] = iteration->truth[i];
+        if (truth[i] != iteration->sides.truth[i]) {
+            truth[i] = iteration->sides.truth[i];
             status = lag_event_iteration_cross(iteration, t, x, i, &refracted, &back);
             *acted = *acted || refracted;
         }
@@ -300,10 +296,10 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     if (status != LAG_OK) {
         return status;
     }
-    memcpy(iteration->states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
-    memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
+    memcpy(iteration->trial.states, x + 2 * motion->model->nq, motion->model->nz * sizeof(double));
+    memcpy(motion->w, iteration->discretes.next, motion->model->nw * sizeof(double));
     lag_places_clear(&iteration->places, motion->w);
-    if (!lag_same(iteration->places.contact, motion->w, iteration->before)) {
+    if (!lag_same(iteration->places.contact, motion->w, iteration->discretes.before)) {
         status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
     }
     status = status == LAG_OK ? act(iteration, t, x, acted) : status;
@@ -314,7 +310,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
         status = strike(iteration, t, x, acted);
     }
     status = status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
-    iteration->acted = iteration->acted || *acted;
+    iteration->instant.acted = iteration->instant.acted || *acted;
     return status;
 }
 
@@ -334,10 +330,10 @@ static int positions_jump(const lag_event_iteration *iteration, double t, const 
 static lag_status tell_frictions(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_frictions *frictions = iteration->modes->frictions;
-    const double *sticks = iteration->stood + iteration->places.sticks;
+    const double *sticks = iteration->instant.stood + iteration->places.sticks;
     lag_status status = LAG_OK;
     for (size_t k = 0; k < iteration->motion->model->nfriction && status == LAG_OK; ++k) {
-        const double *before = iteration->stood + iteration->places.direction + (size_t)frictions->first[k];
+        const double *before = iteration->instant.stood + iteration->places.direction + (size_t)frictions->first[k];
         const double *now = lag_frictions_direction(frictions, k);
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
         const int reverses = lag_frictions_components(frictions, k) == 1 && before[0] * now[0] < 0.0;
@@ -353,20 +349,20 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
     const lag_model *model = iteration->motion->model;
     const double *w = iteration->motion->w;
     lag_status status = sides != NULL ? lag_event_iteration_change_contacts(iteration, t, x, sides) : LAG_OK;
-    iteration->stopped = 0;
+    iteration->clauses.stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;
-        memcpy(iteration->before, w, model->nw * sizeof(double));
+        memcpy(iteration->discretes.before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
         if (status == LAG_OK && !acted && rests(iteration)) {
             return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : tell_frictions(iteration, t, x);
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {
-        iteration->guilty[i] = iteration->before[i] != w[i];
+        iteration->discretes.guilty[i] = iteration->discretes.before[i] != w[i];
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* blows do not open what constraints close */
-        iteration->guilty[iteration->places.contact + i] += iteration->contacts->approach[i] != 0.0;
+        iteration->discretes.guilty[iteration->places.contact + i] += iteration->contacts->blows.approach[i] != 0.0;
     }
     return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
 }
@@ -376,16 +372,16 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
 {
     const lag_model *model = iteration->motion->model;
-    const double *stood = iteration->from + 2 * model->nq;
+    const double *stood = iteration->instant.from + 2 * model->nq;
     const double *was = with_states(iteration, x, stood);
-    double *pierced = iteration->guilty + iteration->places.contact;
-    lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->stood, iteration->pulling, pierced);
+    double *pierced = iteration->discretes.guilty + iteration->places.contact;
+    lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->instant.stood, iteration->pulling, pierced);
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }
-    status = lag_position_maps_continue(&iteration->maps, t, x, was, iteration->stood, moment, iteration->noise->peak);
+    status = lag_position_maps_continue(&iteration->maps, t, x, was, iteration->instant.stood, moment, iteration->noise->peak);
     for (size_t i = 0; i < model->nw && status == LAG_WAY_JUMP; ++i) {
-        iteration->guilty[i] = iteration->motion->w[i] != iteration->stood[i];
+        iteration->discretes.guilty[i] = iteration->motion->w[i] != iteration->instant.stood[i];
     }
     return status;
 }

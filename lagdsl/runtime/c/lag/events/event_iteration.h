@@ -15,6 +15,61 @@
 /* A relation moves clearly if it does so by this many round-offs. */
 static const double LAG_MOVES_CLEARLY = 16.0;
 
+/* What the clauses of a model ask for in one pass. */
+typedef struct lag_clauses {
+    double *reset, *value; /* (nreset) */
+    double *collision, *restitution; /* (ncollision) */
+    double *stop, *fail;   /* (nstop) (nfail) */
+    double *held;          /* (2 nq + nz) 1: this number was reset */
+    int stopped;           /* a `terminate` acted */
+    size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
+} lag_clauses;
+
+/* Discretes of the passes, (nw) each. */
+typedef struct lag_passes {
+    double *before, *next; /* those of one pass */
+    double *settled;       /* those with which the rates were moved onto the constraints last */
+    double *guilty;        /* LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
+} lag_passes;
+
+/* The instant. */
+typedef struct lag_instant {
+    const double *from;    /* (2 nq + nz) the state before it */
+    const double *stood;   /* (nw) the discretes before it */
+    double moment;         /* it is known to so much [s] */
+    int acted;             /* rates or states jumped: by resets, impacts, steps of energy */
+} lag_instant;
+
+/* Sides of relations just behind it (event_relations.c), (nindicator) each. */
+typedef struct lag_sides {
+    double *now, *half;    /* their values now, and before the instant */
+    double *side;          /* 1 or -1; 0: they do not show it */
+    double *truth;         /* before a pass turns them */
+    const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */
+    int begins;            /* this is the start, from which no side was chosen yet */
+} lag_sides;
+
+/* The state and the relations as they were, for what is tried. */
+typedef struct lag_trial {
+    double *x, *truth;     /* (2 nq + nz) (nindicator) before a relation turns */
+    double *point;         /* (2 nq + nz) */
+    double *states;        /* (nz) before the clauses of this pass set them */
+} lag_trial;
+
+/* Contacts and friction of which the modes are to be found. */
+typedef struct lag_leaving {
+    double *flags;         /* (ncontact + nfriction) */
+    const double *left;    /* the same: their guards were located, until their modes are found; null: none */
+    int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
+    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
+} lag_leaving;
+
+/* Who hears of what happens. */
+typedef struct lag_listener {
+    lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody */
+    void *context;
+} lag_listener;
+
 typedef struct lag_event_iteration {
     lag_motion *motion;
     lag_contacts *contacts;
@@ -26,35 +81,14 @@ typedef struct lag_event_iteration {
     lag_refraction *refraction;
     lag_position_maps maps;
     lag_places places;
-    double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
-    double moment;            /* the shortest such time; one that turns back within the longer one is looked at after this [s] */
-    double *before, *next; /* (nw) */
-    double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
-    double *reset, *value; /* (nreset) */
-    double *collision, *restitution; /* (ncollision) */
-    double *stop, *fail;   /* (nstop) (nfail) */
-    double *held;          /* (2 nq + nz) */
-    double *rate, *middle, *later; /* (2 nq + nz) */
-    double *point;         /* (2 nq + nz) */
-    double *states;        /* (nz) before the clauses of this pass set them */
-    const double *from;    /* (2 nq + nz) the state before the event */
-    const double *stood;   /* (nw) the discrete variables before the event */
-    const double *located; /* (nindicator) relations that were located at their zeros, wherever a projection moves them; null: none */
-    double *now, *then, *soon, *half; /* (nindicator) */
-    double *truth;         /* (nindicator) relations before a pass turns them */
-    double *aside, *sides; /* (2 nq + nz) (nindicator) the state and the relations before one of them turns */
+    lag_instant instant;
+    lag_passes discretes;
+    lag_clauses clauses;
+    lag_sides sides;
+    lag_trial trial;
+    lag_leaving leaving;
+    lag_listener listener;
     double *closed, *pulling; /* (ncontact) */
-    int begins;            /* this is the start, from which no side was chosen yet */
-    int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
-    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
-    double *sides_left;    /* (ncontact + nfriction) */
-    const double *left;    /* (ncontact + nfriction) contacts and friction whose guards were located, until their modes are found; null: none */
-    int acted;             /* at this instant rates or states jumped: by resets, impacts, steps of energy */
-    int stopped;           /* a `terminate` acted */
-    size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
-    double *guilty;        /* (nw) LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
-    lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody wants to know */
-    void *context;
 } lag_event_iteration;
 
 /* Doubles for them. */
@@ -84,9 +118,6 @@ lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, co
  * side by the law of impact where it does not.
  */
 lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
-
-/* Of the closed contacts flagged in `pulling` those that still pull a moment later: a force at a corner of time is there by round-off only. */
-void lag_event_iteration_still_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling);
 
 /*
  * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
@@ -131,11 +162,8 @@ void lag_event_iteration_solve(lag_motion *motion, double t, const double *x);
 /* Relations as they stand at a state, into w. */
 lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x);
 
-/* The state a moment later, as w has it, into `later`. */
-void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x);
-
 /*
- * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
+ * Relations as they stand; those that pass zero here are on the side to which the motion leads, those that stay at zero what they have turned to
  * (flags, or null).
  */
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);

@@ -1,7 +1,7 @@
 /*
  * Sides of relations just behind an instant. A relation lies on the side of its value where that is clear of round-off; else the motion leads it to that of
- * its rate, or, where that is not clear either, of its acceleration. The model has these as expressions. Where they read rates that no equation gives, those
- * of inputs, accelerations or multipliers, the value after a probe step stands for them. A relation that shows no side stays what it is.
+ * its rate, or, where that is not clear either, of its acceleration. The model has these as expressions. A relation that shows no side stays what it is: where
+ * its derivatives read rates that no equation gives, those of inputs, accelerations or multipliers, the scan finds it when it leaves.
  */
 #include <math.h>
 #include <string.h>
@@ -10,10 +10,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* At the start probe steps are longer, up to this part of the experiment, */
-static const double SOON = 1e-4;
-/* by this factor from one to the next. */
-static const double LONGER = 16.0;
 /* So many times between resets in a row, each shorter than the one before, are a series. */
 enum { SERIES = 2 };
 /*
@@ -38,34 +34,11 @@ static int holds(const lag_model *model, size_t i, double g)
 lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
-    const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->now) : LAG_OK;
+    const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->sides.now) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->now[i]);
+        iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->sides.now[i]);
     }
     return status;
-}
-
-/* ---- probe steps ---- */
-
-/* The state so much later, by one step of the midpoint rule; as it is where the motion has no rates. */
-static void probe(lag_event_iteration *iteration, double t, const double *x, double step)
-{
-    lag_motion *motion = iteration->motion;
-    const size_t size = lag_motion_size(motion->model);
-    double *later = iteration->later;
-    memcpy(later, x, size * sizeof(double));
-    if (motion->ode.rates(motion, t, x, iteration->rate) != LAG_OK) {
-        return;
-    }
-    lag_axpy(size, 0.5 * step, iteration->rate, later);
-    const int known = motion->ode.rates(motion, t + 0.5 * step, later, iteration->middle) == LAG_OK;
-    memcpy(later, x, size * sizeof(double));
-    lag_axpy(size, step, known ? iteration->middle : iteration->rate, later);
-}
-
-void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x)
-{
-    probe(iteration, t, x, iteration->lookahead);
 }
 
 /* ---- sides ---- */
@@ -76,29 +49,54 @@ static double sign_of(double value, double error)
     return fabs(value) > error ? (value > 0.0 ? 1.0 : -1.0) : 0.0;
 }
 
-/* The side of relation i by its value, its rate and its acceleration; 0: they do not show it. It is at its border where the motion passes it within `window` [s]: so well is the instant known. */
+/* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
+static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
+{
+    const size_t place = iteration->places.relation + i;
+    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->instant.stood[place];
+}
+
+/* True if this instant has moved the value of relation i. */
+static int is_moved(const lag_event_iteration *iteration, size_t i)
+{
+    return fabs(iteration->noise->value[i] - iteration->sides.half[i]) > iteration->noise->sigma[i];
+}
+
+/*
+ * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or it is near zero,
+ * disagrees with the mode, and this instant has not moved it: a projection has.
+ */
+static int is_at_border(const lag_event_iteration *iteration, size_t i, double window)
+{
+    const lag_noise *noise = iteration->noise;
+    const size_t count = iteration->motion->model->nindicator;
+    const double g = noise->value[i];
+    const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
+    const int disagrees = holds(iteration->motion->model, i, g) != (iteration->motion->w[iteration->places.relation + i] != 0.0);
+    const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(iteration, i);
+    return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
+}
+
+/* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
 static double side_of(const lag_event_iteration *iteration, size_t i, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const size_t rate = count + iteration->motion->model->ncorner + i;
-    const double passed = window * fabs(noise->value[rate]);
-    double side = sign_of(noise->value[i], fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
-    side = side != 0.0 ? side : sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
+    if (!is_at_border(iteration, i, window)) {
+        return sign_of(noise->value[i], 0.0);
+    }
+    const double side = sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
     return side != 0.0 ? side : sign_of(noise->value[rate + count], LAG_MOVES_CLEARLY * noise->sigma[rate + count]);
 }
 
-/* True if derivative `order` of relation i is not known. */
-static int is_unknown(const lag_event_iteration *iteration, size_t i, size_t order)
+/* Values of the relations before the event, into `half`. */
+static lag_status look_back(lag_event_iteration *iteration, double t)
 {
-    const size_t count = iteration->motion->model->nindicator;
-    return !isfinite(iteration->noise->value[order * count + iteration->motion->model->ncorner + i]);
-}
-
-/* True if relation i has no side yet, and one of its derivatives is not known. */
-static int waits(const lag_event_iteration *iteration, size_t i)
-{
-    return iteration->soon[i] == 0.0 && (is_unknown(iteration, i, 1) || is_unknown(iteration, i, 2));
+    iteration->motion->at.w = iteration->instant.stood;
+    const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.half);
+    iteration->motion->at.w = iteration->motion->w;
+    return status;
 }
 
 /* True if all relations are clear of their round-off as it was known last, and of what they move in the window. */
@@ -114,37 +112,8 @@ static int are_clear(const lag_event_iteration *iteration, double window)
     return i == count;
 }
 
-/* Sides by values after probe steps of growing length, up to `longest`, where rates are not known; one that passes zero near its beginning is at its border. */
-static lag_status look_behind(lag_event_iteration *iteration, double t, const double *x, double window, double longest)
-{
-    const size_t count = iteration->motion->model->nindicator;
-    const double *g = iteration->now;
-    double *side = iteration->soon;
-    size_t left = 0;
-    for (size_t i = 0; i < count; ++i) {
-        left += (size_t)(is_unknown(iteration, i, 1) || waits(iteration, i));
-    }
-    for (double step = iteration->lookahead; left > 0 && step <= longest; step *= LONGER) {
-        probe(iteration, t, x, step);
-        if (indicate(iteration, t + step, iteration->later, iteration->then) != LAG_OK) {
-            return LAG_OK;
-        }
-        left = 0;
-        for (size_t i = 0; i < count; ++i) {
-            const double moved = iteration->then[i] - g[i];
-            const int passes = is_unknown(iteration, i, 1) && fabs(g[i]) * step <= fabs(moved) * window;
-            if (passes || waits(iteration, i)) {
-                const double later = sign_of(moved, LAG_MOVES_CLEARLY * iteration->noise->sigma[i]);
-                side[i] = later != 0.0 ? later : side[i];
-            }
-            left += (size_t)waits(iteration, i);
-        }
-    }
-    return LAG_OK;
-}
-
-/* Sides of all relations just behind t into `soon`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window, double longest)
+/* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
+static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window)
 {
     lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
@@ -153,27 +122,13 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    const lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->now); /* there may be no accelerations */
+    lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->sides.now); /* there may be no accelerations */
+    memcpy(iteration->sides.half, noise->value, count * sizeof(double));
+    status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
-        iteration->now[i] = known ? noise->value[i] : iteration->now[i];
-        iteration->soon[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->now[i], 0.0);
+        iteration->sides.now[i] = known ? noise->value[i] : iteration->sides.now[i];
+        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->sides.now[i], 0.0);
     }
-    return known && !clear ? look_behind(iteration, t, x, window, longest) : status;
-}
-
-/* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
-static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
-{
-    const size_t place = iteration->places.relation + i;
-    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->stood[place];
-}
-
-/* Values of the relations before the event, into `half`. */
-static lag_status look_back(lag_event_iteration *iteration, double t)
-{
-    iteration->motion->at.w = iteration->stood;
-    const lag_status status = indicate(iteration, t, iteration->from, iteration->half);
-    iteration->motion->at.w = iteration->motion->w;
     return status;
 }
 
@@ -181,23 +136,17 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    const double *side = iteration->soon;
+    const double *side = iteration->sides.side;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
-    size_t i = 0;
-    while (i < model->nindicator && side[i] != 0.0) {
-        ++i;
-    }
-    status = status == LAG_OK && i < model->nindicator ? look_back(iteration, t) : status;
-    const int alone = iteration->begins && !iteration->acted && lag_same(iteration->places.relation, iteration->stood, iteration->motion->w); /* relations turned */
-    for (i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int was_there = !(fabs(iteration->half[i]) > iteration->noise->sigma[i]);
-        const int returns = alone && truth[i] != iteration->stood[iteration->places.relation + i];
+    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
+    const int alone = iteration->sides.begins && !iteration->instant.acted && lag_same(iteration->places.relation, iteration->instant.stood, iteration->motion->w); /* relations turned */
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
-        } else if (!has_turned(iteration, turned, i) && !was_there) {
+        } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i)) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there */
         }
     }
@@ -208,9 +157,9 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0, SOON * iteration->contacts->length) : LAG_OK;
+    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        turned[i] = iteration->soon[i] != 0.0 && (iteration->soon[i] > 0.0) != (truth[i] != 0.0);
+        turned[i] = iteration->sides.side[i] != 0.0 && (iteration->sides.side[i] > 0.0) != (truth[i] != 0.0);
     }
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         int refracted = 0;
@@ -229,9 +178,9 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, iteration->moment, iteration->lookahead);
+    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = holds(model, i, iteration->soon[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
+        turned[i] = holds(model, i, iteration->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
     return status;
 }
@@ -243,7 +192,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
-    const double *stood = iteration->stood + iteration->places.relation;
+    const double *stood = iteration->instant.stood + iteration->places.relation;
     const double *g = iteration->noise->value;
     const double *rate = g + model->nindicator + model->ncorner;
     int any = 0;
@@ -259,7 +208,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
 int lag_event_iteration_sinks(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
-    if (!iteration->acted) {
+    if (!iteration->instant.acted) {
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);

@@ -6,8 +6,7 @@
 
 #include "lag/linalg/arena.h"
 
-/* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
-static const double AHEAD = 1e-4;
+/* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
 
 size_t lag_instants_memory(const lag_model *model)
@@ -44,8 +43,8 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
     instants->iteration.modes = &instants->modes;
-    instants->iteration.from = instants->x_before;
-    instants->iteration.stood = instants->w_before;
+    instants->iteration.instant.from = instants->x_before;
+    instants->iteration.instant.stood = instants->w_before;
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -126,7 +125,7 @@ static lag_status run(lag_instants *instants, double t, double *x, const double 
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_seek(&instants->timed, t);
     }
-    return status == LAG_OK && instants->iteration.stopped ? LAG_STOPPED : status;
+    return status == LAG_OK && instants->iteration.clauses.stopped ? LAG_STOPPED : status;
 }
 
 /* The discretes and the state before an instant. */
@@ -134,7 +133,7 @@ static void remember(lag_instants *instants, const double *x)
 {
     memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
     memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
-    instants->iteration.acted = 0;
+    instants->iteration.instant.acted = 0;
     instants->modes.jumped = 0;
 }
 
@@ -165,11 +164,11 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     instants->timed.length = instants->contacts.length;
     status = status == LAG_OK ? settle(instants, t, x) : status;
     if (status == LAG_OK) {
-        const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
-        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.closing);
+        const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.discretes.guilty + instants->places.contact);
+        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.blows.closing);
     }
     instants->modes.jumped = 1; /* nothing is known of them */
-    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.closing, NULL) : status;
+    status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.blows.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
     status = status == LAG_OK ? ring(instants, t, x) : status;
     if (status != LAG_OK) {
@@ -180,9 +179,9 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     }
     remember(instants, x);
     status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
-    instants->iteration.begins = 1;
+    instants->iteration.sides.begins = 1;
     status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
-    instants->iteration.begins = 0;
+    instants->iteration.sides.begins = 0;
     return status;
 }
 
@@ -304,10 +303,10 @@ static lag_status turn_relations(lag_instants *instants, double t, const double 
     lag_event_iteration *iteration = &instants->iteration;
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
-    memcpy(iteration->before, instants->motion->w, model->nw * sizeof(double));
+    memcpy(iteration->discretes.before, instants->motion->w, model->nw * sizeof(double));
     lag_status status = lag_event_iteration_ahead(iteration, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        if (truth[i] != iteration->before[instants->places.relation + i]) {
+        if (truth[i] != iteration->discretes.before[instants->places.relation + i]) {
             status = lag_event_iteration_tell(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
     }
@@ -333,7 +332,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     int refracted = 0;
     int back = 0;
     lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
-    instants->iteration.acted = instants->iteration.acted || refracted;
+    instants->iteration.instant.acted = instants->iteration.instant.acted || refracted;
     instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
         status = lag_event_iteration_bend(&instants->iteration, t, x, i);
@@ -354,7 +353,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     status = ticks && status == LAG_OK ? lag_event_iteration_reach(&instants->iteration, t, x, changed) : status;
     int any = 0;
-    instants->iteration.located = located ? changed : NULL;
+    instants->iteration.sides.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
@@ -363,12 +362,12 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
             status = turn_relation(instants, t, x, i);
         }
     }
-    instants->iteration.located = NULL;
-    instants->iteration.turned = any || ticks;
+    instants->iteration.leaving.turned = any || ticks;
     if (status == LAG_OK) {
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
-    lag_fill(model->ncontact, 0.0, instants->contacts.met);
+    instants->iteration.sides.located = NULL;
+    lag_fill(model->ncontact, 0.0, instants->contacts.blows.met);
     status = status == LAG_OK ? follow(instants, t, x) : status;
     const int sunk = status == LAG_OK && any &&
         lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
@@ -376,16 +375,14 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
-    memcpy(instants->iteration.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
-    memcpy(instants->iteration.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
-    memcpy(instants->iteration.guilty + instants->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
+    memcpy(instants->iteration.discretes.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
+    memcpy(instants->iteration.discretes.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    memcpy(instants->iteration.discretes.guilty + instants->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
     return LAG_CHATTER;
 }
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->iteration.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
-    instants->iteration.lookahead = fmax(AHEAD * h, instants->iteration.moment);
-    instants->contacts.lookahead = instants->iteration.moment;
+    instants->iteration.instant.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->frictions.step = h;
 }

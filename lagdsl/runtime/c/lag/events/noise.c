@@ -30,7 +30,7 @@ static size_t all_of(const lag_model *model)
 size_t lag_noise_memory(const lag_model *model)
 {
     const size_t unknown = model->nu + model->nq + model->nc;
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 3 * model->nindicator : 0;
+    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 2 * model->nindicator : 0;
 }
 
 /* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
@@ -50,6 +50,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
     const size_t inputs = count_of(model) > 0 ? model->nu : 0;
     noise->motion = motion;
+    noise->tolerance = 0.0;
     noise->peak = lag_take(&memory, size + inputs);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
@@ -60,12 +61,10 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     if (size > 0) {
         leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
     }
-    noise->largest = lag_take(&memory, 2 * model->nindicator);
-    noise->least = memory;
+    noise->largest = memory;
     memset(noise->peak, 0, (size + inputs) * sizeof(double));
     memset(noise->sigma, 0, all_of(model) * sizeof(double));
     memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
-    memset(noise->least, 0, model->nindicator * sizeof(double));
 }
 
 void lag_noise_follow(lag_noise *noise, const double *x)
@@ -119,10 +118,7 @@ lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
 static double least_of(const lag_noise *noise, size_t i)
 {
     const lag_model *model = noise->motion->model;
-    if (i >= count_of(model)) {
-        return fmax(DBL_MIN, CHANGE * noise->largest[i - count_of(model)]);
-    }
-    return i < model->nindicator ? fmax(DBL_MIN, noise->least[i]) : DBL_MIN;
+    return fmax(DBL_MIN, i >= count_of(model) ? CHANGE * noise->largest[i - count_of(model)] : 0.0);
 }
 
 /* Number i after change k, or after the opposite one (`sign` -1). */
@@ -188,9 +184,9 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
     }
 }
 
-double lag_noise_known(const lag_noise *noise, size_t which, double tolerance)
+double lag_noise_known(const lag_noise *noise, size_t which)
 {
-    return tolerance / CHANGE * noise->sigma[which];
+    return noise->tolerance / CHANGE * noise->sigma[which];
 }
 
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j)
@@ -221,11 +217,11 @@ static void turn_aside(const lag_noise *noise, const double *x, double *point)
     }
 }
 
-/* True if relation i may rest: it is zero and does not move, as far as the motion is known to the tolerance. */
-static int may_rest(const lag_noise *noise, size_t i, double tolerance)
+/* True if relation i may rest: it is zero and does not move, as far as the motion is known. */
+static int may_rest(const lag_noise *noise, size_t i)
 {
     const double rate = noise->value[count_of(noise->motion->model) + i];
-    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i, tolerance));
+    const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i));
     return (fabs(noise->value[i]) <= near || noise->sigma[i] == 0.0) && fabs(rate) <= HELD * noise->largest[i];
 }
 
@@ -243,7 +239,7 @@ static int is_held(const lag_noise *noise, size_t i, const double *without, cons
     return vanishes(with[rate], without[rate], noise->largest[i]) && (is_zero || is_straight);
 }
 
-void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held)
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double *point, double *held)
 {
     const size_t count = noise->motion->model->nindicator;
     lag_fill(count, 0.0, held);
@@ -251,7 +247,7 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        held[i] = may_rest(noise, i, tolerance);
+        held[i] = may_rest(noise, i);
     }
     if (!lag_any(count, held)) {
         return;

@@ -15,12 +15,12 @@ static const double LAG_CLEARLY = 1e6;
 
 typedef struct lag_noise {
     lag_motion *motion;
+    double tolerance;     /* of the motion, relative */
     double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
     double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
-    double *least;        /* (nindicator) sigma is not less in event mode: relations are so far behind zero there; else zero */
 } lag_noise;
 
 /* Doubles for it. */
@@ -40,15 +40,14 @@ lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, doubl
 /* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
 
-/* Error of indicator `which` if the numbers have this relative one; after lag_noise_find. */
-double lag_noise_known(const lag_noise *noise, size_t which, double tolerance);
+/* Error of indicator `which` if the numbers have the relative one of the tolerance; after lag_noise_find. */
+double lag_noise_known(const lag_noise *noise, size_t which);
 
 /*
- * Flags in `held` (nindicator) of relations that the rows of constraints hold at x at time t: they are zero, as far as the motion is known to the relative
- * tolerance, and their gradients and time derivatives are combinations of the rows. These are the derivatives at other rates that the rows admit. `point`
+ * Flags in `held` (nindicator) of relations that the rows of constraints hold at x at time t: they are zero, as far as the motion is known, and their gradients and time derivatives are combinations of the rows. These are the derivatives at other rates that the rows admit. `point`
  * (2 nq + nz) is for its own use.
  */
-void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double tolerance, double *point, double *held);
+void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, const double *x, double *point, double *held);
 
 /* The size of coordinate j, or of rate j - nq. */
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);

@@ -55,6 +55,11 @@ static double resolution(const lag_timed *timed, double t)
     return ULPS * DBL_EPSILON * fmax(fabs(t), timed->length);
 }
 
+double lag_timed_behind(const lag_timed *timed, double t)
+{
+    return t + resolution(timed, t);
+}
+
 /* ---- zeros ---- */
 
 typedef struct distance {
@@ -207,7 +212,7 @@ static double affine_zero(distance *one, double t)
 
 int lag_timed_due(const lag_timed *timed, double t)
 {
-    return timed->next <= t + resolution(timed, t);
+    return timed->next <= lag_timed_behind(timed, t);
 }
 
 lag_status lag_timed_stand(lag_timed *timed, double t)
@@ -223,13 +228,13 @@ lag_status lag_timed_stand(lag_timed *timed, double t)
 
 lag_status lag_timed_enter(lag_timed *timed, double t)
 {
-    return lag_timed_stand(timed, t + resolution(timed, t));
+    return lag_timed_stand(timed, lag_timed_behind(timed, t));
 }
 
 lag_status lag_timed_seek(lag_timed *timed, double t)
 {
     const lag_model *model = timed->motion->model;
-    const double later = t + resolution(timed, t);
+    const double later = lag_timed_behind(timed, t);
     const double length = timed->length > 0.0 ? timed->length : 1.0;
     timed->next = (double)INFINITY;
     if (model->ntimed == 0) {
@@ -267,7 +272,7 @@ static int is_lost(const lag_timed *timed, size_t i, double later)
 lag_status lag_timed_change(lag_timed *timed, double t)
 {
     const lag_model *model = timed->motion->model;
-    const double later = t + resolution(timed, t);
+    const double later = lag_timed_behind(timed, t);
     double *w = timed->motion->w + timed->first;
     int lost = 0;
     memcpy(timed->before, w, model->ntimed * sizeof(double));

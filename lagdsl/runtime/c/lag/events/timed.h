@@ -34,6 +34,9 @@ lag_status lag_timed_stand(lag_timed *timed, double t);
 /* or just behind it. */
 lag_status lag_timed_enter(lag_timed *timed, double t);
 
+/* The first time behind t that is another one. */
+double lag_timed_behind(const lag_timed *timed, double t);
+
 /* Finds `next` after time t, with the present discretes. */
 lag_status lag_timed_seek(lag_timed *timed, double t);
 

@@ -49,23 +49,17 @@ static int is_closed(const lag_zero_crossing *crossings, size_t k)
 
 static lag_status look_at_contacts(lag_zero_crossing *crossings)
 {
-    const lag_model *model = crossings->motion->model;
-    double *laws = crossings->laws;
-    const lag_status status = model->contact(&crossings->motion->at, crossings->gap, crossings->speed, crossings->jacobian, laws,
-        laws + model->ncontact, laws + 2 * model->ncontact);
-    if (status == LAG_OK) {
-        lag_contacts_scale(crossings->contacts, crossings->jacobian);
-    }
-    return status;
+    return lag_contacts_evaluate(crossings->contacts);
 }
 
 static double contact(const lag_zero_crossing *crossings, size_t k)
 {
     const lag_motion *motion = crossings->motion;
-    const double *open = lag_contacts_is_one_way(crossings->contacts, k) ? crossings->speed : crossings->gap;
+    if (!is_closed(crossings, k)) {
+        return lag_contacts_is_one_way(crossings->contacts, k) ? crossings->contacts->speed[k] : crossings->contacts->gap[k];
+    }
     const int shares = !isnan(crossings->frictions->reserve[k]); /* friction of its group is watched */
-    const double force = shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
-    return is_closed(crossings, k) ? force : open[k];
+    return shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
 }
 
 static double contact_noise(const lag_zero_crossing *crossings, size_t k)
@@ -96,18 +90,18 @@ static double friction_noise(const lag_zero_crossing *crossings, size_t k)
 
 static size_t count_corners(const lag_zero_crossing *crossings)
 {
-    return crossings->corners;
+    return crossings->corners.count;
 }
 
 static lag_status look_at_corners(lag_zero_crossing *crossings)
 {
     double solved = 0.0;
-    return crossings->motion->model->corner(&crossings->motion->at, crossings->far, &solved);
+    return crossings->motion->model->corner(&crossings->motion->at, crossings->corners.far, &solved);
 }
 
 static double corner(const lag_zero_crossing *crossings, size_t k)
 {
-    return crossings->side[k] * crossings->far[k];
+    return crossings->corners.side[k] * crossings->corners.far[k];
 }
 
 static double corner_noise(const lag_zero_crossing *crossings, size_t k)
@@ -124,12 +118,14 @@ static const kind KIND[KINDS] = {
     [CORNERS] = {count_corners, look_at_corners, corner, corner_noise},
 };
 
-/* The kind of guard *which; its number among those of its kind instead. */
+/* The kind of guard *which; its number among those of its kind instead. Every look asks this for every guard: no calls. */
 static int kind_of(const lag_zero_crossing *crossings, size_t *which)
 {
+    const lag_model *model = crossings->motion->model;
+    const size_t count[CORNERS] = {[RELATIONS] = model->nindicator, [CONTACTS] = model->ncontact, [FRICTIONS] = model->nfriction};
     int k = 0;
-    while (k < KINDS - 1 && *which >= KIND[k].count(crossings)) {
-        *which -= KIND[k].count(crossings);
+    while (k < CORNERS && *which >= count[k]) {
+        *which -= count[k];
         ++k;
     }
     return k;
@@ -137,11 +133,7 @@ static int kind_of(const lag_zero_crossing *crossings, size_t *which)
 
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)
 {
-    size_t count = 0;
-    for (int k = 0; k < KINDS; ++k) {
-        count += KIND[k].count(crossings);
-    }
-    return count;
+    return lag_guards(crossings->motion->model) + crossings->corners.count;
 }
 
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
@@ -177,13 +169,13 @@ static double size_of(const lag_zero_crossing *crossings, size_t which)
     if (i >= crossings->motion->model->ncontact) {
         return lag_frictions_size(crossings->frictions, i - crossings->motion->model->ncontact);
     }
-    return is_closed(crossings, i) ? contacts->force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->pace[i] : contacts->scale[i];
+    return is_closed(crossings, i) ? contacts->sizes.force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->sizes.pace[i] : contacts->sizes.scale[i];
 }
 
 double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 {
-    return !lag_zero_crossing_has_noise(crossings, which) ? crossings->tolerance * size_of(crossings, which) :
-        lag_noise_known(crossings->noise, which, crossings->tolerance);
+    return !lag_zero_crossing_has_noise(crossings, which) ? crossings->noise->tolerance * size_of(crossings, which) :
+        lag_noise_known(crossings->noise, which);
 }
 
 /* ---- memory ---- */
@@ -191,7 +183,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = lag_guards(model) + model->ncorner;
-    return 5 * model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 3 * model->ncorner + (6 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + 2 * model->ncorner + (6 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -208,31 +200,26 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->depth = lag_take(&memory, count);
     crossings->band = lag_take(&memory, count);
     crossings->top = lag_take(&memory, count);
-    crossings->root = lag_take(&memory, count);
-    crossings->found = lag_take(&memory, count);
+    crossings->pieces.root = lag_take(&memory, count);
+    crossings->pieces.found = lag_take(&memory, count);
     for (size_t k = 0; k < LAG_LOOKS; ++k) {
-        crossings->seen[k] = lag_take(&memory, count);
+        crossings->pieces.seen[k] = lag_take(&memory, count);
     }
-    crossings->when = lag_take(&memory, model->nindicator);
+    crossings->pieces.when = lag_take(&memory, model->nindicator);
     crossings->held = lag_take(&memory, model->nindicator);
     crossings->swing = lag_take(&memory, model->nindicator);
     crossings->doubted = lag_take(&memory, model->nindicator);
     crossings->g = lag_take(&memory, model->nindicator);
-    crossings->gap = lag_take(&memory, model->ngap);
-    crossings->speed = lag_take(&memory, model->ngap);
-    crossings->jacobian = lag_take(&memory, model->ngap * model->nq);
-    crossings->far = lag_take(&memory, model->ncorner);
-    crossings->side = lag_take(&memory, model->ncorner);
-    crossings->beside = lag_take(&memory, model->ncorner);
-    crossings->laws = memory;
-    crossings->span = crossings->reach = crossings->tolerance = 0.0;
-    crossings->limit = (double)INFINITY;
+    crossings->corners.far = lag_take(&memory, model->ncorner);
+    crossings->corners.side = memory;
+    crossings->pieces.span = crossings->pieces.reach = 0.0;
+    crossings->pieces.limit = (double)INFINITY;
     crossings->locating = 0;
     lag_fill(count, 0.0, crossings->depth);
     lag_fill(count, 0.0, crossings->band);
     lag_fill(count, 0.0, crossings->top);
     lag_fill(model->nindicator, 0.0, crossings->held);
-    lag_fill(model->nindicator, -(double)INFINITY, crossings->when);
+    lag_fill(model->nindicator, -(double)INFINITY, crossings->pieces.when);
     lag_fill(model->nindicator, (double)INFINITY, crossings->swing);
     lag_fill(model->nindicator, (double)INFINITY, crossings->doubted);
 }
@@ -243,7 +230,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
 static int needs_forces(const lag_zero_crossing *crossings)
 {
     const lag_model *model = crossings->motion->model;
-    int needs = model->nindicator > 0 || model->nfriction > 0 || (crossings->corners > 0 && crossings->solved);
+    int needs = model->nindicator > 0 || model->nfriction > 0 || (crossings->corners.count > 0 && crossings->corners.solved);
     for (size_t i = 0; i < model->ncontact && !needs; ++i) {
         needs = is_closed(crossings, i);
     }
@@ -275,10 +262,17 @@ static int ends_at_zero(const lag_zero_crossing *crossings, size_t i)
 /* True if guard i may have left its mode, by what may be its rounding error here, which is not known. */
 static int is_unclear(const lag_zero_crossing *crossings, size_t i)
 {
-    const double beyond = -lag_zero_crossing_value(crossings, i) - crossings->depth[i];
+    if (crossings->band[i] != 0.0 || !lag_zero_crossing_has_noise(crossings, i)) {
+        return 0;
+    }
+    const double value = lag_zero_crossing_value(crossings, i);
+    if (value > 0.0) {
+        return 0;
+    }
+    const double beyond = -value - crossings->depth[i];
     const double sigma = lag_zero_crossing_noise(crossings, i);
     const int is_clear = sigma > 0.0 && beyond > LAG_CLEARLY * sigma;
-    return lag_zero_crossing_has_noise(crossings, i) && crossings->band[i] == 0.0 && ((beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i));
+    return (beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i);
 }
 
 /* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */
@@ -305,11 +299,15 @@ static int find_bands(lag_zero_crossing *crossings, double t, const double *x)
 /* True if guard i has left its mode: it is below its dead band. One that began below zero and has left did so where it fell below its beginning. */
 static int has_left(const lag_zero_crossing *crossings, size_t i)
 {
+    const double value = lag_zero_crossing_value(crossings, i);
+    if (value > 0.0) {
+        return 0;
+    }
     const int has_begun_below = crossings->locating && crossings->depth[i] > 0.0;
     const double noise = lag_zero_crossing_has_noise(crossings, i) ? crossings->band[i] : lag_zero_crossing_noise(crossings, i);
     const double band = has_begun_below ? 0.0 : noise;
     const int ends = ends_at_zero(crossings, i) && crossings->top[i] > LAG_CLEARLY * noise;
-    return -lag_zero_crossing_value(crossings, i) > crossings->depth[i] + band || ends;
+    return -value > crossings->depth[i] + band || ends;
 }
 
 lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x)
@@ -351,12 +349,12 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
     }
     for (size_t k = 0; k < model->ncontact && status == LAG_OK; ++k) {
         const double force = is_closed(crossings, k) ? fabs(contact(crossings, k)) : 0.0;
-        crossings->contacts->force[k] = isfinite(force) ? fmax(crossings->contacts->force[k], force) : crossings->contacts->force[k];
+        crossings->contacts->sizes.force[k] = isfinite(force) ? fmax(crossings->contacts->sizes.force[k], force) : crossings->contacts->sizes.force[k];
     }
     return status;
 }
 
 void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point)
 {
-    lag_noise_hold(crossings->noise, projection, t, x, crossings->tolerance, point, crossings->held);
+    lag_noise_hold(crossings->noise, projection, t, x, point, crossings->held);
 }

@@ -12,6 +12,23 @@
 #include "lag/events/noise.h"
 #include "lag/linalg/minimum.h"
 
+/* Corners, where they are looked at (run_corners.c). */
+typedef struct lag_corners {
+    size_t count;                  /* ncorner, or 0 */
+    double *far;                   /* (ncorner) distances */
+    double *side;                  /* (ncorner) 1 or -1: the side on which this one is positive, 0: not looked at */
+    int solved;                    /* they read accelerations or multipliers */
+} lag_corners;
+
+/* Values on pieces of a step, for those who look for the time of a change (run_scan.c). */
+typedef struct lag_pieces {
+    double *seen[LAG_LOOKS];       /* (nindicator + ncontact + nfriction + ncorner) values */
+    double *root, *found;          /* the same */
+    double *when;                  /* (nindicator) time of the last change that was found */
+    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
+    double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
+} lag_pieces;
+
 typedef struct lag_zero_crossing {
     lag_motion *motion;
     lag_places places;
@@ -19,25 +36,17 @@ typedef struct lag_zero_crossing {
     lag_frictions *frictions;
     lag_reserve *reserve;
     lag_noise *noise;
-    double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
-    double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
-    double *beside;                /* (ncorner) flags: the motion is just there */
-    size_t corners;                /* ncorner where corners are looked at, else 0 */
-    int solved;                    /* they read accelerations or multipliers */
+    double *g;                     /* (nindicator) */
+    lag_corners corners;
+    lag_pieces pieces;
     double *changed;               /* (nindicator + ncontact + nfriction + ncorner) 1: this one, at the state looked at last */
     double *depth;                 /* the same: how far below zero values were where the step began */
     double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
     double *top;                   /* the same: the largest values since then */
     int locating;                  /* guards that have left are looked at to find the instant */
-    double tolerance;              /* of the motion, relative */
     double *held;                  /* (nindicator) flags: the rows of the mode hold it */
     double *swing;                 /* (nindicator) largest magnitude since it turned last; infinite: it has not turned */
     double *doubted;               /* (nindicator) first time at which it turned by the method's error, perhaps; infinite: none */
-    double *seen[LAG_LOOKS];       /* (nindicator + ncontact + nfriction + ncorner) values, for those who look for the time */
-    double *root, *found;          /* the same */
-    double *when;                  /* (nindicator) time of the last change that was found */
-    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
-    double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_zero_crossing;
 
 /* So many guards of a model, without corners: relations, contacts, friction, in this order. */

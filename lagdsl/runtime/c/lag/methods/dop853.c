@@ -97,6 +97,9 @@ static const combination ERROR5 =
      -0.3503288487499736816886487290, 0.3341791187130174790297318841, 0.8192320648511571246570742613e-1,
      -0.2235530786388629525884427845e-1}};
 
+/* Stages whose states are of the fifth order, as places of the step. */
+static const unsigned char PASSES[STAGES_OF_STEP] = {[6] = 1, [9] = 2, [10] = 3};
+
 static const combination DENSE[4] = {
     {1.0, 12, {0, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
      {-0.84289382761090128651353491142e+1, 0.56671495351937776962531783590,
@@ -208,6 +211,9 @@ static lag_status try_step(lag_stepper *s, const places *at, double h)
         if (status != LAG_OK) {
             return status;
         }
+        if (PASSES[i] > 0) {
+            lag_stepper_pass(s, PASSES[i], s->t + STAGES[i].node * h);
+        }
     }
     combine(size, &STAGES[SLOPE_AT_END], h, at->slope, s->x, at->x_new);
     return LAG_OK;
@@ -290,6 +296,7 @@ static lag_status step(lag_stepper *s, double limit)
             s->h = h < proposed && !rejected ? fmax(next, proposed) : next;
             s->last.error = fmax(error, 1e-4);
             s->last.h = h;
+            lag_stepper_pass(s, LAG_PASSED_END, t_new);
             lag_stepper_accept(s, t_new, at.x_new, end_slope);
             return LAG_OK;
         }

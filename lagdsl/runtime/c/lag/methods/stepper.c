@@ -45,6 +45,13 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
     return status;
 }
 
+void lag_stepper_pass(const lag_stepper *s, unsigned place, double t)
+{
+    if (s->passing.pass != NULL) {
+        s->passing.pass(s->passing.context, place, t);
+    }
+}
+
 double lag_stepper_norm(const lag_stepper *s, const double *error)
 {
     double sum = 0.0;
@@ -89,6 +96,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
     if (status != LAG_OK) {
         return status;
     }
+    lag_stepper_pass(s, LAG_PASSED_BEGIN, s->t);
     if (!(s->h > 0.0)) {
         s->h = method->error_order > 0 ? first_length(s, span) : s->fixed.length;
     }
@@ -109,7 +117,11 @@ lag_status lag_stepper_step(lag_stepper *s, double limit)
 
 lag_status lag_stepper_correct(lag_stepper *s)
 {
-    return lag_stepper_rates(s, s->t, s->x, s->f);
+    const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
+    if (status == LAG_OK) {
+        lag_stepper_pass(s, LAG_PASSED_END, s->t);
+    }
+    return status;
 }
 
 void lag_stepper_undo(lag_stepper *s, double h)

@@ -40,7 +40,7 @@ static void find_residuals(lag_run *run, double *residual)
 void lag_run_solve(lag_run *run, double t, const double *x, int after_event)
 {
     if (lag_run_crosses(run->motion.model, &run->options)) {
-        lag_singular_row(&run->singular, t, x, after_event);
+        lag_singular_row(&run->ranks.singular, t, x, after_event);
     } else {
         lag_event_iteration_solve(&run->motion, t, x);
     }
@@ -139,8 +139,8 @@ lag_status lag_results_tell(lag_results *results, lag_run *run, const lag_event_
     switch (notice->what) {
     case LAG_BEFORE:
         status = lag_results_at(results, run, t, notice->x);
-        while (run->row < run->options.count && run->options.times[run->row] <= t) {
-            ++run->row;
+        while (run->counts.row < run->options.count && run->options.times[run->counts.row] <= t) {
+            ++run->counts.row;
         }
         return status;
     case LAG_AFTER:

@@ -61,7 +61,7 @@ static lag_status tell(void *context, const lag_event_notice *notice)
     if (run->options.results != NULL) {
         status = lag_results_tell(run->options.results, run, notice);
     }
-    told.row = run->row;
+    told.row = run->counts.row;
     return status == LAG_OK && callbacks->tell != NULL ? callbacks->tell(callbacks->context, run, &told) : status;
 }
 
@@ -71,9 +71,9 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
     lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
-    run->crossings.tolerance = options->tolerance;
-    run->instants.iteration.tell = tell;
-    run->instants.iteration.context = run;
+    run->instants.noise.tolerance = options->tolerance;
+    run->instants.iteration.listener.tell = tell;
+    run->instants.iteration.listener.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
         : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
                                                           : 0.0;
@@ -83,12 +83,21 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent)
 {
     const lag_model *model = run->motion.model;
     const double *lasting = run->options.lasting.rows;
-    run->look.most = lasting != NULL ? run->options.lasting.general : model->rank;
+    run->ranks.look.most = lasting != NULL ? run->options.lasting.general : model->rank;
     for (size_t i = 0; i < model->nc; ++i) {
         const int lasts = lasting == NULL || lasting[i] != 0.0;
         const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
-        run->lasting[i] = lasts && !lost;
-        run->look.most -= lasts && lost && run->look.most > 0;
+        run->ranks.lasting[i] = lasts && !lost;
+        run->ranks.look.most -= lasts && lost && run->ranks.look.most > 0;
+    }
+}
+
+static void pass(void *context, unsigned place, double t)
+{
+    lag_run *run = context;
+    lag_results *results = run->options.results;
+    if (results->extremes != NULL) {
+        lag_extremes_pass(results->extremes, run, place, t);
     }
 }
 
@@ -103,8 +112,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + lag_padded(sizeof(lag_run)));
     double *memory = (double *)(void *)(bytes + lag_padded(sizeof(lag_run)) + lag_padded(model->nclock * sizeof(lag_clock)));
-    run->memory = memory;
-    run->numbers = lag_run_numbers(model);
+    run->block.memory = memory;
+    run->block.numbers = lag_run_numbers(model);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
@@ -114,32 +123,33 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.fixed.length = options->h_fixed;
     run->stepper.fixed.nq = model->nq;
+    run->stepper.passing = (lag_passing){options->results != NULL && model->ny > 0 ? pass : NULL, run};
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
-    run->group = lag_take(&memory, size);
-    run->natural = lag_take(&memory, size);
-    run->cap = lag_take(&memory, size);
-    run->row_sizes = lag_take(&memory, model->nc);
-    run->motion.sizes = run->natural;
-    run->motion.row_sizes = run->row_sizes;
-    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model)));
-    run->lasting = lag_take(&memory, model->nc);
-    run->dependent = lag_take_flags(&memory, model->nc);
-    run->look.lasting = run->lasting;
-    run->initial = run->memory + run->numbers;
+    run->sizes.group = lag_take(&memory, size);
+    run->sizes.natural = lag_take(&memory, size);
+    run->sizes.cap = lag_take(&memory, size);
+    run->sizes.rows = lag_take(&memory, model->nc);
+    run->motion.sizes = run->sizes.natural;
+    run->motion.row_sizes = run->sizes.rows;
+    lag_look_place(&run->ranks.look, model, run->sizes.natural, run->sizes.rows, lag_take(&memory, lag_look_memory(model)));
+    run->ranks.lasting = lag_take(&memory, model->nc);
+    run->ranks.dependent = lag_take_flags(&memory, model->nc);
+    run->ranks.look.lasting = run->ranks.lasting;
+    run->block.initial = run->block.memory + run->block.numbers;
     if (lag_run_crosses(model, options)) {
-        lag_singular_place(&run->singular, run, run->initial + (options->start != NULL ? lag_initial_memory(model) : 0));
+        lag_singular_place(&run->ranks.singular, run, run->block.initial + (options->start != NULL ? lag_initial_memory(model) : 0));
     }
     lag_run_depend(run, model->redundant);
     place_instants(run, model, &memory);
-    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
+    run->accuracy = (lag_accuracy){size, run->sizes.group, run->sizes.natural, run->sizes.cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
-    run->p = lag_take(&memory, model->np);
-    run->lost = lag_take(&memory, size);
-    run->lost_time = (double)INFINITY;
+    run->block.p = lag_take(&memory, model->np);
+    run->lost.x = lag_take(&memory, size);
+    run->lost.t = (double)INFINITY;
     place_watch(run, model, &memory);
-    lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
-    run->pending = lag_take(&memory, lag_guards(model));
-    run->waiting = lag_take(&memory, lag_guards(model));
+    lag_stiffness_place(&run->methods.stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
+    run->half.pending = lag_take(&memory, lag_guards(model));
+    run->half.waiting = lag_take(&memory, lag_guards(model));
     run->u_before = lag_take(&memory, model->nu);
     lag_turns_place(&run->turns, model, lag_take(&memory, lag_turns_memory(model)));
     return run;
@@ -153,19 +163,19 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .h = s->h,
         .trouble_time = s->trouble_time,
         .x = s->x,
-        .row = run->row,
-        .steps = run->steps,
+        .row = run->counts.row,
+        .steps = run->counts.steps,
         .counts = s->counts,
         .projections = run->projection.count,
-        .events = run->events,
-        .changes = run->changes,
+        .events = run->counts.events,
+        .changes = run->methods.changes,
         .w = run->motion.w,
         .changed = run->crossings.changed,
-        .guilty = run->instants.iteration.guilty,
+        .guilty = run->instants.iteration.discretes.guilty,
         .doubted = run->crossings.doubted,
-        .fault = run->instants.iteration.fault,
+        .fault = run->instants.iteration.clauses.fault,
         .next = lag_instants_next(&run->instants),
-        .change = run->change,
+        .change = run->methods.change,
         .implicit = s->method->implicit,
     };
 }
@@ -188,7 +198,7 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
         return LAG_BAD_STATE_DATA;
     }
     motion->model = model;
-    run->look.model = model; /* the one before need not live any longer */
+    run->ranks.look.model = model; /* the one before need not live any longer */
     motion->at.context = model->context;
     motion->at.workspace = workspace;
     return motion->at.p != NULL ? model->prepare(&motion->at) : LAG_OK;
@@ -196,5 +206,5 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
 
 int lag_run_is_changed(const lag_run *run)
 {
-    return run->motion.at.workspace != run->memory;
+    return run->motion.at.workspace != run->block.memory;
 }

@@ -12,11 +12,11 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     const lag_run_options *options = &run->options;
     const size_t size = lag_motion_size(model);
     lag_status status = LAG_OK;
-    lag_accuracy_groups(model, x, run->group, run->natural, run->cap);
+    lag_accuracy_groups(model, x, run->sizes.group, run->sizes.natural, run->sizes.cap);
     if (options->sizes.group != NULL) {
-        memcpy(run->group, options->sizes.group, size * sizeof(double));
-        memcpy(run->natural, options->sizes.natural, size * sizeof(double));
-        memcpy(run->cap, options->sizes.cap, size * sizeof(double));
+        memcpy(run->sizes.group, options->sizes.group, size * sizeof(double));
+        memcpy(run->sizes.natural, options->sizes.natural, size * sizeof(double));
+        memcpy(run->sizes.cap, options->sizes.cap, size * sizeof(double));
     }
     if (model->nc > 0 && options->sizes.row_sizes == NULL) {
         lag_motion_look(&run->motion, t, x);
@@ -25,14 +25,14 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     for (size_t i = 0; i < model->nc; ++i) {
         double sum = 0.0;
         for (size_t j = 0; j < model->nq; ++j) {
-            const double entry = run->projection.jacobian[i * model->nq + j] * run->natural[j];
+            const double entry = run->projection.jacobian[i * model->nq + j] * run->sizes.natural[j];
             sum += entry * entry;
         }
-        run->row_sizes[i] = options->sizes.row_sizes != NULL ? options->sizes.row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
+        run->sizes.rows[i] = options->sizes.row_sizes != NULL ? options->sizes.row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
     }
-    memcpy(run->projection.sizes, run->natural, model->nq * sizeof(double));
-    lag_projection_limits(&run->projection, options->part * options->tolerance, run->row_sizes);
-    run->sized = 1;
+    memcpy(run->projection.sizes, run->sizes.natural, model->nq * sizeof(double));
+    lag_projection_limits(&run->projection, options->part * options->tolerance, run->sizes.rows);
+    run->sizes.found = 1;
     return status;
 }
 
@@ -62,8 +62,8 @@ lag_status lag_run_start(lag_run *run, double t, double *x)
 
 lag_status lag_run_find(lag_run *run, double t, const unsigned char *set, double *x, lag_initial *told)
 {
-    told->p = told->p != NULL ? told->p : run->p;
-    const lag_status status = lag_initial_find(&run->motion, run->options.start, set, t, x, run->initial, told);
+    told->p = told->p != NULL ? told->p : run->block.p;
+    const lag_status status = lag_initial_find(&run->motion, run->options.start, set, t, x, run->block.initial, told);
     if (told->dependent != NULL) {
         lag_run_depend(run, told->dependent);
     }
@@ -76,18 +76,18 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     lag_stepper *s = &run->stepper;
     lag_status status = prepare(run, t);
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
-    s->t = s->t_before = run->entered = t;
+    s->t = s->t_before = run->counts.entered = t;
     s->h = h;
     run->half.open = 0;
     run->half.left = 0.0;
-    run->look.rank = 0;
-    return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
+    run->ranks.look.rank = 0;
+    return status == LAG_OK && !run->sizes.found ? find_sizes(run, t, s->x) : status;
 }
 
 /* From the start values of the model to a state that is one. */
 static lag_status find_start(lag_run *run, double t)
 {
-    lag_initial told = {.dependent = run->dependent};
+    lag_initial told = {.dependent = run->ranks.dependent};
     int moved = 0;
     if (run->options.start == NULL) {
         return lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
@@ -103,10 +103,10 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     if (status == LAG_OK && x == NULL) {
         status = find_start(run, t);
     }
-    while (run->row < run->options.count && run->options.times[run->row] < t) {
-        ++run->row;
+    while (run->counts.row < run->options.count && run->options.times[run->counts.row] < t) {
+        ++run->counts.row;
     }
-    run->begun = t;
+    run->counts.begun = t;
     if (status == LAG_OK) {
         status = lag_run_enter(run);
     }

@@ -7,7 +7,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3, MOST_DOUBLINGS = 64 };
+enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3 };
 /* Looks at a step, as parts of it, behind its beginning; no two distances are alike. */
 static const double PLACES[LOOKS] = {0.2071, 0.4583, 0.7361, 1.0};
 /* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
@@ -15,10 +15,6 @@ static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
 static const double TOGETHER = 4.0 * 8.0;
 
-/* A corner goes clearly if it goes twice as far in twice the time, but for this part. */
-static const double STRAIGHT = 0.5;
-/* It does so within this part of the experiment. */
-static const double LATER = 1e-6;
 /* So many of them behind a corner it has been passed. */
 static const double BEHIND = 6.0, PASSED = 4.0;
 
@@ -40,14 +36,14 @@ static lag_status look(lag_run *run, double t, const double *x, double *far)
     lag_motion *motion = &run->motion;
     double solved = 0.0;
     lag_status status = LAG_OK;
-    if (run->crossings.solved) {
+    if (run->crossings.corners.solved) {
         status = lag_motion_solve(motion, t, x);
     } else {
         lag_motion_look(motion, t, x);
     }
     status = status == LAG_OK ? motion->model->corner(&motion->at, far, &solved) : status;
-    if (status == LAG_OK && solved != 0.0 && !run->crossings.solved) {
-        run->crossings.solved = 1;
+    if (status == LAG_OK && solved != 0.0 && !run->crossings.corners.solved) {
+        run->crossings.corners.solved = 1;
         return look(run, t, x, far);
     }
     return status;
@@ -69,10 +65,10 @@ static void between(lag_run *run, double s)
 static lag_status sample(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_status status = look(run, s->t_before, s->x_before, run->crossings.seen[0]);
+    lag_status status = look(run, s->t_before, s->x_before, run->crossings.pieces.seen[0]);
     for (int k = 0; k < LOOKS && status == LAG_OK; ++k) {
         between(run, PLACES[k]);
-        status = look(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == LOOKS - 1 ? s->x : run->point, run->crossings.seen[k + 1]);
+        status = look(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == LOOKS - 1 ? s->x : run->point, run->crossings.pieces.seen[k + 1]);
     }
     return status;
 }
@@ -80,11 +76,11 @@ static lag_status sample(lag_run *run)
 /* The difference of the largest and the smallest distance of corner i. */
 static double range_of(const lag_run *run, size_t i)
 {
-    double least = run->crossings.seen[0][i];
+    double least = run->crossings.pieces.seen[0][i];
     double most = least;
     for (int k = 1; k <= LOOKS; ++k) {
-        least = fmin(least, run->crossings.seen[k][i]);
-        most = fmax(most, run->crossings.seen[k][i]);
+        least = fmin(least, run->crossings.pieces.seen[k][i]);
+        most = fmax(most, run->crossings.pieces.seen[k][i]);
     }
     return most - least;
 }
@@ -92,11 +88,11 @@ static double range_of(const lag_run *run, size_t i)
 /* True if the value changes by more than its distance from zero. A value that is not a number may be a corner, too. */
 static int is_near(const lag_run *run, size_t i)
 {
-    double nearest = fabs(run->crossings.seen[0][i]);
+    double nearest = fabs(run->crossings.pieces.seen[0][i]);
     int changes = 0;
     for (int k = 1; k <= LOOKS; ++k) {
-        nearest = fmin(nearest, fabs(run->crossings.seen[k][i]));
-        changes = changes || (run->crossings.seen[k][i] < 0.0) != (run->crossings.seen[0][i] < 0.0);
+        nearest = fmin(nearest, fabs(run->crossings.pieces.seen[k][i]));
+        changes = changes || (run->crossings.pieces.seen[k][i] < 0.0) != (run->crossings.pieces.seen[0][i] < 0.0);
     }
     return changes || !(nearest >= range_of(run, i));
 }
@@ -115,9 +111,9 @@ static lag_status leave_out(lag_run *run)
             const double by = (i >> pattern & 1u) != 0 ? -s->tolerance[i] : s->tolerance[i];
             run->point[i] = s->x_before[i] + (pattern + 1 < PATTERNS ? by : s->tolerance[i]);
         }
-        status = status == LAG_OK ? look(run, s->t_before, run->point, crossings->far) : status;
+        status = status == LAG_OK ? look(run, s->t_before, run->point, crossings->corners.far) : status;
         for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-            crossings->side[i] = range_of(run, i) <= fabs(crossings->far[i] - crossings->seen[0][i]) ? 0.0 : crossings->side[i];
+            crossings->corners.side[i] = range_of(run, i) <= fabs(crossings->corners.far[i] - crossings->pieces.seen[0][i]) ? 0.0 : crossings->corners.side[i];
         }
     }
     return status;
@@ -132,61 +128,16 @@ static lag_status look_ahead(lag_run *run, double t, const double *x, const doub
     return look(run, t + after, run->point, far);
 }
 
-/* So many of the corners flagged in `beside` do not go clearly from x in a time: twice as far in twice the time. */
-static lag_status count_unclear(lag_run *run, double t, const double *x, const double *f, double after, size_t *unclear)
-{
-    lag_zero_crossing *crossings = &run->crossings;
-    const double *here = crossings->seen[0];
-    lag_status status = look_ahead(run, t, x, f, 2.0 * after, crossings->root);
-    status = status == LAG_OK ? look_ahead(run, t, x, f, after, crossings->far) : status;
-    *unclear = 0;
-    for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-        const double moved = crossings->far[i] - here[i];
-        const double twice = crossings->root[i] - here[i];
-        *unclear += crossings->beside[i] != 0.0 && !(fabs(twice - 2.0 * moved) < STRAIGHT * fabs(moved));
-    }
-    return status;
-}
-
-/*
- * A time, at most `most`, in which the corners flagged in `beside`, whose distances at x are in seen[0], go clearly against the round-off of x, but for
- * those that never do, as a distance that jumps. Distances there are in `far`.
- */
-static lag_status go_clearly(lag_run *run, double t, const double *x, const double *f, double most, double *after)
-{
-    size_t least = SIZE_MAX;
-    double longer = lookahead(run);
-    lag_status status = LAG_OK;
-    for (int k = 0; k < MOST_DOUBLINGS && status == LAG_OK && least > 0 && (k == 0 || longer <= most); ++k) { /* a run without an end has no length */
-        size_t unclear = 0;
-        status = count_unclear(run, t, x, f, longer, &unclear);
-        *after = unclear < least ? longer : *after;
-        least = unclear < least ? unclear : least;
-        longer *= 2.0;
-    }
-    return status == LAG_OK && least > 0 ? look_ahead(run, t, x, f, *after, run->crossings.far) : status;
-}
-
 /* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
 static lag_status face(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    const size_t count = run->motion.model->ncorner;
-    lag_zero_crossing *crossings = &run->crossings;
-    lag_status status = LAG_OK;
-    double after = 0.0;
-    for (size_t i = 0; i < count; ++i) {
-        const int is_beside = crossings->side[i] != 0.0 && fabs(crossings->seen[0][i]) <= BESIDE * range_of(run, i);
-        crossings->side[i] = crossings->side[i] == 0.0 ? 0.0 : crossings->seen[0][i] < 0.0 ? -1.0 : 1.0;
-        crossings->beside[i] = is_beside;
-    }
-    if (lag_any(count, crossings->beside)) {
-        status = go_clearly(run, s->t_before, s->x_before, s->f_before, LATER * run->instants.contacts.length, &after);
-    }
-    for (size_t i = 0; i < count && after > 0.0 && status == LAG_OK; ++i) {
-        if (crossings->beside[i] != 0.0 && crossings->far[i] != 0.0) {
-            crossings->side[i] = crossings->far[i] < 0.0 ? -1.0 : 1.0;
-        }
+    lag_corners *corners = &run->crossings.corners;
+    const lag_status status = look_ahead(run, s->t_before, s->x_before, s->f_before, lookahead(run), corners->far);
+    for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
+        const double here = run->crossings.pieces.seen[0][i];
+        const int is_beside = fabs(here) <= BESIDE * range_of(run, i) && corners->far[i] != 0.0;
+        corners->side[i] = corners->side[i] == 0.0 ? 0.0 : (is_beside ? corners->far[i] : here) < 0.0 ? -1.0 : 1.0;
     }
     return status;
 }
@@ -194,23 +145,21 @@ static lag_status face(lag_run *run)
 lag_status lag_run_face_corners(lag_run *run)
 {
     const size_t count = run->motion.model->ncorner;
-    const double h = run->stepper.t - run->stepper.t_before;
-    const int is_long = h > LAG_SCAN_LONGEST * run->instants.contacts.length; /* five looks may miss what the pieces of a scan do not */
     int near = 0;
-    run->crossings.corners = 0;
+    run->crossings.corners.count = 0;
     if (!is_careful(run)) {
         return LAG_OK;
     }
     lag_status status = sample(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        run->crossings.side[i] = is_long || is_near(run, i);
-        near = near || run->crossings.side[i] != 0.0;
+        run->crossings.corners.side[i] = is_near(run, i);
+        near = near || run->crossings.corners.side[i] != 0.0;
     }
     if (near) {
         status = leave_out(run);
     }
-    if (near && status == LAG_OK && lag_any(count, run->crossings.side)) {
-        run->crossings.corners = count;
+    if (near && status == LAG_OK && lag_any(count, run->crossings.corners.side)) {
+        run->crossings.corners.count = count;
         status = face(run);
     }
     return status;
@@ -270,7 +219,7 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
     *corner = (double)INFINITY;
     for (int k = 0; k <= TURNS; ++k) {
         *own = (double)INFINITY;
-        crossings->corners = k < TURNS ? crossings->corners : 0;
+        crossings->corners.count = k < TURNS ? crossings->corners.count : 0;
         status = lag_run_happening(run, own);
         if (status != LAG_EVENT_PENDING || !only_corners(run)) {
             break;
@@ -278,8 +227,8 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
         if (*own - run->stepper.t_before > lookahead(run)) {
             return with_relations(run, own, corner);
         }
-        for (size_t i = 0; i < crossings->corners; ++i) { /* it has just been passed */
-            crossings->side[i] = changed[i] != 0.0 ? -crossings->side[i] : crossings->side[i];
+        for (size_t i = 0; i < crossings->corners.count; ++i) { /* it has just been passed */
+            crossings->corners.side[i] = changed[i] != 0.0 ? -crossings->corners.side[i] : crossings->corners.side[i];
         }
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
@@ -296,23 +245,6 @@ int lag_run_is_at_end(const lag_run *run, double corner)
     return corner >= run->stepper.t - 2.0 * lookahead(run);
 }
 
-/* A time in which the corner that has been reached is passed. */
-static double time_to_pass(lag_run *run)
-{
-    const lag_stepper *s = &run->stepper;
-    const double length = run->instants.contacts.length;
-    lag_zero_crossing *crossings = &run->crossings;
-    double after = lookahead(run);
-    lag_status status = look(run, s->t, s->x, crossings->seen[0]);
-    status = status == LAG_OK ? look_ahead(run, s->t, s->x, s->f, LATER * length, crossings->far) : status;
-    for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-        crossings->beside[i] = fabs(crossings->seen[0][i]) <= BESIDE * fabs(crossings->far[i] - crossings->seen[0][i]);
-    }
-    status = status == LAG_OK ? go_clearly(run, s->t, s->x, s->f, LATER * length, &after) : status;
-    after = status == LAG_OK ? after : lookahead(run);
-    return PASSED * (after > lookahead(run) ? PASSED * after : after); /* where the place is known to round-off only, so is the corner */
-}
-
 int lag_run_meets_corner(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
@@ -321,10 +253,11 @@ int lag_run_meets_corner(lag_run *run)
     if (!is_careful(run)) {
         return 0;
     }
-    const double after = time_to_pass(run);
-    if (look_ahead(run, s->t, s->x, s->f, after, crossings->far) == LAG_OK) {
+    lag_status status = look(run, s->t, s->x, crossings->pieces.seen[0]);
+    status = status == LAG_OK ? look_ahead(run, s->t, s->x, s->f, PASSED * lookahead(run), crossings->corners.far) : status;
+    if (status == LAG_OK) {
         for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-            meets = meets || (crossings->far[i] < 0.0) != (crossings->seen[0][i] < 0.0);
+            meets = meets || (crossings->corners.far[i] < 0.0) != (crossings->pieces.seen[0][i] < 0.0);
         }
     }
     return meets;
@@ -333,8 +266,8 @@ int lag_run_meets_corner(lag_run *run)
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = s->t + time_to_pass(run);
-    run->crossings.corners = 0;
+    const double t = s->t + PASSED * lookahead(run);
+    run->crossings.corners.count = 0;
     if (!(t < limit)) {
         return;
     }

@@ -7,8 +7,8 @@
 
 void lag_run_lose(lag_run *run, double t, const double *x)
 {
-    run->lost_time = t;
-    memmove(run->lost, x, run->stepper.ode->size * sizeof(double));
+    run->lost.t = t;
+    memmove(run->lost.x, x, run->stepper.ode->size * sizeof(double));
 }
 
 lag_status lag_run_watch(lag_run *run, double t, const double *x)
@@ -29,7 +29,7 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 {
     lag_motion *motion = &run->motion;
     if (which == LAG_OUTPUT) {
-        lag_run_solve(run, t, x, t <= run->entered);
+        lag_run_solve(run, t, x, t <= run->counts.entered);
     } else {
         lag_event_iteration_solve(motion, t, x);
     }
@@ -40,7 +40,7 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
 {
     *general = *weakest = 0;
     return lag_run_crosses(run->motion.model, &run->options)
-        ? lag_singular_rank(&run->singular, run->stepper.t, run->stepper.x, general, weakest)
+        ? lag_singular_rank(&run->ranks.singular, run->stepper.t, run->stepper.x, general, weakest)
         : 0;
 }
 
@@ -148,9 +148,9 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
 {
     const lag_stepper *s = &run->stepper;
     *fault = (lag_fault){.t = s->t, .x = s->x};
-    if ((status == LAG_PROJECTION_FAILED || status == LAG_VIOLATED) && run->lost_time < (double)INFINITY) {
-        fault->t = run->lost_time;
-        fault->x = run->lost;
+    if ((status == LAG_PROJECTION_FAILED || status == LAG_VIOLATED) && run->lost.t < (double)INFINITY) {
+        fault->t = run->lost.t;
+        fault->x = run->lost.x;
     }
     switch (status) {
     case LAG_SINGULAR:
@@ -179,7 +179,7 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         break;
     case LAG_CONFLICT:
     case LAG_ASSERTION_FAILED:
-        fault->which = run->instants.iteration.fault;
+        fault->which = run->instants.iteration.clauses.fault;
         break;
     default:
         break;

@@ -1,5 +1,4 @@
 /* Events of a run, with a report of the state before and after each. */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,47 +17,6 @@ static int has_instants(const lag_run *run)
 static lag_status tell(lag_run *run, lag_event_kind what)
 {
     return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
-}
-
-/*
- * Relations that lie in their dead bands are at their borders in an event, wherever a projection moves them: those that have left by no more than that, those that
- * stay behind zero, and those that have drifted while rows held them.
- */
-static void hold(lag_run *run, const double *changed)
-{
-    lag_zero_crossing *crossings = &run->crossings;
-    lag_noise *noise = crossings->noise;
-    const size_t count = run->motion.model->nindicator;
-    const size_t bytes = lag_guards(run->motion.model) * sizeof(double);
-    double *least = crossings->found;
-    const double *located = changed == crossings->changed ? crossings->root : changed;
-    memcpy(crossings->root, crossings->changed, bytes);
-    const lag_status status = count > 0 ? lag_zero_crossing_look(crossings, run->stepper.t, run->stepper.x) : LAG_SINGULAR;
-    for (size_t i = 0; i < count; ++i) {
-        const double value = lag_zero_crossing_value(crossings, i);
-        const int is_near = -value <= crossings->depth[i] + 2.0 * crossings->band[i] && value <= lag_zero_crossing_known(crossings, i);
-        const int is_located = located != NULL && located[i] != 0.0 && is_near; /* inputs may jump and take it away */
-        const double drift = is_located || crossings->held[i] != 0.0 ? fabs(crossings->g[i]) : -value;
-        least[i] = (is_located || crossings->changed[i] == 0.0) && drift >= 0.0 ? fmax(drift, DBL_MIN) : 0.0;
-    }
-    memcpy(crossings->changed, crossings->root, bytes);
-    if ((status != LAG_OK && status != LAG_EVENT_PENDING) || !lag_any(count, least)) {
-        return;
-    }
-    lag_noise_find(noise, run->stepper.t, run->stepper.x);
-    for (size_t i = 0; i < count; ++i) {
-        noise->least[i] = least[i] > 0.0 ? least[i] + noise->sigma[i] : 0.0;
-    }
-}
-
-static void release(lag_run *run)
-{
-    lag_noise *noise = run->crossings.noise;
-    const size_t count = run->motion.model->nindicator;
-    if (lag_any(count, noise->least)) {
-        lag_fill(count, 0.0, noise->least);
-        lag_noise_find(noise, run->stepper.t, run->stepper.x);
-    }
 }
 
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
@@ -87,18 +45,16 @@ static void doubt(lag_run *run, const double *changed)
 /* An event begins; flags of the relations that it changes, or null. */
 static lag_status begin(lag_run *run, const double *changed)
 {
-    ++run->events;
+    ++run->counts.events;
     if (changed != NULL) {
         doubt(run, changed);
     }
-    hold(run, changed);
     return tell(run, LAG_BEFORE);
 }
 
 /* An event that came to a good end is told. */
 static lag_status end(lag_run *run, lag_status status)
 {
-    release(run);
     if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
     }
@@ -182,19 +138,16 @@ int lag_run_due(const lag_run *run, double t)
     return has_instants(run) && lag_instants_due(&run->instants, t);
 }
 
-/* *any: forces or inputs that have jumped turn relations, flagged in `changed`, or pull at closed contacts. */
+/* *any: forces or inputs that have jumped turn relations, flagged in `changed`, or pull at closed contacts, just behind the present. */
 static lag_status find_turned(lag_run *run, int *any)
 {
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
-    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, s->t, s->x) : LAG_OK;
+    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
         contacts[i] *= run->motion.w[crossings->places.contact + i];
-    }
-    if (status == LAG_EVENT_PENDING) {
-        lag_event_iteration_still_pulling(&run->instants.iteration, s->t, s->x, contacts);
     }
     *any = status == LAG_EVENT_PENDING && lag_any(lag_guards(model), crossings->changed);
     lag_fill(model->ncontact + model->nfriction, 0.0, contacts); /* these follow */
@@ -212,7 +165,7 @@ lag_status lag_run_ticks(lag_run *run)
     if (run->half.left > 0.0 && run->half.t == s->t) {
         const double h = run->half.left;
         run->half.left = 0.0;
-        return lag_run_event_and_ticks(run, h, run->waiting);
+        return lag_run_event_and_ticks(run, h, run->half.waiting);
     }
     lag_status status = lag_instants_quietly(&run->instants, s->t, s->x, &quiet);
     if (status == LAG_OK && quiet) {
@@ -278,16 +231,16 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     if (!*any || status != LAG_OK) {
         return status;
     }
-    memcpy(run->pending, run->crossings.changed, lag_guards(model) * sizeof(double));
+    memcpy(run->half.pending, run->crossings.changed, lag_guards(model) * sizeof(double));
     const int due = lag_timed_due(&run->instants.timed, s->t);
     for (size_t i = 0; i < model->nindicator && due && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for it */
-        run->pending[i] = fmax(run->pending[i], run->waiting[i]);
+        run->half.pending[i] = fmax(run->half.pending[i], run->half.waiting[i]);
     }
     run->half.left = due ? 0.0 : run->half.left;
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
-    status = begin(run, run->pending);
+    status = begin(run, run->half.pending);
     run->motion.until = (double)INFINITY;
-    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0, due)) : status;
+    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->half.pending, 0, due)) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)

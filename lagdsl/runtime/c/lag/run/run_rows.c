@@ -6,7 +6,7 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
     int moved = 0;
     const lag_status status = lag_stepper_dense(&run->stepper, t, x);
     if (status == LAG_OK && run->stepper.method == &lag_collocation) {
-        lag_singular_project(&run->singular, t, x);
+        lag_singular_project(&run->ranks.singular, t, x);
     } else if (status == LAG_OK) {
         (void)lag_projection_apply(&run->projection, t, x, &moved); /* where it cannot, the row is as the method found it */
     }
@@ -18,10 +18,10 @@ static lag_status record(lag_run *run, double t, const double *x)
     const size_t size = run->stepper.ode->size;
     if (run->options.rows != NULL) {
         for (size_t i = 0; i < size; ++i) {
-            run->options.rows[run->row * size + i] = x[i];
+            run->options.rows[run->counts.row * size + i] = x[i];
         }
     }
-    ++run->row;
+    ++run->counts.row;
     if (run->options.results != NULL) {
         const lag_status status = lag_results_at(run->options.results, run, t, x);
         if (status != LAG_OK) {
@@ -36,8 +36,8 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
 {
     const lag_run_options *options = &run->options;
     lag_status status = LAG_OK;
-    while (status == LAG_OK && run->row < options->count && options->times[run->row] < t) {
-        const double time = options->times[run->row];
+    while (status == LAG_OK && run->counts.row < options->count && options->times[run->counts.row] < t) {
+        const double time = options->times[run->counts.row];
         status = lag_run_inside(run, time, run->point);
         if (status == LAG_OK && run->motion.model->na > 0) {
             status = lag_run_watch(run, time, run->point);
@@ -46,7 +46,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
             status = record(run, time, run->point);
         }
     }
-    while (status == LAG_OK && up_to && run->row < options->count && options->times[run->row] == t) {
+    while (status == LAG_OK && up_to && run->counts.row < options->count && options->times[run->counts.row] == t) {
         status = record(run, t, run->stepper.x);
     }
     return status;

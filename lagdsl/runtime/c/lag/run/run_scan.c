@@ -44,7 +44,7 @@ static void remember(lag_run *run, int k)
 {
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = lag_zero_crossing_value(&run->crossings, i);
-        run->crossings.seen[k][i] = value;
+        run->crossings.pieces.seen[k][i] = value;
         run->crossings.top[i] = fmax(run->crossings.top[i], value);
     }
 }
@@ -59,7 +59,7 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
     double height = 0.0;
     const int just = k == 2 && in->a == run->stepper.t_before;
     for (int j = 0; j < 3; ++j) {
-        lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], run->crossings.seen[k - 2 + j][i]);
+        lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], run->crossings.pieces.seen[k - 2 + j][i]);
     }
     for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
@@ -83,8 +83,8 @@ static lag_status look_between(lag_run *run, const piece *in, double *a, double 
     double there = 0.0;
     for (int k = 2; k <= in->looks; ++k) {
         for (size_t i = 0; i < count_of(run); ++i) {
-            const int changes = run->crossings.seen[k][i] < 0.0;
-            const lag_status status = changes ? LAG_OK : look_at_minimum(run, in, k, i, run->crossings.found[i], &there);
+            const int changes = run->crossings.pieces.seen[k][i] < 0.0;
+            const lag_status status = changes ? LAG_OK : look_at_minimum(run, in, k, i, run->crossings.pieces.found[i], &there);
             if (status != LAG_OK) {
                 *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
                 *b = there;
@@ -101,7 +101,7 @@ static double largest_value(const lag_run *run, const piece *in, size_t i)
 {
     double most = 0.0;
     for (int k = 0; k <= in->looks; ++k) {
-        most = fmax(most, fabs(run->crossings.seen[k][i]));
+        most = fmax(most, fabs(run->crossings.pieces.seen[k][i]));
     }
     return most;
 }
@@ -111,9 +111,9 @@ static double difference_of(lag_run *run, size_t i)
 {
     double values[LAG_LOOKS];
     for (int k = 0; k < LAG_LOOKS; ++k) {
-        values[k] = run->crossings.seen[k][i];
+        values[k] = run->crossings.pieces.seen[k][i];
     }
-    return lag_look_error(values, &run->crossings.found[i]);
+    return lag_look_error(values, &run->crossings.pieces.found[i]);
 }
 
 /* Round-off of value i, found where it is not known yet. */
@@ -129,7 +129,7 @@ static double noise_of(lag_run *run, size_t i)
 static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
     const double most = largest_value(run, in, i);
-    run->crossings.found[i] = LAG_KNOWN_PART * most;
+    run->crossings.pieces.found[i] = LAG_KNOWN_PART * most;
     const double difference = in->looks == LAST ? difference_of(run, i) : 0.0;
     if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
@@ -170,21 +170,21 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 {
     const double w = in->b - in->a;
     const int whole = in->looks == LAST;
-    if (!whole && place_of(in, in->looks) - in->a > run->crossings.span && w > 1.5 * on->shortest) {
+    if (!whole && place_of(in, in->looks) - in->a > run->crossings.pieces.span && w > 1.5 * on->shortest) {
         on->reach = place_of(in, in->looks) - in->a; /* nothing is known of so short a time: it is looked at as a piece */
         return 0;
     }
     const double doubt = largest_doubt(run, in);
     if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
         on->reach = fmax(on->shortest, fmin(0.7 * w, lag_look_length(w, doubt)));
-        run->crossings.span = fmin(run->crossings.span, on->reach);
+        run->crossings.pieces.span = fmin(run->crossings.pieces.span, on->reach);
         return 0;
     }
     if (whole && status == LAG_OK) {
         const double next = lag_look_length(w, doubt);
         const int cut = w < (1.0 - CUT) * on->reach;
         on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
-        run->crossings.span = fmax(run->crossings.span, w);
+        run->crossings.pieces.span = fmax(run->crossings.pieces.span, w);
     }
     return 1;
 }
@@ -215,8 +215,8 @@ static lag_status look_at_end(lag_run *run, const piece *in)
     const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
     int any = 0;
     for (size_t i = 0; i < count_of(run); ++i) {
-        const double value = run->crossings.seen[LAST][i];
-        const double rate = (value - run->crossings.seen[LAST - 1][i]) / h;
+        const double value = run->crossings.pieces.seen[LAST][i];
+        const double rate = (value - run->crossings.pieces.seen[LAST - 1][i]) / h;
         run->crossings.changed[i] = rate < 0.0 && value <= -rate * soon && run->crossings.top[i] > noise_of(run, i);
         any = any || run->crossings.changed[i] != 0.0;
     }
@@ -226,7 +226,7 @@ static lag_status look_at_end(lag_run *run, const piece *in)
 /* Values that change within round-off of time behind the end do so with those that were found there. */
 static void join_at_end(lag_run *run, const piece *in)
 {
-    double *found = run->crossings.root;
+    double *found = run->crossings.pieces.root;
     memcpy(found, run->crossings.changed, count_of(run) * sizeof(double));
     (void)look_at_end(run, in);
     for (size_t i = 0; i < count_of(run); ++i) {
@@ -264,7 +264,7 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
             return LAG_EVENT_PENDING;
         }
         if (accepted) {
-            memcpy(run->crossings.seen[0], run->crossings.seen[LAST], count_of(run) * sizeof(double));
+            memcpy(run->crossings.pieces.seen[0], run->crossings.pieces.seen[LAST], count_of(run) * sizeof(double));
             in.a = in.b;
         }
     }
@@ -277,10 +277,10 @@ static void limit_behind(lag_run *run, double t)
     lag_zero_crossing *crossings = &run->crossings;
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
         if (crossings->changed[i] != 0.0) {
-            const double interval = t - crossings->when[i];
+            const double interval = t - crossings->pieces.when[i];
             const int is_crowded = !(interval > CROWDED * run->instants.contacts.length);
-            crossings->limit = is_crowded ? crossings->limit : fmin(crossings->limit, INTERVALS * interval);
-            crossings->when[i] = t;
+            crossings->pieces.limit = is_crowded ? crossings->pieces.limit : fmin(crossings->pieces.limit, INTERVALS * interval);
+            crossings->pieces.when[i] = t;
         }
     }
 }
@@ -291,7 +291,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
     lag_zero_crossing *crossings = &run->crossings;
     const double h = s->t - s->t_before;
     const double length = run->instants.contacts.length;
-    scan on = {s->t_before, crossings->reach > 0.0 ? crossings->reach : FIRST * h, 0.0, (double)INFINITY};
+    scan on = {s->t_before, crossings->pieces.reach > 0.0 ? crossings->pieces.reach : FIRST * h, 0.0, (double)INFINITY};
     if (count_of(run) == 0 || !(h > 0.0)) {
         return LAG_OK;
     }
@@ -299,9 +299,9 @@ lag_status lag_run_happening(lag_run *run, double *t)
     on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
     on.reach = fmin(fmax(on.reach, on.shortest), on.longest); /* the last step may have been as short as round-off */
     const double begun = on.reach;
-    on.reach = fmin(begun, fmax(crossings->limit, on.shortest));
+    on.reach = fmin(begun, fmax(crossings->pieces.limit, on.shortest));
     const double limited = on.reach;
-    crossings->limit = (double)INFINITY;
+    crossings->pieces.limit = (double)INFINITY;
     lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
     if (status == LAG_OK) {
         status = lag_zero_crossing_begin(crossings, on.a, run->point);
@@ -309,7 +309,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
     if (status == LAG_OK) {
         status = scan_pieces(run, &on, t);
     }
-    crossings->reach = on.reach < limited ? on.reach : fmax(on.reach, begun);
+    crossings->pieces.reach = on.reach < limited ? on.reach : fmax(on.reach, begun);
     if (status == LAG_EVENT_PENDING) {
         limit_behind(run, *t);
     }

@@ -24,7 +24,7 @@ static lag_status restart(lag_run *run, const lag_method *method, double span)
 {
     lag_stepper *s = &run->stepper;
     if (method == &lag_collocation) {
-        method = run->behind;
+        method = run->ranks.behind;
     }
     run->accuracy.relative = method->factor * run->options.tolerance;
     lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
@@ -50,21 +50,21 @@ static lag_status settle(lag_run *run)
 /* The present state is what the next one is compared with. */
 static lag_status see(lag_run *run)
 {
-    run->look.rank = 0;
+    run->ranks.look.rank = 0;
     lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
     const lag_status status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
-    return status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+    return status == LAG_OK ? lag_look_at(&run->ranks.look, run->projection.jacobian) : status;
 }
 
 /* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
 static lag_status look_around(lag_run *run, double *shorter)
 {
     lag_stepper *s = &run->stepper;
-    lag_status status = lag_look_at(&run->look, run->projection.jacobian);
+    lag_status status = lag_look_at(&run->ranks.look, run->projection.jacobian);
     if (status != LAG_ATTENTION) {
         return status;
     }
-    status = lag_singular_after(&run->singular, shorter);
+    status = lag_singular_after(&run->ranks.singular, shorter);
     if (status == LAG_ATTENTION && *shorter > s->h_least) {
         lag_stepper_undo(s, *shorter);
         status = LAG_TOO_LONG;
@@ -79,9 +79,9 @@ static lag_status look_around(lag_run *run, double *shorter)
 static lag_status look_ahead(lag_run *run, double limit, int *done)
 {
     lag_stepper *s = &run->stepper;
-    lag_status status = s->method == &lag_collocation ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    lag_status status = s->method == &lag_collocation ? restart(run, run->ranks.behind, limit - s->t) : LAG_OK;
     if (status == LAG_OK) {
-        status = lag_singular_ahead(&run->singular, limit, done);
+        status = lag_singular_ahead(&run->ranks.singular, limit, done);
     }
     if (status == LAG_OK && *done) {
         status = see(run);
@@ -142,17 +142,17 @@ static lag_status follow(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
     if (s->method == &lag_collocation && s->t < stop) {
-        return restart(run, run->behind, stop - s->t);
+        return restart(run, run->ranks.behind, stop - s->t);
     }
-    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->methods.stiffness, s) : s->method;
     if (method == s->method || s->t >= stop) {
         lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
         return LAG_OK;
     }
-    if (run->changes < LAG_CHANGES) {
-        run->change[run->changes] = (lag_change){s->t, method->implicit};
+    if (run->methods.changes < LAG_CHANGES) {
+        run->methods.change[run->methods.changes] = (lag_change){s->t, method->implicit};
     }
-    ++run->changes;
+    ++run->methods.changes;
     return restart(run, method, stop - s->t);
 }
 
@@ -220,11 +220,11 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
     half->corner = 0;
     for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
         status = lag_run_face_corners(run);
-        run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
-        const int watched = run->crossings.corners > 0 || s->method->implicit;
+        run->crossings.corners.count = k + 1 < MOST_CUTS ? run->crossings.corners.count : 0;
+        const int watched = run->crossings.corners.count > 0 || s->method->implicit;
         status = status == LAG_OK ? lag_run_next_corner(run, own, &corner) : status;
         if (at_event && status == LAG_OK && !(fmin(*own, corner) < (double)INFINITY)) {
-            status = change_at_end(run, run->pending, own);
+            status = change_at_end(run, run->half.pending, own);
         }
         const int found = corner < (double)INFINITY;
         const int inside = found && !lag_run_is_at_end(run, corner);
@@ -236,7 +236,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
         }
         half->corner = 0;
         at_event = !inside;
-        memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
+        memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
         end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
@@ -247,7 +247,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
 /* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
 static double scale_of(const lag_run *run, const lag_half *half)
 {
-    const double reach = run->crossings.reach;
+    const double reach = run->crossings.pieces.reach;
     return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
 }
 
@@ -255,7 +255,7 @@ static double scale_of(const lag_run *run, const lag_half *half)
 static int left_to_ticks(const lag_run *run, double stop)
 {
     const lag_model *model = run->motion.model;
-    return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
+    return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->half.pending + model->nindicator);
 }
 
 /* Carries out the events at the end of a step, and clocks before `stop`. */
@@ -267,14 +267,14 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
     const int left = half->own && left_to_ticks(run, stop);
     const int own = half->own && !left;
     if (left) {
-        memcpy(run->waiting, run->pending, lag_guards(run->motion.model) * sizeof(double));
+        memcpy(run->half.waiting, run->half.pending, lag_guards(run->motion.model) * sizeof(double));
         run->half.left = h;
     }
     *happened = own || due;
     lag_instants_after(&run->instants, t, h);
     lag_status status = LAG_OK;
     if (own) {
-        status = due ? lag_run_event_and_ticks(run, h, run->pending) : lag_run_event(run, h, run->pending);
+        status = due ? lag_run_event_and_ticks(run, h, run->half.pending) : lag_run_event(run, h, run->half.pending);
     } else if (due) {
         status = lag_run_ticks(run);
     }
@@ -289,9 +289,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
-    memcpy(run->pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
+    memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
-        own = lag_scan_on_constraints(run, run->pending, own);
+        own = lag_scan_on_constraints(run, run->half.pending, own);
     }
     half->length = s->t - t;
     half->t = fmin(own, s->t);
@@ -334,7 +334,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
     status = happen(run, stop, half, &happened);
     if (status == LAG_OK && happened) {
         s->h = fmin(half->next, s->h_most);
-        run->look.rank = 0;
+        run->ranks.look.rank = 0;
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
@@ -353,7 +353,7 @@ lag_status lag_run_restart(lag_run *run, double stop)
     run->motion.until = stop;
     s->h_least = least_length(run, stop);
     if (!(run->options.length > 0.0) && run->options.count < 2) {
-        run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
+        run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->counts.begun);
     }
     s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->half.open = 0;
@@ -368,7 +368,7 @@ lag_status lag_run_restart(lag_run *run, double stop)
     if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
         status = see(run);
         if (status == LAG_OK || status == LAG_ATTENTION) {
-            lag_singular_begin(&run->singular, status == LAG_ATTENTION);
+            lag_singular_begin(&run->ranks.singular, status == LAG_ATTENTION);
             status = LAG_OK;
         }
     }
@@ -377,16 +377,16 @@ lag_status lag_run_restart(lag_run *run, double stop)
 
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
 {
-    run->steps = 0;
+    run->counts.steps = 0;
     if (!(stop > run->stepper.t)) {
         return LAG_OK;
     }
     lag_status status = lag_run_restart(run, stop);
     while (status == LAG_OK && run->stepper.t < stop) {
-        if (most_steps > 0 && run->steps >= most_steps) {
+        if (most_steps > 0 && run->counts.steps >= most_steps) {
             return LAG_TOO_LONG;
         }
-        ++run->steps;
+        ++run->counts.steps;
         status = lag_run_step(run, stop);
         if (status == LAG_OK) {
             status = lag_run_finish(run, stop);

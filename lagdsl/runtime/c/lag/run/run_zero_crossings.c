@@ -78,23 +78,11 @@ static double root_of(change *one, double a, double b, double tolerance)
     return b;
 }
 
-/* At a corner at which something jumps, that happens behind the jump. */
-static double with_corners(const lag_run *run, double first)
-{
-    const lag_model *model = run->motion.model;
-    const size_t corners = lag_guards(model);
-    double last = first;
-    for (size_t i = 0; i < corners && lag_any(run->crossings.corners, run->crossings.changed + corners); ++i) {
-        last = run->crossings.changed[i] != 0.0 ? fmax(last, run->crossings.root[i]) : last;
-    }
-    return last;
-}
-
 double lag_scan_earliest(lag_run *run, double a, double b)
 {
     const size_t count = lag_zero_crossing_count(&run->crossings);
     const double tolerance = lag_scan_tolerance(run);
-    double *root = run->crossings.root;
+    double *root = run->crossings.pieces.root;
     double first = b;
     run->crossings.locating = 1;
     memcpy(root, run->crossings.changed, count * sizeof(double));
@@ -115,7 +103,7 @@ double lag_scan_earliest(lag_run *run, double a, double b)
     for (size_t i = 0; i < count; ++i) {
         run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
     }
-    return with_corners(run, first);
+    return first;
 }
 
 /* The same value with the state on the constraints, which is the state that the event will see. */

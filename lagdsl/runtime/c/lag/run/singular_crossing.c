@@ -57,13 +57,13 @@ static int jacobian_at(lag_singular *s, double t, const double *x)
 
 double lag_singular_margin(lag_singular *s, double t, const double *x)
 {
-    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->look, s->jacobian) : 0.0;
+    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->ranks.look, s->jacobian) : 0.0;
 }
 
 static int is_independent(const lag_run *run, size_t row)
 {
     const unsigned char *redundant = run->motion.model->redundant;
-    return !(redundant != NULL && redundant[row]) && run->lasting[row] != 0.0;
+    return !(redundant != NULL && redundant[row]) && run->ranks.lasting[row] != 0.0;
 }
 
 size_t lag_singular_rows(lag_singular *s, double t, const double *x)
@@ -75,16 +75,16 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
     int known = jacobian_at(s, t, x);
     for (size_t i = 0; i < model->nc; ++i) {
         if (is_independent(run, i)) {
-            s->drift[count++] = phi[i] / run->row_sizes[i];
+            s->drift[count++] = phi[i] / run->sizes.rows[i];
         }
     }
     known = known && model->position_constraint(&run->motion.at, phi, run->projection.jacobian) == LAG_OK;
     for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
         if (is_independent(run, i)) {
             for (size_t j = 0; j < model->nq; ++j) {
-                s->rows[j * count + column] = s->jacobian[i * model->nq + j] * run->natural[j] / run->row_sizes[i];
+                s->rows[j * count + column] = s->jacobian[i * model->nq + j] * run->sizes.natural[j] / run->sizes.rows[i];
             }
-            s->phi[column++] = model->position_level[i] ? phi[i] / run->row_sizes[i] : 0.0;
+            s->phi[column++] = model->position_level[i] ? phi[i] / run->sizes.rows[i] : 0.0;
         }
     }
     return known ? count : 0;
@@ -135,8 +135,8 @@ static double lost_at(lag_singular *s)
         const double last = fmin(first + part * step, stepper->t);
         memcpy(s->state, stepper->x, stepper->ode->size * sizeof(double));
         const int known = last == stepper->t || lag_stepper_dense(stepper, last, s->state) == LAG_OK;
-        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->look, s->jacobian)) {
-            (void)lag_look_at(&s->run->look, s->jacobian);
+        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->ranks.look, s->jacobian)) {
+            (void)lag_look_at(&s->run->ranks.look, s->jacobian);
             first = last;
         } else if (part > ldexp(1.0, -HALVINGS)) {
             part *= 0.5;
@@ -164,8 +164,8 @@ static lag_status take(lag_singular *s, double length, double limit)
     lag_stepper *stepper = &run->stepper;
     const size_t n = run->motion.model->nq;
     const size_t size = stepper->ode->size;
-    run->behind = stepper->method;
-    run->look.rank = 0;
+    run->ranks.behind = stepper->method;
+    run->ranks.look.rank = 0;
     stepper->method = &lag_collocation;
     stepper->work[0] = (double)n;
     stepper->work[1] = length;
@@ -211,8 +211,8 @@ lag_status lag_singular_after(lag_singular *s, double *shorter)
     const double behind = lag_singular_margin(s, stepper->t, stepper->x);
     const double before = lag_singular_margin(s, stepper->t_before, stepper->x_before);
     int moved = 0;
-    run->look.rank = 0;
-    (void)lag_look_at(&run->look, s->jacobian); /* of the state before */
+    run->ranks.look.rank = 0;
+    (void)lag_look_at(&run->ranks.look, s->jacobian); /* of the state before */
     *shorter = SHORTER * step;
     if (fmin(before, behind) < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {

@@ -102,7 +102,7 @@ static lag_status go(const lag_ensemble *ensemble, lag_run *run, double stop, si
         const size_t left = ensemble->most_steps - *steps;
         const size_t piece = *steps > 0 ? ensemble->piece : ensemble->first_piece;
         status = lag_run_to(run, stop, left < piece ? left : piece);
-        *steps += run->steps;
+        *steps += run->counts.steps;
     }
     return status;
 }

@@ -109,14 +109,12 @@ static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
-    RECORD(instants->contacts.lookahead);
-    RECORD(instants->contacts.struck);
+    RECORD(instants->contacts.blows.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
-    RECORD(instants->iteration.lookahead);
-    RECORD(instants->iteration.moment);
-    RECORD(instants->iteration.stopped);
-    RECORD(instants->iteration.fault);
+    RECORD(instants->iteration.instant.moment);
+    RECORD(instants->iteration.clauses.stopped);
+    RECORD(instants->iteration.clauses.fault);
     record_crowd(&instants->crowd, record);
     record_crowd(&instants->resets, record);
 }
@@ -126,24 +124,24 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->motion.coordinate);
     RECORD(run->projection.count);
     RECORD(run->accuracy.relative);
-    RECORD(run->look.most);
-    RECORD(run->look.rank);
-    RECORD(run->singular.distance);
-    RECORD(run->singular.margin);
+    RECORD(run->ranks.look.most);
+    RECORD(run->ranks.look.rank);
+    RECORD(run->ranks.singular.distance);
+    RECORD(run->ranks.singular.margin);
     RECORD(run->watch.begun);
-    RECORD(run->begun);
-    RECORD(run->stiffness.signs);
-    RECORD(run->stiffness.wait);
-    RECORD(run->stiffness.needed);
-    RECORD(run->crossings.span);
-    RECORD(run->crossings.reach);
-    RECORD(run->crossings.limit);
-    RECORD(run->sized);
-    RECORD(run->row);
-    RECORD(run->steps);
-    RECORD(run->events);
-    RECORD(run->entered);
-    RECORD(run->changes);
+    RECORD(run->counts.begun);
+    RECORD(run->methods.stiffness.signs);
+    RECORD(run->methods.stiffness.wait);
+    RECORD(run->methods.stiffness.needed);
+    RECORD(run->crossings.pieces.span);
+    RECORD(run->crossings.pieces.reach);
+    RECORD(run->crossings.pieces.limit);
+    RECORD(run->sizes.found);
+    RECORD(run->counts.row);
+    RECORD(run->counts.steps);
+    RECORD(run->counts.events);
+    RECORD(run->counts.entered);
+    RECORD(run->methods.changes);
     RECORD(run->half.open);
     RECORD(run->half.own);
     RECORD(run->half.corner);
@@ -152,8 +150,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->half.next);
     RECORD(run->half.left);
     for (size_t i = 0; i < LAG_CHANGES; ++i) {
-        RECORD(run->change[i].t);
-        RECORD(run->change[i].implicit);
+        RECORD(run->methods.change[i].t);
+        RECORD(run->methods.change[i].implicit);
     }
 }
 
@@ -161,7 +159,7 @@ static void record_rest(lag_run *run, lag_record *record)
 static void record_members(lag_run *run, lag_record *record)
 {
     record_method(run, &run->stepper.method, record);
-    record_method(run, &run->behind, record);
+    record_method(run, &run->ranks.behind, record);
     record_parameters(run, record);
     record_stepper(&run->stepper, record);
     record_clock(&run->pace, record);
@@ -176,7 +174,7 @@ void lag_run_record(lag_run *run, lag_record *record)
     for (size_t i = 0; i < model->nclock; ++i) {
         record_clock(&run->clock[i], record);
     }
-    lag_record_doubles(record, run->numbers, run->memory);
+    lag_record_doubles(record, run->block.numbers, run->block.memory);
 }
 
 /* ---- around it ---- */
