@@ -15,7 +15,7 @@ typedef struct lag_method lag_method;
 /* A step that would leave less than this part of itself before the limit is stretched to it. */
 static const double LAG_STRETCH = 1.01;
 
-/* What is known of the last accepted step. */
+/* The last accepted step, as far as it is known. */
 typedef struct lag_last_step {
     double error;    /* 0: none */
     double h;        /* the length that it belongs to */
@@ -40,7 +40,7 @@ typedef struct lag_fixed_steps {
  */
 enum { LAG_PASSED_BEGIN, LAG_PASSED_END = 4, LAG_PASSED };
 
-/* Who wants these states. */
+/* The one who wants these states. */
 typedef struct lag_passing {
     void (*pass)(void *context, unsigned place, double t); /* told just after one was evaluated at t; null: nobody asks */
     void *context;
