@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import tempfile
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -10,12 +12,15 @@ from typing import Any
 import numpy as np
 from named_models import compiled
 
-from lagdsl.backends.c.emit import model_symbol, sources
+from lagdsl.backends.c.emit import engine_sources, model_symbol
 from lagdsl.graph.operation import Group
 from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
-from lagdsl.runtime.building.build import build
+from lagdsl.resources import c_folder, runtime_library_folder
+from lagdsl.runtime.building.compiler import FLAGS, find_compiler, run_compiler
+from lagdsl.runtime.building.platforms import library_name, this_machine
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.runtime.library import runtime_library
 from lagdsl.simulate.initialize import initial_state
 
 TIME = 0.3
@@ -42,9 +47,24 @@ def program_of(path: Path) -> tuple[Program, dict[Group, np.ndarray]]:
 def library(path: Path) -> Any:
     program, _ = program_of(path)
     probe = (Path(__file__).parent / "runtime" / "derivatives_probe.c").read_text(encoding="utf-8")
-    loaded = ctypes.CDLL(str(build({**sources(program), "probe.c": probe}, ["-O0"])))  # all that counts are its values
+    with tempfile.TemporaryDirectory() as folder:
+        loaded = ctypes.CDLL(str(_linked({**engine_sources(program), "probe.c": probe}, Path(folder))))
     loaded.probe.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 6]
     return loaded
+
+
+def _linked(sources: Mapping[str, str], folder: Path) -> Path:
+    """A library of these, which calls the runtime of the package: that is compiled already. All that counts are its
+    values, so nothing is optimized."""
+    runtime_library()  # built first where it is missing or old
+    for name, text in sources.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    own = [name for name in sources if name.endswith(".c")]
+    runtime = runtime_library_folder() / library_name(this_machine().partition("-")[0])
+    words = [*FLAGS, "-O0", "-I.", f"-I{c_folder()}", "-shared", "-o", "probe.so", *own, str(runtime), "-lm"]
+    run_compiler(find_compiler(), folder, words)
+    return folder / "probe.so"
 
 
 class Probe:

@@ -17,6 +17,7 @@ from itertools import combinations
 
 import numpy as np
 
+from lagdsl.analysis.discretes import opened
 from lagdsl.analysis.linearize import Reduced, reduce, state_names
 from lagdsl.analysis.point import Flow, System, flow
 from lagdsl.analysis.steady import RESTS, state_sizes
@@ -112,14 +113,12 @@ def _refuse_touching(system: System, at: Reduced, sink: Sink) -> bool:
     for contact, entry in zip(system.flat.events.contacts, entries, strict=True):
         if not point.w[entry]:
             continue
-        w = point.w.copy()
-        w[entry] = 0.0
-        opened = reduce(system, replace(point, w=w), at.partition.held, Sink())
-        if opened is None or len(opened.value) == len(at.value):
+        beside = reduce(system, opened(system, point, contact.name), at.partition.held, Sink())
+        if beside is None or len(beside.value) == len(at.value):
             continue
-        _, omega = state_sizes(system, opened)
-        if np.all(np.abs(opened.flow.qdd - at.flow.qdd) <= RESTS * at.partition.sizes * omega**2):
-            values = f"{len(at.value)} and {len(opened.value)}"
+        _, omega = state_sizes(system, beside)
+        if np.all(np.abs(beside.flow.qdd - at.flow.qdd) <= RESTS * at.partition.sizes * omega**2):
+            values = f"{len(at.value)} and {len(beside.value)}"
             name = f"contact `{contact.name}`, which carries no force"
             sink.report("E0860", contact.spans[0], names=name, what="the number of states", values=values)
             return True

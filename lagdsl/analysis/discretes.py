@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from lagdsl.analysis.point import Point, System
 from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.standing import standing
@@ -16,6 +18,16 @@ def discretes_at(system: System, point: Point) -> Floats:
     w = found.w.copy()
     w[list(found.pierced)] = 1.0
     return w
+
+
+def opened(system: System, point: Point, contact: str) -> Point:
+    """The point with this contact open, and friction under it without a force."""
+    places = {slot.name: place for place, slot in enumerate(system.engine.layout.discretes)}
+    under = [friction for friction in system.flat.events.frictions if friction.contact == contact]
+    w = point.w.copy()
+    for name in (f"closed({contact})", *(n for friction in under for n in (friction.sticks, *friction.directions))):
+        w[places[name]] = 0.0
+    return replace(point, w=w)
 
 
 def open_contacts(system: System, point: Point) -> list[str]:

@@ -10,7 +10,7 @@ systems, Journal of Mechanical Design 104 (1982) 247-255.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -24,6 +24,10 @@ _PREFERENCE = 1e-3
 _DEPENDS = 1e-8
 # A row this much shorter than the longest has no content.
 _VANISHES = 1e-12
+# Ranks of a mode are looked at so many points, so far beside, as a part of the natural sizes.
+_POINTS = 3
+_BESIDE = 0.1
+_SEED = 17
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +63,8 @@ class Partition:
 
 
 def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> Partition | None:
-    """The chart about `point`; E0850 where the constraints lose rank, so that there is none."""
+    """The chart about `point`; E0850 where the constraints lose rank, so that there is none. Rows of contacts and of
+    friction that depend on each other in all of a mode lose none."""
     layout = system.engine.layout
     sizes = coordinate_sizes(system, point.p)
     jacobian = system.engine.evaluate("velocity_constraint", *point.arguments)[1]
@@ -67,7 +72,7 @@ def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> 
     rows = rows / _lengths(rows)[:, None]
     away = [row for row in contact_rows(system.flat) if not np.any(rows[row])]  # of open contacts
     kept = [row for row, redundant in enumerate(layout.redundant) if not redundant and row not in away]
-    if rank(rows, _DEPENDS) < len(kept):
+    if rank(rows, _DEPENDS) < len(kept) and _lost(system, point, sizes, kept):
         slack = [layout.constraints[row].name for row in kept]
         sink.report("E0850", None, names=", ".join(f"`{name}`" for name in slack))
         return None
@@ -79,6 +84,20 @@ def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> 
     further = _dependent(rows @ tangent, position)
     rate = [j for j in position if j not in set(further)]
     return Partition(tuple(position), tuple(rate), tuple(held), jacobian, sizes)
+
+
+def _lost(system: System, point: Point, sizes: Floats, kept: Sequence[int]) -> bool:
+    """True if `kept` rows, which depend on each other here, do not so everywhere. Contacts and friction may have such
+    rows in all of a mode, as the legs of a table have: these share their forces."""
+    if not contact_rows(system.flat) & set(kept):
+        return True
+    chance = np.random.default_rng(_SEED)
+    beside = [replace(point, q=point.q + _BESIDE * sizes * chance.uniform(-1, 1, len(sizes))) for _ in range(_POINTS)]
+    ranks = []
+    for at in (point, *beside):
+        rows = system.engine.evaluate("velocity_constraint", *at.arguments)[1][list(kept)] * sizes
+        ranks.append(rank(rows / _lengths(rows)[:, None], _DEPENDS) if np.isfinite(rows).all() else 0)
+    return max(ranks) > ranks[0]
 
 
 def position_basis(chosen: Partition) -> Floats:

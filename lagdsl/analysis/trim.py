@@ -5,6 +5,10 @@ constraints of both levels and the accelerations have to vanish; rates that are 
 method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
 become least; the nearer solution is taken, others are tried where there is none. Truths of relations and
 closed contacts are those of the start; where they are others at the solution it is looked for again with these.
+
+Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
+of a position. Where there is no such equilibrium things may slide to another one. There friction holds what stands
+still, within its limits.
 """
 
 from __future__ import annotations
@@ -15,6 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lagdsl.analysis.discretes import discretes_at, open_contacts
+from lagdsl.analysis.friction import FrictionForce, friction_forces
+from lagdsl.analysis.grip import Grip, grip_at, gripping, unheld
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce
 from lagdsl.analysis.partition import partition
 from lagdsl.analysis.point import (
@@ -38,6 +44,8 @@ from lagdsl.units.naming import rate_text
 
 _TRIES = 24
 _HOLDS = 1e-9
+# Rates that follow are none below this part of their natural sizes.
+_RESTS = 1e-12
 _MOST_TOLD = 4
 # So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
 _MOST_CHANGES = 12
@@ -47,37 +55,42 @@ _STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Equilibrium:
     """`point` with its inputs; `unknowns` are the names that were free, `residual` the largest acceleration left, as a
-    part of what a natural displacement causes."""
+    part of what a natural displacement causes. `frictions` are the forces of dry friction, with what they bear."""
 
     model: str
     point: Point
     unknowns: tuple[str, ...]
     residual: float
     steadiness: Steadiness
+    frictions: tuple[FrictionForce, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class _Task:
-    """Unknowns as weighted distances from `start`, in the order q, qd, z, u; `rates` accelerate by nothing."""
+    """Unknowns as weighted distances from `start`, in the order q, qd, z, u; `rates` accelerate by nothing. `grip` is
+    what friction holds in its place."""
 
     system: System
     start: Point
     free: tuple[int, ...]
     widths: Floats
     rates: tuple[int, ...]
+    grip: Grip
 
     def point(self, x: Floats) -> Point:
         whole = np.concatenate([self.start.q, self.start.qd, self.start.z, self.start.u])
         whole[list(self.free)] += self.widths[list(self.free)] * x
         n, nz = len(self.start.q), len(self.start.z)
         q, qd, z, u = np.split(whole, [n, 2 * n, 2 * n + nz])
+        if not np.any(self.start.qd):  # a rate of rounding errors has a sense, which friction would follow
+            qd = np.where(np.abs(qd) > _RESTS * self.widths[n : 2 * n], qd, 0.0)
         return replace(self.start, q=q, qd=qd, z=z, u=u)
 
     def equations(self, x: Floats) -> tuple[Floats, Floats]:
         """Constraints, accelerations and rates of states, in SI units, and their Jacobian."""
         system, point, rows = self.system, self.point(x), holonomic_rows(self.system)
         here = flow(system, point, Sink())
-        count = len(rows) + len(system.engine.layout.constraints) + len(self.rates) + len(point.z)
+        count = len(rows) + len(system.engine.layout.constraints) + len(self.rates) + len(point.z) + len(self.grip.rows)
         if here is None:
             return np.full(count, np.nan), np.full((count, len(x)), np.nan)
         phi = system.engine.evaluate("position_constraint", *point.arguments)[0][rows]
@@ -85,8 +98,9 @@ class _Task:
         along = self._directions()
         moved, drifted = constraint_changes(system, point, along)
         found = changes(system, here, along) if along.count else _nothing(point)
-        values = np.concatenate([phi, drift, here.qdd[list(self.rates)], here.zd])
-        jacobian = np.hstack([moved[:, rows], drifted, found.qdd[:, list(self.rates)], found.zd]).T
+        way, held = self.grip.way(system, point)
+        values = np.concatenate([phi, drift, here.qdd[list(self.rates)], here.zd, way])
+        jacobian = np.hstack([moved[:, rows], drifted, found.qdd[:, list(self.rates)], found.zd, along.q @ held.T]).T
         return values, jacobian
 
     def _directions(self) -> Directions:
@@ -136,6 +150,7 @@ def trim_at(
         unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
         residual=found.size,
         steadiness=steadiness(system, at),
+        frictions=friction_forces(system, at.flow),
     )
 
 
@@ -143,8 +158,16 @@ def _reached(
     system: System, start: Point, whose: tuple[list[int], list[int]], sink: Sink
 ) -> tuple[_Task, Minimizer] | None:
     """The solution with the discretes that belong to it."""
+    gripped = grip_at(system, start)
+    found = None if not gripped.rows else _settled(system, start, whose, gripped, Sink())
+    return found or _settled(system, start, whose, Grip((), start.q), sink)
+
+
+def _settled(
+    system: System, start: Point, whose: tuple[list[int], list[int]], grip: Grip, sink: Sink
+) -> tuple[_Task, Minimizer] | None:
     for _ in range(_MOST_CHANGES):
-        task = _task(system, start, *whose, sink)
+        task = _task(system, start, *whose, grip.at(system, start), sink)
         if task is None:
             return None
         with np.errstate(all="ignore"):
@@ -154,6 +177,9 @@ def _reached(
             return None
         point = task.point(found.point)
         w = discretes_at(system, point)
+        held = gripping(system, point, w)
+        if held is not None:
+            return replace(task, start=replace(task.start, w=held.w)), found
         if np.array_equal(w, point.w):
             return task, found
         start = replace(point, w=w)
@@ -168,7 +194,9 @@ def _asked(task: _Task, names: Sequence[str], free: Sequence[str]) -> set[int]:
     return {i for i in task.free if not n <= i < 2 * n or names[i] in free}
 
 
-def _task(system: System, start: Point, free: Sequence[int], hold: Sequence[int], sink: Sink) -> _Task | None:
+def _task(
+    system: System, start: Point, free: Sequence[int], hold: Sequence[int], grip: Grip, sink: Sink
+) -> _Task | None:
     flat, n = system.flat, len(start.q)
     chosen = partition(system, start, holonomic_rows(system), sink)
     if chosen is None:
@@ -182,7 +210,8 @@ def _task(system: System, start: Point, free: Sequence[int], hold: Sequence[int]
     states = first_order_sizes(system, start)
     inputs = np.maximum(np.abs(start.u), 1.0)
     widths = np.concatenate([sizes, sizes, states, inputs])
-    return _Task(system, start, tuple(unknown), widths, tuple(range(n)) if at_rest else chosen.rate)
+    rates = tuple(range(n)) if at_rest else chosen.rate
+    return _Task(system, start, tuple(unknown), widths, rates, grip if at_rest else Grip((), start.q))
 
 
 def _search(task: _Task) -> tuple[Minimizer, Floats]:
@@ -199,7 +228,8 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
     ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
     best = min(ways, key=lambda way: (not way.size <= _HOLDS, float(np.linalg.norm(way.point)), way.size))
     n = len(start.q)
-    for other in random_points(flat.coordinates, start.q, task.widths[:n], _TRIES):
+    tries = 0 if task.grip.rows else _TRIES  # what friction holds is near
+    for other in random_points(flat.coordinates, start.q, task.widths[:n], tries):
         if best.size <= _HOLDS:
             break
         beginning = [(other[i] - start.q[i]) / task.widths[i] if i < n else 0.0 for i in task.free]
@@ -238,6 +268,7 @@ def _report(task: _Task, found: Minimizer, scale: Floats, sink: Sink) -> None:
     closest = configuration(flat, task.point(found.point).q)
     notes = [f"left over: {', '.join(told)}", f"closest configuration: {closest}"]
     notes += open_contacts(task.system, task.start)
+    notes += unheld(task.system, task.start)
     held = [c.name for j, c in enumerate(flat.coordinates) if j not in task.free]
     if held:
         notes.append(f"not free: {', '.join(f'`{name}`' for name in held[:_MOST_TOLD])}")

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,7 +62,7 @@ def machine_of(flat: fm.FlatModel, columns: Columns) -> Machine:
     return Machine(
         flat,
         columns,
-        tuple(_evaluator(flat, seed) for seed in range(_POSITIONS)),
+        tuple(evaluator_at(flat, seed) for seed in range(_POSITIONS)),
         Dependence(flat),
         {item.name: item for item in flat.named},
         standing=frozenset(a for drawing in drawings if drawing.shape not in _THIN for a in drawing.anchors),
@@ -97,7 +98,7 @@ def bodies(machine: Machine) -> Iterator[Shape]:
 
 def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
     """The instances of classes that hold a body with moments of inertia."""
-    at = _evaluator(flat, 0)
+    at = evaluator_at(flat, 0)
     return frozenset(body.spans[1:] for body in flat.bodies if any(_number(at, each) != 0.0 for each in body.inertia))
 
 
@@ -189,15 +190,15 @@ def grounds(machine: Machine) -> Iterator[Shape]:
     changes as n . P does, with one unit vector n at all positions. A round shape touches it with its rim."""
     flat, columns = machine.flat, machine.columns
     origins = (fx.FrameOrigin(body.frame) for body in flat.bodies)
-    places = [(place, _movers(machine, place)) for place in (*(mass.position for mass in flat.masses), *origins)]
+    places = [(place, movers_of(machine, place)) for place in (*(mass.position for mass in flat.masses), *origins)]
     for contact in (each for each in flat.events.contacts if not each.one_way):
-        own = _movers(machine, contact.gap)
+        own = movers_of(machine, contact.gap)
         for place, movers in places:
-            normal = _normal(flat, contact.gap, place, movers) if own and own <= movers else None
+            normal = normal_of(flat, contact.gap, place, movers) if own and own <= movers else None
             if normal is None:
                 continue
             n = fx.Vector(*(fx.Number(float(x)) for x in normal))
-            reach = _radius(flat, place)
+            reach = radius_at(flat, place)
             depth = contact.gap if reach is None else fx.Binary("+", contact.gap, reach)
             foot = fx.Binary("-", place, fx.Binary("*", depth, n))
             numbers = (("at", columns.vector(foot)), ("normal", columns.vector(n)))
@@ -205,13 +206,13 @@ def grounds(machine: Machine) -> Iterator[Shape]:
             break
 
 
-def _movers(machine: Machine, expression: fx.FlatExpression) -> frozenset[str]:
+def movers_of(machine: Machine, expression: fx.FlatExpression) -> frozenset[str]:
     """The coordinates that an expression depends on."""
     coordinates = {coordinate.name for coordinate in machine.flat.coordinates}
     return frozenset(name for name in machine.dependence.of(expression) if name in coordinates)
 
 
-def _radius(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression | None:
+def radius_at(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression | None:
     """Of what is drawn at a place."""
     names = {place, place.frame} if isinstance(place, fx.FrameOrigin) else {place}
     for drawing in flat.drawings:
@@ -221,7 +222,7 @@ def _radius(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression |
     return None
 
 
-def _normal(
+def normal_of(
     flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression, movers: frozenset[str]
 ) -> NDArray[np.float64] | None:
     """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all `movers`, at two positions at random."""
@@ -229,7 +230,7 @@ def _normal(
     for seed in range(2):
         moves, changes = [], []
         for name in sorted(movers):
-            at = _evaluator(flat, seed, {name: 1.0})
+            at = evaluator_at(flat, seed, {name: 1.0})
             try:
                 moves.append(at.vector(fx.Derivative(place)))
                 changes.append(at.scalar(fx.Derivative(gap)))
@@ -276,7 +277,7 @@ def gauges(machine: Machine) -> Iterator[Shape]:
     """A dial for each angle and a slider for each other coordinate that moves nothing of what is drawn."""
     drawn = tuple(machine.columns.expressions)
     for coordinate in machine.flat.coordinates:
-        moved = _evaluator(machine.flat, 0, moved={coordinate.name: 0.1})
+        moved = evaluator_at(machine.flat, 0, moved={coordinate.name: 0.1})
         # A ball that turns in its place depends on its angle, and nothing is seen of it.
         likely = (each for each in drawn if coordinate.name in machine.dependence.of(each))
         if any(_is_changed(_number(machine.positions[0], each), _number(moved, each)) for each in likely):
@@ -305,17 +306,30 @@ def _is_changed(before: float, after: float) -> bool:
     return before != after and not (math.isnan(before) and math.isnan(after))
 
 
-def _evaluator(
-    flat: fm.FlatModel, seed: int, rates: Mapping[str, float] = _NONE, moved: Mapping[str, float] = _NONE
+def evaluator_at(
+    flat: fm.FlatModel,
+    seed: int,
+    rates: Mapping[str, float] = _NONE,
+    moved: Mapping[str, float] = _NONE,
+    *,
+    parameters: float = 0.0,
 ) -> Evaluator:
     """At coordinates, states and a time at random, the same ones for the same seed, plus what is `moved`; rates that
-    are not given are 0."""
+    are not given are 0. Real parameters differ from their values by up to the part `parameters`."""
     chance = random.Random(seed)
     variables = {item.name: chance.uniform(0.2, 1.2) for item in (*flat.coordinates, *flat.states)}
     variables["time"] = chance.uniform(0.1, 1.0)
     for name, step in moved.items():
         variables[name] += step
-    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | dict(rates)))
+    known = Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | dict(rates))
+    if not parameters:
+        return Evaluator(flat, known)
+    spread = {
+        item.name: item.value * chance.uniform(1.0 - parameters, 1.0 + parameters)
+        for item in flat.parameters
+        if item.kind == "Real" and not item.structural
+    }
+    return Evaluator(flat, replace(known, variables={**variables, **spread}))
 
 
 def _numbers(at: Evaluator, expressions: Iterable[fx.FlatExpression]) -> NDArray[np.float64]:

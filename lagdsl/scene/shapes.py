@@ -37,6 +37,7 @@ ShapeKind: TypeAlias = Literal[
     "reaction",
     "reaction torque",
     "constraint",
+    "friction",
 ]
 """The shapes of `draw`, then those that the rules of `implied` add, then the arrows of `vectors`."""
 
@@ -48,7 +49,8 @@ class Shape:
     Roles: `at`, `to` positions [m]; `x`, `y`, `z` axes of a frame; `vector`, `normal` directions; `axis` a direction in
     the axes of the frame; lengths `radius`, `length`, `width`, `height`, `size` [m]; `scale`, the length of a unit of
     the `file` of a mesh [m], one for all axes or three; `mass` [kg], `com` [m]
-    and `inertia` [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate.
+    and `inertia` [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate or, in
+    one column or two, of the force of friction, with its `mode`.
     """
 
     kind: ShapeKind

@@ -1,4 +1,5 @@
-"""Arrows that one can switch on: velocities, accelerations, admissible motions, reactions, constraint forces.
+"""Arrows that one can switch on: velocities, accelerations, admissible motions, reactions, constraint forces, dry
+friction.
 
 They are outputs of a model of their own, which has the same equations, so that a page computes them only while somebody
 looks at them.
@@ -12,9 +13,11 @@ from dataclasses import replace
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.listing import force_unit, forces_of
 from lagdsl.flat.quantity import Spans
 from lagdsl.record import record
 from lagdsl.scene.living import Living, with_scene
+from lagdsl.scene.rubbing import Rubbing
 from lagdsl.scene.shapes import Columns, Scene, Shape, ShapeKind
 
 MOST_POINTS = 24
@@ -28,6 +31,7 @@ UNITS: dict[ShapeKind, str] = {
     "reaction": "N",
     "reaction torque": "N.m",
     "constraint": "N",
+    "friction": "N",
 }
 """Of the numbers behind an arrow; admissible motions have that of their coordinate."""
 
@@ -47,7 +51,7 @@ def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     columns = Columns()
     places = _places(flat)
     shapes = [shape for rule in (_velocities, _accelerations, _admissible) for shape in rule(flat, places, columns)]
-    shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns)]
+    shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
     scene = Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=False)
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
 
@@ -159,6 +163,28 @@ def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: 
                     continue
                 force = fx.Vector(*(_slope(residual, name, row) for name in names))
                 yield _arrow("constraint", f"{row} on {place.name}", place, force, columns, constraint.spans)
+
+
+def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """Of each friction its mode (0: its contact is open, 1: it slides, 2: it sticks) and its force: as arrows where its
+    slip is that of a point, else as a size alone."""
+    rubbing = Rubbing(flat)
+    for friction in flat.events.frictions:
+        forces = forces_of(flat, friction)
+        sticks = fx.Variable(friction.sticks)
+        mode: fx.FlatExpression = fx.Conditional(sticks, fx.Number(2.0), fx.ONE)
+        if friction.contact is not None:
+            mode = fx.Conditional(fx.Variable(f"closed({friction.contact})"), mode, fx.ZERO)
+        told = (("mode", columns.scalar(mode)), ("value", columns.scalars(forces)))
+        texts = (("unit", force_unit(friction)), ("components", str(len(forces))))
+        places = rubbing.places(friction)
+        for place in places:
+            parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
+            force = parts[0] if len(parts) == 1 else fx.Binary("+", parts[0], parts[1])
+            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(force)), *told)
+            yield Shape(kind="friction", name=friction.name, numbers=numbers, texts=texts, spans=friction.spans)
+        if not places:
+            yield Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
 
 
 def _slope(residual: fx.FlatExpression, name: str | None, row: str) -> fx.FlatExpression:

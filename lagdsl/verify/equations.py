@@ -80,17 +80,27 @@ def solutions(program: Program, engine: Engine, states: Arrays) -> Line:
     mass, force = values(program, "dynamics", states)[:2]
     free = np.array([np.linalg.lstsq(m, f, rcond=1e-10)[0] for m, f in zip(mass, force, strict=True)])
     most = {Group.QDD: _largest(np.concatenate([qdd, free], axis=1), qdd), Group.LAMBDA: _largest(lam, lam)}
-    solved = states | {Group.QDD: qdd, Group.LAMBDA: lam}
+    solved = _with_loads(program, states | {Group.QDD: qdd, Group.LAMBDA: lam})
     worst = _Worst()
     both = zip(
         values_with_size(program, "residual", solved),
-        values_with_size(program, "residual", states | most),
+        values_with_size(program, "residual", solved | most),
         strict=True,
     )
     for (value, size), (_, bound) in both:
         worst.compare(value, np.zeros_like(value), np.maximum(size, _LEAST_PART * bound), "residual")
     says = "accelerations and multipliers satisfy M qdd - f = J' lam and J qdd = gamma"
     return Line(name="solution", says=says, figure=worst.part, limit=_SOLVED, note=worst.where)
+
+
+def _with_loads(program: Program, solved: Arrays) -> Arrays:
+    """With those loads in w that accelerations and multipliers ask for; a load may read the others."""
+    count = program.layout.kinds.count("load")
+    for _ in range(count):
+        discretes = solved[Group.W].copy()
+        discretes[:, -count:] = values(program, "load", solved)[0]
+        solved = solved | {Group.W: discretes}
+    return solved
 
 
 def tangents(program: Program, engine: Engine, states: Arrays) -> Line:

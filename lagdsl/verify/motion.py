@@ -1,4 +1,4 @@
-"""Lines on the motion: constraints, invariants, conserved quantities, a smaller tolerance."""
+"""Lines on the motion: constraints, friction, invariants, conserved quantities, a smaller tolerance."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from lagdsl.simulate.simulate import simulate
 from lagdsl.verify.certificate import Line
 from lagdsl.verify.conserved.along import along
 from lagdsl.verify.conserved.find import conserved_quantities
+from lagdsl.verify.friction import friction
 from lagdsl.verify.states import coordinate_sizes
 
 _ROWS = 201
@@ -40,6 +41,7 @@ def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
         return
     if flat.constraints:
         yield _on_constraints(found)
+    yield from friction(compilation, interval)
     for invariant in found.invariants:
         yield Line(
             name=f"invariant {invariant.name}",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import spread
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed
@@ -40,7 +41,7 @@ BETWEEN = {
 }
 
 
-@pytest.mark.parametrize("name", BETWEEN)
+@pytest.mark.parametrize("name", spread(BETWEEN, 6))
 def test_a_point_between_two_sides_is_refused(name: str) -> None:
     text, what, values, names = BETWEEN[name]
     with pytest.raises(CompilationFailed) as failure:
@@ -72,7 +73,7 @@ SMOOTH = {
 }
 
 
-@pytest.mark.parametrize("force", SMOOTH)
+@pytest.mark.parametrize("force", spread(SMOOTH, 4))
 def test_sides_that_agree_are_one(force: str) -> None:
     found = model(f"{SLIDER} force {force} on x;").linearize()
     np.testing.assert_allclose(found.A, [[0, 1], [SMOOTH[force], 0]], atol=1e-8)

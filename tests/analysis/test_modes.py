@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 
 import lagdsl
 from lagdsl.diagnostics import Sink
@@ -73,7 +74,7 @@ def test_a_column_under_a_dead_load_buckles() -> None:
     assert (threshold.kind, threshold.eigenvalue) == ("divergence", 0)
 
 
-@pytest.mark.parametrize("k", [0.5, 1.0])
+@pytest.mark.parametrize("k", spread([0.5, 1.0], 1))
 def test_a_wheel_stays_upright_above_a_speed(k: float) -> None:
     """omega^2 > g A / (C (C + m R^2)/(m R)) with A = k m R^2/2, C = k m R^2: g/(3 R) for a disc, g/(4 R) for a hoop."""
     model, radius = compiled("rolling_hoop"), 0.3

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import repeats
 
 import lagdsl
 
@@ -96,6 +97,7 @@ def test_e0852_of_a_mass_in_free_fall() -> None:
     assert "closest configuration" in diagnostic.notes[1]
 
 
+@repeats("test_diagnostics_leave_with_status_one in tests/cli")
 def test_e0852_names_what_was_not_free() -> None:
     with pytest.raises(lagdsl.CompilationFailed) as failure:
         lagdsl.compile(MODELS / "four_bar_angles.lag").trim()

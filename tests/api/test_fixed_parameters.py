@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 
 import lagdsl
 
@@ -101,12 +102,15 @@ def test_a_built_module_does_not_ask_for_fixed_parameters(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize(
     ("fix", "words"),
-    [
-        ("m=3 m", "this is a length"),
-        ("x.start=1 m", "is a start value"),
-        ("mm=2 kg", "no parameter `mm`"),
-        ("q*", "--fix"),
-    ],
+    spread(
+        [
+            ("m=3 m", "this is a length"),
+            ("x.start=1 m", "is a start value"),
+            ("mm=2 kg", "no parameter `mm`"),
+            ("q*", "--fix"),
+        ],
+        2,
+    ),
 )
 def test_wrong_options_are_refused(tmp_path: Path, fix: str, words: str) -> None:
     result = build(tmp_path, fix)

@@ -8,6 +8,12 @@ from pathlib import Path
 
 
 @cache
+def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
+    """All of the tree. Tests ask for them again and again, and to walk takes as long as to look at them."""
+    return tuple(ast.walk(tree))
+
+
+@cache
 def trees(root: Path) -> dict[str, ast.Module]:
     """By path below `root`, sorted."""
     paths = sorted((root / "lagdsl").rglob("*.py"))

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from python_trees import trees
+from python_trees import nodes, trees
 
 
 def _leaves(pattern: ast.pattern) -> Iterator[ast.pattern]:
@@ -50,7 +50,7 @@ def _ends_in_assert_never(case: ast.match_case) -> bool:
 def wildcards(tree: ast.Module) -> list[int]:
     """Lines of wildcard cases that stand for the rest of a closed set."""
     found = []
-    for match in (node for node in ast.walk(tree) if isinstance(node, ast.Match)):
+    for match in (node for node in nodes(tree) if isinstance(node, ast.Match)):
         named = [leaf for case in match.cases for leaf in _leaves(case.pattern) if not _is_wildcard(leaf)]
         closed = any(_names_members(leaf) for leaf in named)
         found += [

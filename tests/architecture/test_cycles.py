@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 
 from c_layers import between_rooms, cycles, defined, included, read, rooms
-from python_trees import trees
+from python_trees import nodes, trees
 
 
 def _module(path: str) -> str:
@@ -20,7 +20,7 @@ def python_imports(root: Path) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     for name, tree in modules.items():
         needs: set[str] = set()
-        for node in ast.walk(tree):
+        for node in nodes(tree):
             if isinstance(node, ast.Import):
                 needs |= {alias.name for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and node.module is not None:

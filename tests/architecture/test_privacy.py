@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from python_trees import trees
+from python_trees import nodes, trees
 
 # Documented names, underscored so that fields cannot collide with them: of named tuples, of structures of ctypes.
 PUBLIC = {"_replace", "_asdict", "_fields", "_make", "_fields_"}
@@ -29,7 +29,7 @@ def _is_private(name: str) -> bool:
 def _own_names(tree: ast.Module) -> set[str]:
     """Names that the module defines: functions, classes, variables, fields, and attributes that it sets on `self`."""
     names: set[str] = set()
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
             names.add(node.name)
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
@@ -46,7 +46,7 @@ def _is_own(value: ast.expr) -> bool:
 def intrusions(tree: ast.Module) -> Iterator[tuple[int, str]]:
     """Lines and private names of other modules that they import or read."""
     own = _own_names(tree)
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.ImportFrom) and node.module != "__future__":
             yield from ((node.lineno, alias.name) for alias in node.names if _is_private(alias.name))
             if any(_is_private(part) for part in (node.module or "").split(".")):

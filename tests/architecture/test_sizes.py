@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from python_trees import trees
+from python_trees import nodes, trees
 
 SOURCES = (".py", ".c", ".h")
 MOST_FILES, MOST_LINES, MOST_FIELDS = 25, 400, 10
@@ -51,7 +51,7 @@ def _attributes(node: ast.ClassDef) -> set[str]:
 
 def large(tree: ast.Module) -> Iterator[str]:
     """Classes whose objects change and have too many fields: dataclasses that are not frozen, and plain ones."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.ClassDef):
             fields = [item for item in node.body if isinstance(item, ast.AnnAssign) and _is_mutable_dataclass(node)]
             if max(len(fields), len(_attributes(node))) > MOST_FIELDS:

@@ -13,11 +13,13 @@ from math import cos, radians, sin, sqrt
 from typing import Any
 
 import numpy as np
+from choice import spread
 
 import lagdsl
 
 G = 9.81
 STARTS = 30
+FEW = 6  # of them in `make check`
 
 
 @dataclass(frozen=True)
@@ -201,4 +203,4 @@ STRIKERS = [
 
 
 def starts(machine: Machine) -> Iterator[Values]:
-    return map(machine.start, range(STARTS))
+    return map(machine.start, spread(range(STARTS), FEW))

@@ -7,7 +7,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 import pytest
-from attack.rows import Attack, check, model, rows
+from attack.rows import Attack, Later, check, model, rows
 from scipy.integrate import solve_ivp
 
 import lagdsl
@@ -65,7 +65,7 @@ def _cranks(rate: str, opened: float) -> list[Attack]:
             f"crank_by_{rate[4:-1]}_until_{opened:g}_at_{tolerance:g}",
             text,
             opened + 0.5,
-            {"main.q": _crank_angle(0.5), "n": 1.0},
+            Later(lambda: {"main.q": _crank_angle(0.5), "n": 1.0}),
             {("main.q > 2", "true"): 1, ("main.q > 2", "false"): 0},
             tolerance=tolerance,
             near=near(tolerance),
@@ -121,7 +121,7 @@ HELD = [
             f"crank_that_turns_back_by_{rate[4:-1]}",
             model(CRANK_BACK + LOCK.format(rate=rate), f"when {condition} then " + UNTIL.format(opened=10)),
             10.5,
-            {"main.q": _turning_crank(), "n": 1.0},
+            Later(lambda: {"main.q": _turning_crank(), "n": 1.0}),
         )
         for rate, condition in (("der(guide.s)", "der(main.q) < 0"), ("der(main.q)", "der(guide.s) > 0"))
     ),
@@ -210,7 +210,7 @@ def _pendulums(height: float) -> list[Attack]:
             f"pendulum_at_{height:g}_at_{tolerance:g}",
             text,
             3.2,
-            dict(zip(("a", "b", "c"), _angles(height), strict=True)) | {"n": 1.0},
+            Later(lambda: dict(zip(("a", "b", "c"), _angles(height), strict=True)) | {"n": 1.0}),
             {(f"h < {height:g}", "true"): 1},
             tolerance=tolerance,
             near=near(tolerance),

@@ -6,6 +6,7 @@ from math import sqrt
 
 import pytest
 from attack.rows import Attack, check, model, rows
+from choice import spread
 
 import lagdsl
 
@@ -229,7 +230,7 @@ def test_a_rope_that_becomes_taut_is_no_corner() -> None:
     assert "W0520" not in {each.code for each in told}
 
 
-@pytest.mark.parametrize("name", JUMPS)
+@pytest.mark.parametrize("name", spread(JUMPS, 12))
 @pytest.mark.parametrize(
     ("way", "code"),
     [
@@ -260,7 +261,7 @@ def test_a_gap_does_not_jump_into_the_ground(y: float) -> None:
 FALLING = "gravity = {0, -1, 0}; mass 1 at {x, y}; "
 
 
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-7, 1e-12])
+@pytest.mark.parametrize("tolerance", spread([1e-3, 1e-7, 1e-12], 2))
 @pytest.mark.parametrize(
     ("text", "rest"),
     [

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -111,8 +112,9 @@ Build = Callable[..., Module]
 
 @pytest.fixture(scope="module")
 def build(tmp_path_factory: pytest.TempPathFactory, made: Made) -> Build:
-    """Exports a model text and makes it."""
+    """Exports a model text and makes it, once."""
 
+    @cache
     def built(text: str, flags: str = PLAIN) -> Module:
         folder = tmp_path_factory.mktemp("module")
         (folder / "model.lag").write_text(text, encoding="utf-8")

@@ -92,7 +92,7 @@ def test_every_form_gives_the_same_bits_and_means_the_graph(name: str, monkeypat
 
 NAMES = ("pendulum", "chain", "closed_chain", "quaternion_body")
 LANES = ("straight", "rolled")
-IN_LANES = [("chain", "rolled"), ("quaternion_body", "straight")]
+IN_LANES = [("chain", "rolled")]
 
 
 @pytest.mark.parametrize(("name", "form"), chosen(product(NAMES, LANES), IN_LANES))
@@ -113,7 +113,7 @@ def test_lanes_give_the_bits_of_single_states(name: str, form: str, monkeypatch:
 
 
 BY = ("state", "input", "parameter")
-EACH = [("pendulum", "state"), ("closed_chain", "parameter"), ("pendulum", "input")]
+EACH = [("closed_chain", "parameter"), ("pendulum", "input")]
 
 
 @pytest.mark.parametrize(("name", "by"), chosen(product(NAMES, BY), EACH))

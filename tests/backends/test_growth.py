@@ -20,7 +20,7 @@ from lagdsl.program.program import Program
 
 pytestmark = pytest.mark.no_cover
 
-SIZES = (40, 60, 100) if ALL else (40, 50, 70)
+SIZES = (40, 60, 100) if ALL else (20, 25, 35)
 CHAINS = ("planar_chain", "spatial_chain")
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from base_modelica import Model
-from choice import ALL, examples
+from choice import ALL, examples, spread
 from fmi.test_values_before_events import COUNTS, DISTANCE, SHIFTS
 from fmi.test_values_before_events import NAMES as NAMES_OF_INPUTS
 from fmi.test_values_before_events import ROWS as ROWS_OF_INPUTS
@@ -107,7 +107,7 @@ def state_of(name: str, states: Any, row: int) -> dict[str, float]:
     return {**values, "time": float(states[Group.TIME][row]), STABILIZATION: 0.0}
 
 
-@pytest.mark.parametrize("name", expressible(EVERY))
+@pytest.mark.parametrize("name", spread(expressible(EVERY), 5))
 def test_accelerations_are_those_of_the_runtime(name: str) -> None:
     compilation = model(name)._compilation
     program, flat = compilation.program, compilation.flat
@@ -157,7 +157,7 @@ def test_errors_of_constraints_decay_at_the_rate_of_the_parameter(name: str) -> 
     np.testing.assert_allclose((j @ a - numbers("dynamics", 3) + terms)[kept], 0.0, atol=1e-9 * np.max(np.abs(a)))
 
 
-@pytest.mark.parametrize("name", SOME)
+@pytest.mark.parametrize("name", spread(SOME, 4))
 def test_the_file_is_the_same_every_time_and_declares_each_name_once(name: str) -> None:
     first = written(name)
     written.cache_clear()

@@ -37,8 +37,8 @@ static int alike(const lag_run *one, const lag_run *other)
            one->stepper.h == other->stepper.h && one->stepper.method == other->stepper.method &&
            one->stepper.counts.steps == other->stepper.counts.steps && one->stepper.counts.evaluations == other->stepper.counts.evaluations &&
            one->stepper.counts.jacobians == other->stepper.counts.jacobians && one->stepper.counts.decompositions == other->stepper.counts.decompositions &&
-           one->stepper.counts.rejections == other->stepper.counts.rejections && one->events == other->events && one->changes == other->changes &&
-           one->row == other->row && one->projection.count == other->projection.count;
+           one->stepper.counts.rejections == other->stepper.counts.rejections && one->counts.events == other->counts.events && one->methods.changes == other->methods.changes &&
+           one->counts.row == other->counts.row && one->projection.count == other->projection.count;
 }
 
 /* One call of a caller who lets a run go so many steps at a time. */
@@ -81,8 +81,8 @@ static size_t every_place_is_taken_back(const lag_model *model, const lag_run_op
         free(bytes);
         ++places;
     }
-    CHECK(model->event == NULL || one->events > 10);
-    CHECK(model->event != NULL || options->method != NULL || one->changes > 1);
+    CHECK(model->event == NULL || one->counts.events > 10);
+    CHECK(model->event != NULL || options->method != NULL || one->methods.changes > 1);
     free(one);
     free(other);
     return places;

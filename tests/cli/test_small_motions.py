@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 from click.testing import Result
 
 Invoke = Callable[..., Result]
@@ -70,7 +71,9 @@ def test_tables_in_a_file(invoke: Invoke, tmp_path: Path, arguments: tuple[str, 
     assert len(widths) == 1
 
 
-@pytest.mark.parametrize("options", [("--trim",), ("--set", "x[1].start=0", "--vary", "k=linspace(-10, 20, 7) N/m")])
+@pytest.mark.parametrize(
+    "options", spread([("--trim",), ("--set", "x[1].start=0", "--vary", "k=linspace(-10, 20, 7) N/m")], 1)
+)
 def test_figures(invoke: Invoke, tmp_path: Path, options: tuple[str, ...]) -> None:
     out = tmp_path / "out.png"
     result = invoke("modes", MODELS / "three_masses.lag", *options, "--plot", out)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 from click.testing import Result
 
 pytest.importorskip("xarray")
@@ -28,16 +29,19 @@ def _read(path: Path):
 
 @pytest.mark.parametrize(
     ("text", "expected"),
-    [
-        ("l=0.1:0.1:0.5 m", [0.1, 0.2, 0.3, 0.4, 0.5]),
-        ("l=10:20:60 cm", [0.1, 0.3, 0.5]),
-        ("l=1 : -0.25 : 0.5", [1, 0.75, 0.5]),
-        ("l=1, 2, 5 m", [1, 2, 5]),
-        ("l=1 m, 50 cm", [1, 0.5]),
-        ("l=7 mm", 0.007),
-        ("theta.start=-10, 10 deg", [-np.pi / 18, np.pi / 18]),
-        ("der(theta).start=1,2", [1, 2]),
-    ],
+    spread(
+        [
+            ("l=0.1:0.1:0.5 m", [0.1, 0.2, 0.3, 0.4, 0.5]),
+            ("l=10:20:60 cm", [0.1, 0.3, 0.5]),
+            ("l=1 : -0.25 : 0.5", [1, 0.75, 0.5]),
+            ("l=1, 2, 5 m", [1, 2, 5]),
+            ("l=1 m, 50 cm", [1, 0.5]),
+            ("l=7 mm", 0.007),
+            ("theta.start=-10, 10 deg", [-np.pi / 18, np.pi / 18]),
+            ("der(theta).start=1,2", [1, 2]),
+        ],
+        5,
+    ),
 )
 def test_values(invoke: Invoke, pendulum: Path, tmp_path: Path, text: str, expected: object) -> None:
     out = tmp_path / "out.nc"
@@ -90,38 +94,41 @@ def test_distributions(
 
 @pytest.mark.parametrize(
     ("arguments", "words"),
-    [
-        (("--set", "l=1:2"), "first:step:last"),
-        (("--set", "l=1:0:2"), "do not lead"),
-        (("--set", "l=2:1:1"), "do not lead"),
-        (("--set", "l=1 m:1 cm:2 m"), "one unit"),
-        (("--set", "l=0:1e-9:1"), "1e+09 runs, at most 1000000 are possible"),
-        (("--set", "l=1:1e-300:2"), "1e+300 runs"),
-        (("--set", "l=1:1e-308:1e308"), "runs, at most 1000000 are possible"),
-        (("--set", "l=1:1e-999:1e999"), "1e999 is too large for a number"),
-        (("--set", "l=linspace(0, 1e999, 3) m"), "1e999 is too large for a number"),
-        (("--set", "l=1:1e-999999999:2"), "unit"),
-        (("--set", "l=linspace(0, 1e999999999, 3)"), "unit"),
-        (("--set", "l=1:1:2000", "--set", "m=1:1:2000"), "4e+06 runs"),
-        (("--set", "l=normal(1, 2)", "--random", "10000000000000"), "1e+13 runs"),
-        (("--set", "l=linspace(1, 2)"), "linspace(first, last, count)"),
-        (("--set", "l=1,2", "--resume"), "give the file with -o"),
-        (("--set", "l=1:1:1000", "--stop", "1e4", "--interval", "1e-3"), "fewer rows"),
-        (("--set", "l=1 kg, 2 kg"), "this is a mass"),
-        (("--set", "theta.stat=1, 2"), "did you mean `theta.start`"),
-        (("--set", "l=1, 1 m"), "same value twice"),
-        (("--set", "l=1, x"), "expected a number"),
-        (("--set", "l=normal(1, 2)"), "give the number of draws"),
-        (("--random", "3"), "needs a distribution"),
-        (("--random", "3", "--set", "l=gamma(1)"), "there are the distributions"),
-        (("--random", "3", "--set", "l=normal(1)"), "takes mean, deviation"),
-        (("--random", "3", "--set", "l=uniform(2, 1)"), "from the lowest"),
-        (("--random", "3", "--set", "l=normal(1, -1)"), "not negative"),
-        (("--random", "3", "--set", "l=normal(1, a)"), "must be a number"),
-        (("--set", "l=1,2", "--column", "thet"), "did you mean `theta`"),
-        (("--set", "l=1,2", "-o", "x.txt"), ".nc, .parquet, .csv"),
-        (("--set", "l=1,2", "--stop", "-1"), "after the start"),
-    ],
+    spread(
+        [
+            (("--set", "l=1:2"), "first:step:last"),
+            (("--set", "l=1:0:2"), "do not lead"),
+            (("--set", "l=2:1:1"), "do not lead"),
+            (("--set", "l=1 m:1 cm:2 m"), "one unit"),
+            (("--set", "l=0:1e-9:1"), "1e+09 runs, at most 1000000 are possible"),
+            (("--set", "l=1:1e-300:2"), "1e+300 runs"),
+            (("--set", "l=1:1e-308:1e308"), "runs, at most 1000000 are possible"),
+            (("--set", "l=1:1e-999:1e999"), "1e999 is too large for a number"),
+            (("--set", "l=linspace(0, 1e999, 3) m"), "1e999 is too large for a number"),
+            (("--set", "l=1:1e-999999999:2"), "unit"),
+            (("--set", "l=linspace(0, 1e999999999, 3)"), "unit"),
+            (("--set", "l=1:1:2000", "--set", "m=1:1:2000"), "4e+06 runs"),
+            (("--set", "l=normal(1, 2)", "--random", "10000000000000"), "1e+13 runs"),
+            (("--set", "l=linspace(1, 2)"), "linspace(first, last, count)"),
+            (("--set", "l=1,2", "--resume"), "give the file with -o"),
+            (("--set", "l=1:1:1000", "--stop", "1e4", "--interval", "1e-3"), "fewer rows"),
+            (("--set", "l=1 kg, 2 kg"), "this is a mass"),
+            (("--set", "theta.stat=1, 2"), "did you mean `theta.start`"),
+            (("--set", "l=1, 1 m"), "same value twice"),
+            (("--set", "l=1, x"), "expected a number"),
+            (("--set", "l=normal(1, 2)"), "give the number of draws"),
+            (("--random", "3"), "needs a distribution"),
+            (("--random", "3", "--set", "l=gamma(1)"), "there are the distributions"),
+            (("--random", "3", "--set", "l=normal(1)"), "takes mean, deviation"),
+            (("--random", "3", "--set", "l=uniform(2, 1)"), "from the lowest"),
+            (("--random", "3", "--set", "l=normal(1, -1)"), "not negative"),
+            (("--random", "3", "--set", "l=normal(1, a)"), "must be a number"),
+            (("--set", "l=1,2", "--column", "thet"), "did you mean `theta`"),
+            (("--set", "l=1,2", "-o", "x.txt"), ".nc, .parquet, .csv"),
+            (("--set", "l=1,2", "--stop", "-1"), "after the start"),
+        ],
+        15,
+    ),
 )
 def test_wrong_usage(invoke: Invoke, pendulum: Path, arguments: tuple[str, ...], words: str) -> None:
     result = invoke("sweep", pendulum, *arguments)
@@ -156,11 +163,12 @@ def test_structural_parameters(invoke: Invoke, root: Path, tmp_path: Path) -> No
     np.testing.assert_array_equal(data["q[3]"].isnull().any("time").values, [True, True, False])
 
 
-def test_an_interrupt_leaves_what_can_be_resumed(pendulum: Path, tmp_path: Path) -> None:
+def test_an_interrupt_leaves_what_can_be_resumed(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.nc"
     kept = tmp_path / "out.nc.partial"
-    command = [sys.executable, "-m", "lagdsl", "sweep", pendulum, "--set", "l=0.1:0.1:3 m", "--stop", "2", "-o", out]
-    first = subprocess.Popen([*command, "--jobs", "2"], stderr=subprocess.PIPE, text=True, env={**os.environ})
+    command = ["sweep", pendulum, "--set", "l=0.1:0.1:3 m", "--stop", "2", "-o", out]
+    started = [sys.executable, "-m", "lagdsl", *command, "--jobs", "2"]
+    first = subprocess.Popen(started, stderr=subprocess.PIPE, text=True, env={**os.environ})
     deadline = time.monotonic() + 60
     while not (kept.exists() and kept.stat().st_size > 200) and time.monotonic() < deadline:
         time.sleep(0.02)
@@ -171,10 +179,10 @@ def test_an_interrupt_leaves_what_can_be_resumed(pendulum: Path, tmp_path: Path)
     assert not out.exists()
     finished = kept.stat().st_size
     assert finished > 200
-    again = subprocess.run([*command, "--jobs", "1"], capture_output=True, text=True, check=False)
-    assert again.returncode == 2
+    again = invoke(*command, "--jobs", "1")
+    assert again.exit_code == 2
     assert "resume it" in again.stderr
-    assert subprocess.run([*command, "--resume", "--jobs", "1"], check=False).returncode == 0
+    assert invoke(*command, "--resume", "--jobs", "1").exit_code == 0
     assert not kept.exists()
     assert (_read(out)["status"] == "ok").all()
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 from click.testing import Result
 
 Invoke = Callable[..., Result]
@@ -58,15 +59,18 @@ def words(result: Result) -> str:
 class TestRanges:
     @pytest.mark.parametrize(
         ("text", "rewritten"),
-        [
-            ("k=0 N/m:3 N/m:31", "k=0:0.1:3 N/m"),
-            ("k=0:3:31", "k=0:0.1:3 N/m"),
-            ("k=1 N/m:2 N/m:4", "k=linspace(1, 2, 4) N/m"),
-            ("k=10:20:3", "k=10:5:20 N/m"),
-            ("k=-10:20:7", "k=-10:5:20 N/m"),
-            ("k=0.1:3:30", "k=0.1:0.1:3 N/m"),
-            ("x[1].start=0 cm:3 cm:4", "x[1].start=0:1:3 cm"),
-        ],
+        spread(
+            [
+                ("k=0 N/m:3 N/m:31", "k=0:0.1:3 N/m"),
+                ("k=0:3:31", "k=0:0.1:3 N/m"),
+                ("k=1 N/m:2 N/m:4", "k=linspace(1, 2, 4) N/m"),
+                ("k=10:20:3", "k=10:5:20 N/m"),
+                ("k=-10:20:7", "k=-10:5:20 N/m"),
+                ("k=0.1:3:30", "k=0.1:0.1:3 N/m"),
+                ("x[1].start=0 cm:3 cm:4", "x[1].start=0:1:3 cm"),
+            ],
+            3,
+        ),
     )
     def test_a_count_is_refused_with_the_text_to_write(self, invoke: Invoke, text: str, rewritten: str) -> None:
         result = invoke("modes", MODELS / "three_masses.lag", "--vary", text)
@@ -203,7 +207,9 @@ class TestArrays:
 class TestInputs:
     """`--input` means the same in run, sweep, linearize, modes and trim."""
 
-    @pytest.mark.parametrize("command", [("run", *SHORT), ("sweep", *SHORT), ("linearize",), ("modes",), ("trim",)])
+    @pytest.mark.parametrize(
+        "command", spread([("run", *SHORT), ("sweep", *SHORT), ("linearize",), ("modes",), ("trim",)], 3)
+    )
     def test_values_and_tables(self, invoke: Invoke, two: Path, tmp_path: Path, command: tuple[str, ...]) -> None:
         table = tmp_path / "tau.csv"
         table.write_text("time [ms],tau [kN.m]\n0,0.002\n1000,0.002\n")

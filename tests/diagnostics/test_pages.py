@@ -66,7 +66,7 @@ def test_letters_are_severities():
 
 
 @pytest.mark.parametrize(
-    ("code", "kind", "text"), [pytest.param(*e, id=f"{e[0]}-{e[1]}") for e in spread(examples(), 150)]
+    ("code", "kind", "text"), [pytest.param(*e, id=f"{e[0]}-{e[1]}") for e in spread(examples(), 75)]
 )
 def test_example(code, kind, text):
     diagnostics, _ = check(SourceFile(f"{code}.lag", text))

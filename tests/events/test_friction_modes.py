@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import product
 from math import sqrt
 
 import pytest
+from choice import chosen
 
 import lagdsl
 
@@ -68,10 +70,15 @@ CASES = [
     # the roller pulls 2 y'' = 4 + F, s'' = 10 F, y'' = -0.1 s''
     ("an instant of another thing", ROLLER, "when time > 0.5 then n = 1; end when;", 3.0, {"y": 6.0, "z": 0.0}, []),
 ]
+# The direction of a slip that begins turns faster than an explicit method likes: four seconds for each of them.
+STIFF = ("a slip in a plane begins where the limit falls", "a slip in a plane begins where the force grows")
+BOTH = chosen(
+    product(CASES, ["dop853", "radau"]),
+    [(case, "radau" if case[0] in STIFF or i % 2 else "dop853") for i, case in enumerate(CASES)],
+)
 
 
-@pytest.mark.parametrize("solver", ["dop853", "radau"])
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case[0])
+@pytest.mark.parametrize(("case", "solver"), BOTH, ids=lambda each: each if isinstance(each, str) else each[0])
 def test_motion_and_modes_are_the_known_ones(case: tuple, solver: str) -> None:
     _, body, clauses, stop, ends, modes = case
     section = f"equation {clauses}\n" if clauses else ""

@@ -19,13 +19,13 @@ from fmi.exact_importer import ends_exactly
 from fmi.exported import VERSIONS, Exported
 from fmi.texts import export_text
 
-# A row of most kinds of faults runs in `make check`.
+# Some rows run in `make check`: tests/attack has more of them, in a run.
 MODULES = {
     "test_arrays_of_components": None,
     "test_contacts_in_a_row": None,
     "test_corners": None,
     "test_crossings_at_bounds": "crossing_at_a_tick",
-    "test_friction": "limit",
+    "test_friction": None,
     "test_first_instants": None,
     "test_forces_that_jump": None,
     "test_impacts_beyond_newton": None,
@@ -33,7 +33,7 @@ MODULES = {
     "test_inputs_that_jump": None,
     "test_machines_with_events": None,
     "test_methods_and_tolerances": None,
-    "test_missed_events": "teeth",
+    "test_missed_events": None,
     "test_nearly_at_once": None,
     "test_relations_at_rest": None,
     "test_rows_of_branches": "by_a_boolean_input_before",
@@ -45,7 +45,7 @@ MODULES = {
     "test_steps_in_place": None,
     "test_steps_on_contacts": None,
     "test_switched": "clutch_by_a_clock",
-    "test_track_corners": "constraint_that_moves",
+    "test_track_corners": None,
     "test_two_formulations": None,
 }
 SECONDS = 30  # of the processor, compilers left out
@@ -88,8 +88,6 @@ WITHIN_THE_BAND = "nearly_at_once-bar_that_is_tilted_by_1e-08"
 EXCHANGED = {name: row for name, row in ROWS.items() if not row.inputs and not name.startswith(HIDDEN)}
 EXACT = [
     ("contacts_in_a_row-soft_stop_of_two", 2),
-    ("scales-micrometres_beside_a_thousand_kilometres", 3),
-    ("crossings_at_bounds-time_and_place_at_once", 3),
     ("track_corners-constraint_that_moves", 2),
     ("switched-clutch_by_a_clock", 3),
 ]

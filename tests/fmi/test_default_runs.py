@@ -17,7 +17,6 @@ from fmi.texts import export_text
 CASES = list(product(MODELS, VERSIONS, KINDS, TOLERANCES))
 # A contact that hovers, blows in a row, and friction, which steps at the tolerance itself follow to 3 % of the range.
 SOME = [
-    ("ball_on_moving_table", 3, "ModelExchange", None),
     ("ball_on_moving_table", 3, "ModelExchange", 1e-4),
     ("newtons_cradle", 2, "ModelExchange", None),
     ("block_on_incline", 3, "CoSimulation", 1e-4),

@@ -98,7 +98,7 @@ def read(text: str, folder: Path) -> Any:
     return read_model_description(str(folder), validate=False)
 
 
-@in_versions(spread(EVERY, 7))
+@in_versions(spread(EVERY, 4))
 def test_descriptions_of_models_are_valid(name: str, version: Version, tmp_path: Path) -> None:
     _assert_valid(table_of_model(name, version), version, tmp_path)
 

@@ -13,8 +13,8 @@ from models.corpus import compiled
 from fmi.exported import EVERY, exported, in_versions
 from fmi.importing import Floats, Model, exchanged
 
-MODELS = pytest.mark.parametrize("name", chosen(EVERY, EVERY[1::3]))
-MODELS_IN_VERSIONS = in_versions(chosen(EVERY, EVERY[::3]))
+MODELS = pytest.mark.parametrize("name", chosen(EVERY, EVERY[1::5]))
+MODELS_IN_VERSIONS = in_versions(chosen(EVERY, EVERY[::4]))
 # Central differences of tenth order: truncation (0.3 h)^10, rounding 2^-52 / h.
 WEIGHTS = np.array([5 / 6, -5 / 21, 5 / 84, -5 / 504, 1 / 1260])
 STEPS = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)

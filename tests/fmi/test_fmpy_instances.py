@@ -54,7 +54,7 @@ def begun(instance: Slave, name: str, tolerance: float = 1e-8) -> tuple[tuple[st
     return signals(motion(name)), times
 
 
-@in_versions(chosen(EVERY, SAMPLE[::2]))
+@in_versions(chosen(EVERY, SAMPLE[::4]))
 def test_a_state_taken_back_goes_on_with_the_same_bits(name: str, version: int) -> None:
     """In the same instance, and in another one that was somewhere else."""
     with slave(exported(name, version)) as one, slave(exported(name, version)) as other:

@@ -19,7 +19,7 @@ from fmpy.validation import validate_fmu
 from fmi.exported import EVERY, SAMPLE, VERSIONS, Exported, exported, in_versions
 from fmi.motions import PREDICTABLE, Floats, deviation, difference, motion, scales, signals, span
 
-MODELS_IN_VERSIONS = in_versions(chosen(EVERY, SAMPLE[::2]))
+MODELS_IN_VERSIONS = in_versions(chosen(EVERY, SAMPLE[::3]))
 
 
 def simulated(fmu: Exported, name: str, kind: str, tolerance: float) -> Any:

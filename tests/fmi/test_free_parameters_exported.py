@@ -12,9 +12,8 @@ from fmpy.simulation import FMICallException
 from fmpy.validation import validate_fmu
 
 import lagdsl
-from fmi.exported import Exported
+from fmi.exported import Exported, export_quickly
 from fmi.importing import Instance, exchanged, slave
-from lagdsl.fmi.export import export
 from lagdsl.fmi.variables.variables import Version
 
 G = 9.80665
@@ -56,7 +55,7 @@ def fmu(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Version], Exporte
     def made(version: Version) -> Exported:
         if version not in known:
             path, inside = folder / f"found{version}.fmu", folder / str(version)
-            export(lagdsl.compile(TEXT)._compilation, path, version=version, documented=False)
+            export_quickly(lagdsl.compile(TEXT)._compilation, path, version=version)
             fmpy.extract(str(path), str(inside))
             known[version] = Exported(path, inside)
         return known[version]

@@ -6,6 +6,7 @@ from math import sqrt
 from zlib import crc32
 
 import pytest
+from choice import spread
 from fmpy.fmi1 import FMICallException
 
 from fmi.importing import slave
@@ -85,24 +86,27 @@ def moved(text: str, step: float, stop: float = 1.0) -> tuple[float, float]:
     return float(a), float(b)
 
 
+PASSED = {
+    # speed 1 along the track, before and behind its corner
+    "valley": (bent(ON.format(0.3037, "abs(x)"), a="x", b="der(y)"), 0.6963, 1.0),
+    "steep": (bent(ON.format(0.9111, "3*abs(x)"), a="x", b="der(y)"), 0.6963, 3.0),
+    "ramp": (bent(ON.format(0, "max(0, x)"), a="x", b="der(x)"), 0.6963 * BEND, BEND),
+    "bend": (bent(ON.format(0, "if x < 0 then 0 else x + x^2"), a="y - x - x^2", b="der(x)^2 + der(y)^2"), 0.0, 1.0),
+    "level": (bent(RAMP, a="x", b="der(y)"), -0.4978 + 0.6978 * sqrt(1.25), 0.0),
+    # corners of time: the momentum of y is zero all the time, that of a mass on the drive, too
+    "drive": (bent(DRIVEN, a="x", b="y"), 0.4949, -0.4949 / 2),
+    "carried": (bent(CARRIED, a="x", b="der(x)"), -0.4949, -1.0),
+    # a clause closes a constraint where it is satisfied
+    "lock": (bent(LOCKED.format("(if locked then x - 0.5051 else 0)"), LOCK, a="x", b="der(x)"), 0.5051, 0.0),
+}
+
+
 @pytest.mark.parametrize("step", [1e-3, 3e-3, 0.01])
 @pytest.mark.parametrize(
     ("text", "a", "b"),
-    [
-        # speed 1 along the track, before and behind its corner
-        (bent(ON.format(0.3037, "abs(x)"), a="x", b="der(y)"), 0.6963, 1.0),
-        (bent(ON.format(0.9111, "3*abs(x)"), a="x", b="der(y)"), 0.6963, 3.0),
-        (bent(ON.format(0, "max(0, x)"), a="x", b="der(x)"), 0.6963 * BEND, BEND),
-        (bent(ON.format(0, "if x < 0 then 0 else x + x^2"), a="y - x - x^2", b="der(x)^2 + der(y)^2"), 0.0, 1.0),
-        (bent(RAMP, a="x", b="der(y)"), -0.4978 + 0.6978 * sqrt(1.25), 0.0),
-        # corners of time: the momentum of y is zero all the time, that of a mass on the drive, too
-        (bent(DRIVEN, a="x", b="y"), 0.4949, -0.4949 / 2),
-        (bent(CARRIED, a="x", b="der(x)"), -0.4949, -1.0),
-        # a clause closes a constraint where it is satisfied
-        (bent(LOCKED.format("(if locked then x - 0.5051 else 0)"), LOCK, a="x", b="der(x)"), 0.5051, 0.0),
-    ],
-    ids=["valley", "steep", "ramp", "bend", "level", "drive", "carried", "lock"],
-)  # fmt: skip
+    spread(PASSED.values(), 4),
+    ids=spread(PASSED, 4),
+)
 def test_fixed_steps_pass_corners(step: float, text: str, a: float, b: float) -> None:
     assert moved(text, step) == pytest.approx((a, b), abs=1e-9)
 
@@ -128,18 +132,31 @@ BALL = "coordinate Real h(start = 1); kinetic 1/2*der(h)^2; force -2 on h;"
 COUNT = "discrete Real n;"
 
 
+LOCATED = {
+    "valley": (bent(VALLEY, a="x", b="der(x)"), FALL + 0.6, 0.09 - 0.3 * DOWN, 0.3 - DOWN / 2),
+    "reinit": (
+        bent(BALL, "when h < 0 then reinit(der(h), -pre(der(h))/2); end when;", a="h", b="der(h)"),
+        1.4,
+        0.24,
+        0.2,
+    ),
+    "impact": (bent(BALL, "when h < 0 then impact(h, 0.5); end when;", a="h", b="der(h)"), 1.4, 0.24, 0.2),
+    "contact": (bent(BALL + "contact c: h >= 0 with restitution = 0.5;", a="h", b="der(h)"), 1.4, 0.24, 0.2),
+    "clock": (
+        bent(BALL + COUNT, "when sample(0, 0.004) then n = pre(n) + 1; end when;", a="n", b="der(h)"),
+        0.9,
+        226,
+        -1.8,
+    ),
+}
+
+
 @pytest.mark.parametrize("step", [1e-3, 0.01, 0.1])
 @pytest.mark.parametrize(
     ("text", "stop", "a", "b"),
-    [
-        (bent(VALLEY, a="x", b="der(x)"), FALL + 0.6, 0.09 - 0.3 * DOWN, 0.3 - DOWN / 2),
-        (bent(BALL, "when h < 0 then reinit(der(h), -pre(der(h))/2); end when;", a="h", b="der(h)"), 1.4, 0.24, 0.2),
-        (bent(BALL, "when h < 0 then impact(h, 0.5); end when;", a="h", b="der(h)"), 1.4, 0.24, 0.2),
-        (bent(BALL + "contact c: h >= 0 with restitution = 0.5;", a="h", b="der(h)"), 1.4, 0.24, 0.2),
-        (bent(BALL + COUNT, "when sample(0, 0.004) then n = pre(n) + 1; end when;", a="n", b="der(h)"), 0.9, 226, -1.8),
-    ],
-    ids=["valley", "reinit", "impact", "contact", "clock"],
-)  # fmt: skip
+    spread(LOCATED.values(), 3),
+    ids=spread(LOCATED, 3),
+)
 def test_fixed_steps_locate_events(step: float, text: str, stop: float, a: float, b: float) -> None:
     assert moved(text, step, stop) == pytest.approx((a, b), abs=1e-9)
 
@@ -150,17 +167,20 @@ def test_fixed_steps_do_not_let_a_ball_through_the_ground() -> None:
         moved(bent(BALL, "when h < 0 then reinit(der(h), -pre(der(h))/2); end when;", a="h", b="der(h)"), 0.01, 4.0)
 
 
+REFUSED = {
+    "step": bent(ON.format(0, "(if x > 0 then 0.0005 else 0)"), a="x", b="y"),
+    "shifted": bent(ON.format(-0.3037, "x + (if x > 0 then 0.5 else 0)"), a="x", b="y"),
+    "time": bent(DRIVEN.replace("max(0, time - 0.5051)", "if time > 0.5051 then 0.1 else 0"), a="x", b="x"),
+    "lock": bent(LOCKED.format("(if locked then x - 0.55 else 0)"), LOCK, a="x", b="x"),
+}
+
+
 @pytest.mark.parametrize("step", [1e-3, 0.01])
 @pytest.mark.parametrize(
     "text",
-    [
-        bent(ON.format(0, "(if x > 0 then 0.0005 else 0)"), a="x", b="y"),
-        bent(ON.format(-0.3037, "x + (if x > 0 then 0.5 else 0)"), a="x", b="y"),
-        bent(DRIVEN.replace("max(0, time - 0.5051)", "if time > 0.5051 then 0.1 else 0"), a="x", b="x"),
-        bent(LOCKED.format("(if locked then x - 0.55 else 0)"), LOCK, a="x", b="x"),
-    ],
-    ids=["step", "shifted", "time", "lock"],
-)  # fmt: skip
+    spread(REFUSED.values(), 2),
+    ids=spread(REFUSED, 2),
+)
 def test_fixed_steps_refuse_positions_that_jump(step: float, text: str) -> None:
     with pytest.raises(FMICallException):
         moved(text, step)

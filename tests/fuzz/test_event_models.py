@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from choice import ALL, EXPLORE, engines
+from choice import ALL, EXPLORE, engines, repeats, spread
 from fuzz.agreement import MOST_GRAZING, compare, told
 from fuzz.event_models import event_model
 
 import lagdsl
 
-COUNT = 1000 if EXPLORE else 24 if ALL else 2
+COUNT = 1000 if EXPLORE else 24 if ALL else 1
 
 
+@repeats("test_independent.py")
 def test_engines_agree_on_random_models(capsys: pytest.CaptureFixture[str]) -> None:
     reports = {seed: compare(event_model(seed)) for seed in range(COUNT)}
     wrong, grazing = told("both", reports, capsys)
@@ -25,7 +26,7 @@ def test_a_seed_is_one_model() -> None:
     assert len({event_model(seed) for seed in range(50)}) == 50
 
 
-@pytest.mark.parametrize("changed", ["force", "restitution"])
+@pytest.mark.parametrize("changed", spread(["force", "restitution"], 1))
 def test_another_model_is_told_from_it(changed: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The measure is one: an engine that integrates a slightly different model does not pass."""
     text = """

@@ -18,7 +18,7 @@ from fuzz.harder_models import harder_model
 import lagdsl
 from lagdsl.simulate.failure import SimulationFailed
 
-COUNT = 300 if EXPLORE else 24 if ALL else 2
+COUNT = 300 if EXPLORE else 24 if ALL else 1
 SECONDS = 30
 # Impacts enlarge differences: two runs at 1e-10 and 1e-11 differ by as much.
 NEAR = 1e-6

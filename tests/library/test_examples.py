@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
+from choice import together
 
 ROOT = Path(__file__).parents[2]
 MODELS = [
@@ -18,7 +18,7 @@ COMPONENTS = sorted(
 )
 
 
-@pytest.mark.parametrize("name", COMPONENTS)
+@together("name", COMPONENTS)
 def test_component_has_an_example(name: str) -> None:
     package, _, short = name.rpartition(".")
     qualified = rf"\b{re.escape(name)}\b"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 
-import pytest
+from choice import together
 
 from lagdsl.manual.component_page import component_page
 from lagdsl.manual.library import class_names, library_class, package_names, package_title
 from lagdsl.manual.models import model_names, model_text, renamed
 
 
-@pytest.mark.parametrize("name", class_names())
+@together("name", class_names())
 def test_every_parameter_of_a_class_is_on_its_page(name: str) -> None:
     """Read from the text of the class, without the tree that the page is made of."""
     text = library_class(name).node.span.text.partition("\nprotected")[0]
@@ -39,7 +39,7 @@ def test_packages_have_titles() -> None:
     assert all(package_title(name) for name in package_names())
 
 
-@pytest.mark.parametrize("name", model_names())
+@together("name", model_names())
 def test_every_model_takes_another_name(name: str) -> None:
     text = renamed(model_text(name), "Other")
     assert len(re.findall(r"\bOther\b", text)) == 2

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from choice import chosen
+from choice import chosen, spread
 from named_models import compiled
 
 from lagdsl.graph.evaluate import evaluate
@@ -116,7 +116,7 @@ def test_tangents_by_differences_with_fifty_digits(root: Path, name: str) -> Non
             expect(program, tangent, at, plus, minus)
 
 
-@pytest.mark.parametrize("name", (*MODELS, "kapitza_pendulum", "ball_on_moving_table"))
+@pytest.mark.parametrize("name", spread((*MODELS, "kapitza_pendulum", "ball_on_moving_table"), 3))
 def test_change_in_time_by_differences_with_fifty_digits(root: Path, name: str) -> None:
     program = with_names(compiled(root / "models" / f"{name}.lag"))
     at = state(program)

@@ -59,6 +59,8 @@ SOME = over(chosen(MODELS, OF_EACH_KIND))
 HALF = over(chosen(MODELS, OF_EACH_KIND[::2]))
 # Models that show a rule which other tests show of each kind, too.
 FEW = over(chosen(MODELS, OF_EACH_KIND[1::3]))
+# Models for a rule of code that is compiled, which takes a second each.
+RARE = over(chosen(MODELS, OF_EACH_KIND[1::6]))
 
 
 def kinds(name: str) -> set[str]:

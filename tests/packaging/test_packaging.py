@@ -50,6 +50,15 @@ def packages(root: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
     return sdist, wheel
 
 
+@pytest.fixture(scope="module")
+def site(packages: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The files that the wheel installs."""
+    folder = tmp_path_factory.mktemp("site")
+    with zipfile.ZipFile(packages[1]) as archive:
+        archive.extractall(folder)
+    return folder
+
+
 def _extract(archive: tarfile.TarFile, folder: Path) -> None:
     """Without links out of the folder, where Python has filters: since 3.11.4, and from 3.12 on it warns without."""
     if hasattr(tarfile, "data_filter"):
@@ -92,13 +101,8 @@ def test_the_wheel_is_for_one_platform_and_carries_the_runtime(packages: tuple[P
         assert not any("/runtime/lib/" in name for name in archive.getnames())
 
 
-def test_without_any_compiler_an_installed_package_has_its_runtime(
-    packages: tuple[Path, Path], root: Path, tmp_path: Path
-) -> None:
+def test_without_any_compiler_an_installed_package_has_its_runtime(site: Path, root: Path, tmp_path: Path) -> None:
     """No `cc` on the path, no ziglang to import, and nowhere to write."""
-    site = tmp_path / "site"
-    with zipfile.ZipFile(packages[1]) as archive:
-        archive.extractall(site)
     (tmp_path / "none").mkdir()
     lame = "import sys; sys.modules['ziglang'] = None\n"
     environment = {"PYTHONPATH": str(site), "PATH": str(tmp_path / "none"), "HOME": "/nonexistent"}
@@ -120,17 +124,16 @@ def test_the_build_asks_for_ziglang_where_no_compiler_is(root: Path, tmp_path: P
     assert "ziglang" in other
 
 
-def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_path: Path) -> None:
-    site = tmp_path / "site"
-    with zipfile.ZipFile(packages[1]) as archive:
-        archive.extractall(site)
+def test_the_wheel_runs_a_model(site: Path, root: Path, tmp_path: Path) -> None:
     model = tmp_path / "pendulum.lag"
     model.write_text((root / "models" / "pendulum.lag").read_text())
     environment = {"PYTHONPATH": str(site), "PATH": os.environ["PATH"], "HOME": str(tmp_path)}
-    where = _run([sys.executable, "-c", "import lagdsl; print(lagdsl.__file__)"], tmp_path, **environment)
-    assert str(site) in where
+    paths = "print(lagdsl.__file__, r.grammar_file().is_file(), r.library_folder().is_dir())"
+    code = f"import lagdsl; from lagdsl import resources as r; {paths}"
+    where = _run([sys.executable, "-c", code], tmp_path, **environment).split()
+    assert str(site) in where[0]
+    assert where[1:] == ["True", "True"]
     lag = [sys.executable, "-m", "lagdsl"]
-    assert "1 degree of freedom" in _run([*lag, "check", str(model)], tmp_path, **environment)
     assert "E0401" in _run([*lag, "explain", "E0401"], tmp_path, **environment)
     assert "rotor" in _run([*lag, "explain", "DCMotor"], tmp_path, **environment)
     parts = tmp_path / "four_bar.lag"
@@ -146,5 +149,3 @@ def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_pat
     _run([*lag, "fmu", str(model), "-o", str(fmu)], tmp_path, **environment, XDG_CACHE_HOME=compiled)
     with zipfile.ZipFile(fmu) as archive:
         assert {"modelDescription.xml", "sources/Pendulum_fmu.c"} <= set(archive.namelist())
-    paths = "from lagdsl import resources as r; print(r.grammar_file().is_file(), r.library_folder().is_dir())"
-    assert _run([sys.executable, "-c", paths], tmp_path, **environment).split() == ["True", "True"]

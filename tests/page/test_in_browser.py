@@ -106,6 +106,33 @@ def test_motions_of_any_length_take_seconds_to_watch(
     page.close()
 
 
+@pytest.mark.parametrize(
+    ("name", "first", "last"),
+    [
+        (
+            "block_on_slope",
+            ["friction: longest 4.61 N", "ground.friction: slides, 4.61 N"],
+            "ground.friction: sticks, 3.35 N",
+        ),
+        ("clutch", ["clutch: slides, 40 N.m"], "clutch: sticks, 18 N.m"),
+    ],
+)
+def test_the_legend_tells_what_friction_does_now(
+    name: str, first: list[str], last: str, browser: Any, tmp_path: Path
+) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(page_of(name), encoding="utf-8")
+    page = Opened(browser, path).page
+    page.keyboard.press("Space")
+    page.keyboard.press("Home")
+    page.get_by_role("button", name="friction", exact=True).click()
+    page.wait_for_selector("html[data-arrows]", timeout=MOST_MILLISECONDS, state="attached")
+    assert page.locator("#legend").inner_text().splitlines() == first
+    page.keyboard.press("End")
+    assert page.locator("#legend").inner_text().splitlines()[-1] == last
+    page.close()
+
+
 def test_a_motion_that_leaves_the_picture_is_taken_into_it(browser: Any, tmp_path: Path) -> None:
     """Unless somebody chose a view; `fit` shows the motion that there is, not the recorded one."""
     path = tmp_path / "page.html"

@@ -100,17 +100,14 @@ def test_the_same_model_gives_the_same_page() -> None:
     )
     command = [sys.executable, "-c", code]
     paths = os.pathsep.join([str(Path(__file__).parents[1]), *sys.path])
-    told = {
-        subprocess.run(
-            command,
-            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": paths},
-            capture_output=True,
-            text=True,
-            check=True,
-        ).stdout
-        for seed in ("1", "2")
-    }
-    assert len(told) == 1
+    done = subprocess.run(
+        command,
+        env={**os.environ, "PYTHONHASHSEED": "1", "PYTHONPATH": paths},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.strip() == hashlib.sha256(page_of("clutch").encode()).hexdigest()  # this process drew its seed
 
 
 def test_a_run_that_ends_early_is_shown_as_far_as_it_went() -> None:

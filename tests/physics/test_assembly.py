@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from choice import spread
+from choice import repeats, spread
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -86,6 +86,7 @@ def test_a_spring_knows_how_far_it_is_wound_whatever_is_cut(joint):
     assert_same(four_bar(spring=spring), four_bar(spring=spring, **{joint: "never"}))
 
 
+@repeats("test_any_joint_may_be_cut")
 def test_a_chain_may_be_entered_from_behind():
     backward = "connect(pin, D.frame_b); connect(D.frame_a, rocker.frame_b); connect(rocker.frame_a, C.frame_b);"
     rest = (
@@ -190,13 +191,13 @@ end M;
         np.testing.assert_allclose(found[name], states[name], rtol=0, atol=1e-7, err_msg=name)
 
 
-@pytest.mark.parametrize("kind", spread(KINDS, 3))
+@pytest.mark.parametrize("kind", spread(KINDS, 2))
 def test_coordinates_and_reactions_of_cut_joints(kind):
     modifiers, names = KINDS[kind]
     against_a_free_body("", f"{kind} j({modifiers});", names)
 
 
-@pytest.mark.parametrize("sequence", spread(SEQUENCES, 2))
+@pytest.mark.parametrize("sequence", spread(SEQUENCES, 1))
 def test_angles_of_every_sequence(sequence):
     starts = "a(start = 0.3 rad, der(start = 1 rad/s)%s), b(start = -0.7 rad), c(start = 0.5 rad)"
     against_a_free_body(ANY_SEQUENCE % sequence, f"Turned j({starts});", ["a", "b", "c"])

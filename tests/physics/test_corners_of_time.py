@@ -12,6 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from choice import spread
 
 import lagdsl
 from lagdsl.api.model import Model
@@ -116,7 +117,7 @@ SHORT = {
 BLOCKS = "Ramp up(start = 5 s, duration = 0.1 s), down(start = 5.2 s, duration = 0.1 s);"
 
 
-@pytest.mark.parametrize("name", SHORT)
+@pytest.mark.parametrize("name", spread(SHORT, 8))
 def test_short_forces_are_felt(name: str) -> None:
     force, (velocity, place) = SHORT[name]
     motion = run(pushed(force, BLOCKS))

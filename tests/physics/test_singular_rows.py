@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 from fmi.texts import export_text
 from fmpy import simulate_fmu
 from scipy.integrate import solve_ivp
@@ -99,7 +100,7 @@ def test_a_multiplier_without_a_limit_is_nan_and_told() -> None:
     assert early * -1e-4 == pytest.approx(pole, rel=1e-2) and late * 1e-4 == pytest.approx(pole, rel=1e-2)
 
 
-@pytest.mark.parametrize("distance", [0.0, 1e-12, -1e-9, 1e-7])
+@pytest.mark.parametrize("distance", spread([0.0, 1e-12, -1e-9, 1e-7], 2))
 def test_a_communication_point_of_an_fmu_has_the_values_of_a_row(
     distance: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import spread
 from plot.motions import ANGLE, T, bounces, column, trajectory
 
 from lagdsl.plot.chosen import plot_of
@@ -74,14 +75,14 @@ def test_a_path_in_space_keeps_its_shape() -> None:
     assert path.get_aspect() == 1.0 and portrait.get_aspect() == "auto"
 
 
-@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+@pytest.mark.parametrize("suffix", spread([".png", ".svg", ".pdf"], 2))
 def test_the_suffix_says_the_form(suffix: str, tmp_path: Path) -> None:
     path = tmp_path / f"figure{suffix}"
     plot_of(trajectory(ANGLE, SPIN), path, show="theta", xy=("theta", "der(theta)"))
     assert path.read_bytes()[:5].lstrip() in {b"\x89PNG\r", b"<?xml", b"%PDF-"}
 
 
-@pytest.mark.parametrize("size", [1.5e-3, 2.4e-4, 0.15, 3.3, 12500.0])
+@pytest.mark.parametrize("size", spread([1.5e-3, 2.4e-4, 0.15, 3.3, 12500.0], 3))
 def test_numbers_beside_each_other_do_not_overlap(size: float) -> None:
     figure = plot_of(trajectory(column("x", size * X.values), column("y", size * Y.values)), show="x", xy=("x", "y"))
     figure.canvas.draw()

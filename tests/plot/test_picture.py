@@ -126,9 +126,10 @@ def test_pictures_and_films_have_the_same_bytes_under_any_hash_seed(form: str, t
         "(write_film if sys.argv[1].endswith('gif') else write_picture)(f, Wishes(stop=0.5), sys.argv[1])"
     )
     paths = os.pathsep.join([str(Path(__file__).parents[1]), *sys.path])
-    for seed in ("1", "2"):
-        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": paths}
-        subprocess.run([sys.executable, "-c", code, str(tmp_path / f"{seed}.{form}")], env=environment, check=True)
+    environment = {**os.environ, "PYTHONHASHSEED": "1", "PYTHONPATH": paths}
+    subprocess.run([sys.executable, "-c", code, str(tmp_path / f"1.{form}")], env=environment, check=True)
+    write = write_film if form == "gif" else write_picture  # by this process, which drew its seed
+    write(flat_of("clutch"), Wishes(stop=0.5), str(tmp_path / f"2.{form}"))
     assert (tmp_path / f"1.{form}").read_bytes() == (tmp_path / f"2.{form}").read_bytes()
     if form == "gif":
         with Image.open(tmp_path / "1.gif") as film:

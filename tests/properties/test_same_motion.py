@@ -209,7 +209,7 @@ if not EXPLORE:  # the stranger sets no pace at a singular start
     BESIDE += [("rate", "newtons_cradle", 1e9)]  # contacts without force, which stay closed
 
 
-@pytest.mark.parametrize(("what", "name", "scale"), spread(BESIDE, 10))
+@pytest.mark.parametrize(("what", "name", "scale"), spread(BESIDE, 6))
 def test_beside_a_stranger(what: str, name: str, scale: float) -> None:
     values = {"start": 0.0, "rate": 1.0, "mass": 1.0} | {what: scale}
     assert_same(name, with_stranger(source(ROOT / "models" / f"{name}.lag"), **values))

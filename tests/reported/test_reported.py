@@ -14,7 +14,7 @@ from typing import Any
 import fmpy
 import numpy as np
 import pytest
-from choice import engines, paired
+from choice import engines, paired, spread
 from click.testing import CliRunner
 from fmi.described import of_text
 from fmi.exported import export_quickly
@@ -192,7 +192,7 @@ OPENING = np.rad2deg(np.arccos(0.68))
 
 
 @pytest.mark.parametrize(
-    "joints", ["A, B({}), C", "C, A, B({})", "C(q(start = 0)), A(q(start = 0)), B({})", "B({}), A, C"]
+    "joints", spread(["A, B({}), C", "C, A, B({})", "C(q(start = 0)), A(q(start = 0)), B({})", "B({}), A, C"], 2)
 )
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_guess_chooses_the_branch_wherever_the_loop_is_cut(joints: str, sign: float) -> None:
@@ -370,7 +370,8 @@ def test_drives_that_prescribe_all_motion_tell_their_torques(engine):
 
 
 @pytest.mark.parametrize(
-    ("version", "kind"), [(2, "ModelExchange"), (2, "CoSimulation"), (3, "ModelExchange"), (3, "CoSimulation")]
+    ("version", "kind"),
+    spread([(2, "ModelExchange"), (2, "CoSimulation"), (3, "ModelExchange"), (3, "CoSimulation")], 2),
 )
 def test_drives_that_prescribe_all_motion_as_fmu(version, kind, tmp_path):
     compilation = of_text(ROTOR_ON_A_TURNTABLE % "")
@@ -423,7 +424,7 @@ IMMOBILE = {
 }
 
 
-@pytest.mark.parametrize(("name", "engine"), paired(list(IMMOBILE), ["tape", "numpy", "c"]))
+@pytest.mark.parametrize(("name", "engine"), spread(paired(list(IMMOBILE), ["tape", "numpy", "c"]), 1))
 def test_models_without_freedom_run_and_verify(name, engine):
     text, ends = IMMOBILE[name]
     model = lagdsl.compile(text, engine=engine)
@@ -438,7 +439,9 @@ def test_models_without_freedom_run_and_verify(name, engine):
     assert ("No coordinate is left:" if name == "structure" else "There is no coordinate,") in str(model.derive())
 
 
-@pytest.mark.parametrize(("name", "version", "kind"), paired(list(IMMOBILE), [2, 3], ["CoSimulation", "ModelExchange"]))
+@pytest.mark.parametrize(
+    ("name", "version", "kind"), spread(paired(list(IMMOBILE), [2, 3], ["CoSimulation", "ModelExchange"]), 1)
+)
 def test_models_without_freedom_as_fmu(name, version, kind, tmp_path):
     text, ends = IMMOBILE[name]
     export_quickly(of_text(text), tmp_path / "still.fmu", version=version)

@@ -144,7 +144,7 @@ def check_motion(path: Path, text: str, kind: str, closed: Closed) -> lagdsl.Mod
 LOOPS = ("spherical", "revolute", "continuous", "prismatic", "planar", "fixed", "ball")
 
 
-@pytest.mark.parametrize("kind", chosen(LOOPS, ["spherical", "prismatic"]))
+@pytest.mark.parametrize("kind", chosen(LOOPS, ["spherical"]))
 def test_loop_joints_close_the_loop(tmp_path: Path, kind: str) -> None:
     closed = Closed(tmp_path / "robot.urdf")
     check_motion(tmp_path / "robot.urdf", loop_joint(kind, closed), kind, closed)
@@ -153,7 +153,7 @@ def test_loop_joints_close_the_loop(tmp_path: Path, kind: str) -> None:
 SDF = ("ball", "revolute", "continuous", "prismatic", "screw", "universal", "revolute2", "fixed")
 
 
-@pytest.mark.parametrize("kind", chosen(SDF, ["universal", "screw"]))
+@pytest.mark.parametrize("kind", chosen(SDF, ["screw"]))
 def test_joints_of_gazebo_close_the_loop(tmp_path: Path, kind: str) -> None:
     """Two axes of SDFormat: the first is fixed in the parent, the second in the child."""
     closed = Closed(tmp_path / "robot.urdf")

@@ -56,3 +56,23 @@ def test_contacts_are_told_once(tmp_path: Path, flag: str, told: list[str]) -> N
     _, found = imported(path)
     assert [each.code for each in found] == told
     assert all("one body" in each.message for each in found)
+
+
+# The floor and the ball, of which MuJoCo takes the larger numbers; a shape that touches nothing does not count.
+FRICTION = {
+    ('friction="0.3 0.01 0.001"', 'friction="0.7 0.01 0.001"'): "with `mu` = 0.3 to 0.7",
+    ("", ""): "with `mu` = 1",
+    ('condim="1"', 'condim="1"'): "without friction",
+    ('condim="1"', 'friction="0.5"'): "with `mu` = 0.5 to 1",
+    ("", 'condim="6"'): "with `mu` = 1, torsional and rolling friction",
+}
+
+
+@pytest.mark.parametrize(("shapes", "told"), FRICTION.items())
+def test_the_friction_that_is_left_out_is_told(tmp_path: Path, shapes: tuple[str, str], told: str) -> None:
+    floor = f'<geom type="plane" size="1 1 1" {shapes[0]}/><geom size="1" friction="9" contype="0" conaffinity="0"/>'
+    ball = f'<body name="ball" pos="0 0 1">{INERTIAL}<freejoint/><geom size="0.1" {shapes[1]}/></body>'
+    path = tmp_path / "ball.xml"
+    path.write_text(f"<mujoco><worldbody>{floor}{ball}</worldbody></mujoco>")
+    _, found = imported(path)
+    assert [each.message.partition(" touch others, ")[2] for each in found] == [told]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import paired
 
 import lagdsl
 from lagdsl.diagnostics import Sink
@@ -113,8 +114,7 @@ def test_the_text_is_the_one_that_was_read_and_found_good() -> None:
     assert text == (FILES / "arm.lag").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("limits", ["range", "contact", "none"])
-@pytest.mark.parametrize("actuators", ["file", "all", "none"])
+@pytest.mark.parametrize(("limits", "actuators"), paired(["range", "contact", "none"], ["file", "all", "none"]))
 def test_every_choice_gives_a_formatted_text_without_a_warning(limits: str, actuators: str) -> None:
     text, _ = imported(ARM, limits=limits, actuators=actuators)
     assert format_text(SourceFile("arm.lag", text), Sink()) == text

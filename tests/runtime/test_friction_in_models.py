@@ -68,6 +68,7 @@ def test_a_model_tells_its_friction(engine: EngineName) -> None:
 def test_all_functions_are_those_of_the_interpreter(engine: EngineName, name: str) -> None:
     program = program_of(ALL[name])
     layout, random = program.layout, np.random.default_rng(5)
+    held = engine_of(program, engine)
     state = {group: random.normal(size=layout.size(group)) for group in Group if not group.name.startswith("RELEASE")}
     state[Group.TIME] = np.array(0.3)
     whole = [kind not in ("direction", "load") for kind in layout.kinds]
@@ -76,7 +77,7 @@ def test_all_functions_are_those_of_the_interpreter(engine: EngineName, name: st
         for function in program.functions:
             if function.name not in ("acceleration_tangent",):
                 arguments = [float(state[Group.TIME]), *(state[each] for each in function.arguments[1:])]
-                found = engine_of(program, engine).evaluate(function.name, *arguments)
+                found = held.evaluate(function.name, *arguments)
                 for one, other in zip(found, values(program, function.name, state), strict=True):
                     np.testing.assert_allclose(one, np.real(other), rtol=1e-12, atol=1e-12, err_msg=function.name)
 

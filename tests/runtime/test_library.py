@@ -8,6 +8,7 @@ from ctypes import c_double, c_int, c_size_t, c_void_p
 from pathlib import Path
 
 import pytest
+from choice import together
 
 from lagdsl import resources
 from lagdsl.diagnostics import CompilationFailed
@@ -43,7 +44,7 @@ def _arguments(text: str) -> tuple[type, ...]:
     return tuple(_type(each) for each in flat.split(","))
 
 
-@pytest.mark.parametrize("name", PROTOTYPES)
+@together("name", PROTOTYPES)
 def test_prototypes_are_those_of_the_headers(name: str) -> None:
     result, arguments = _declarations()[name]
     assert PROTOTYPES[name] == (None if result.strip() == "void" else _type(result), _arguments(arguments))

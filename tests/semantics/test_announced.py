@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
+from choice import together
 from flattening import run
 
 from lagdsl.diagnostics import Diagnostic
@@ -33,7 +33,7 @@ def drawn(diagnostic: Diagnostic) -> str:
     return f"{span.first.line}: {diagnostic.code} {span.first.column}-{last}{span.last.column}"
 
 
-@pytest.mark.parametrize("path", sorted(CORPUS.glob("*.lag")), ids=lambda path: path.stem)
+@together("path", sorted(CORPUS.glob("*.lag")))
 def test_announced(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     flat, sink = run(text)
@@ -41,7 +41,7 @@ def test_announced(path: Path) -> None:
     assert (flat is None) == sink.has_errors
 
 
-@pytest.mark.parametrize("path", sorted(CORPUS.glob("*.lag")), ids=lambda path: path.stem)
+@together("path", sorted(CORPUS.glob("*.lag")))
 def test_words_are_filled_in(path: Path) -> None:
     _, sink = run(path.read_text(encoding="utf-8"))
     for diagnostic in sink.diagnostics:

@@ -253,3 +253,37 @@ def test_fault_is_told_at_its_place(body: str, code: str, place: str) -> None:
 )
 def test_slips_and_one_way_rates_are_linear_in_rates_of_coordinates(body: str, code: str) -> None:
     assert [found for found, _ in faults(f"state Real w(start = 1); {body} equation der(w) = -w/(1 s);")] == [code]
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "place", "reason", "way_out"),
+    [
+        ("friction h: x with limit = r;", "E0387", "x", "a position", "write `der(x)`"),
+        ("friction h: {x, y} with limit = r;", "E0387", "{x, y}", "a position", "write `{der(x), der(y)}`"),
+        ("friction h: der(x) with limt = r;", "E0202", "limt", "not an attribute", "did you mean `limit`?"),
+        ("friction h: der(x);", "E0388", "der(x)", "nothing says how large the force is", "write `with limit = R`, "),
+        (
+            "contact c: y >= 0 with friction = mu;",
+            "E0388",
+            "friction",
+            "a contact knows its gap, not the direction in which the bodies slide",
+            "add `slip = der(s)`, the rate at which the bodies slide on each other",
+        ),
+    ],
+)
+def test_a_mistyped_friction_says_why_and_leads_to_the_right_text(
+    body: str, code: str, place: str, reason: str, way_out: str
+) -> None:
+    _, sink = run(f"{BLOCKS}{body}\nend M;\n")
+    (found,) = [each for each in sink.diagnostics if each.code == code]
+    assert found.labels[0].span.text == place
+    assert found.labels[0].text == reason
+    assert found.help is not None
+    assert found.help.startswith(way_out)
+
+
+def test_a_contact_without_law_and_slip_lacks_both_at_once() -> None:
+    assert sorted(faults("contact c: y >= 0 with friction = mu;")) == [
+        ("E0383", "contact c: y >= 0 with friction = mu;"),
+        ("E0388", "friction"),
+    ]

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
+from choice import together
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -175,7 +176,7 @@ def test_a_file_of_a_package_is_a_model_too(robots: Path) -> None:
     assert codes == ["E0218"]
 
 
-@pytest.mark.parametrize("path", sorted(library_folder().rglob("*.lag")), ids=lambda path: path.stem)
+@together("path", sorted(library_folder().rglob("*.lag")))
 def test_the_library_holds_what_its_files_say(path: Path) -> None:
     parts = path.relative_to(library_folder()).with_suffix("").parts
     name = parts[:-1] if path.name == "package.lag" else parts

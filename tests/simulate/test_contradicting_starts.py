@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from choice import spread
 
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.pipeline import check
@@ -26,34 +27,45 @@ _FREE = "coordinate Length x(start = 1 m), y;"
 
 @pytest.mark.parametrize(
     ("declarations", "equations", "names"),
-    [
-        (_FREE, "x = 2 m; x = 3 m;", "`x = 3 m` contradicts `x = 2 m`"),
-        (_FREE, "y = 1 m; x = 2 m; x = 3 m;", "`x = 3 m` contradicts `x = 2 m`"),
-        (_FREE, "der(x) + der(y) = 2 m/s; der(x) + der(y) = 3 m/s;", "`der(x) + der(y) = 3 m/s` contradicts `der(x) +"),
-        (_FREE, "x + y = 1 m; x - y = 0; x = 3 m;", "`x = 3 m` contradicts `x + y = 1 m` and `x - y = 0`"),
-        (_FREE, "x^2 + y^2 = 1 m2; x^2 + y^2 = 4 m2;", "`x^2 + y^2 = 4 m2` contradicts `x^2 + y^2 = 1 m2`"),
-        (
-            "coordinate Length x(start = 1 m, fixed = true), y;",
-            "x = 2 m;",
-            "`x = 2 m` contradicts the fixed start of `x`",
-        ),
-        (
-            "coordinate Length x(der(start = 1 m/s, fixed = true)), y;",
-            "1/2*(1 kg)*der(x)^2 = 2 J;",
-            "contradicts the fixed start of `der(x)`",
-        ),
-        (
-            f"{_FREE} constraint c: x + y = 1 m; constraint d: x = 2*y;",
-            "x = 2 m;",
-            "`x = 2 m` contradicts constraint `c` and constraint `d`",
-        ),
-        (
-            f"{_FREE} constraint c: x + y = 1 m;",
-            "der(x) = 1 m/s; der(y) = 1 m/s;",
-            "contradicts constraint `c` and `der(x)",
-        ),
-        (f"{_FREE} state Real z(start = 1, fixed = true); ", "z = 2;", "`z = 2` contradicts the fixed start of `z`"),
-    ],
+    spread(
+        [
+            (_FREE, "x = 2 m; x = 3 m;", "`x = 3 m` contradicts `x = 2 m`"),
+            (_FREE, "y = 1 m; x = 2 m; x = 3 m;", "`x = 3 m` contradicts `x = 2 m`"),
+            (
+                _FREE,
+                "der(x) + der(y) = 2 m/s; der(x) + der(y) = 3 m/s;",
+                "`der(x) + der(y) = 3 m/s` contradicts `der(x) +",
+            ),
+            (_FREE, "x + y = 1 m; x - y = 0; x = 3 m;", "`x = 3 m` contradicts `x + y = 1 m` and `x - y = 0`"),
+            (_FREE, "x^2 + y^2 = 1 m2; x^2 + y^2 = 4 m2;", "`x^2 + y^2 = 4 m2` contradicts `x^2 + y^2 = 1 m2`"),
+            (
+                "coordinate Length x(start = 1 m, fixed = true), y;",
+                "x = 2 m;",
+                "`x = 2 m` contradicts the fixed start of `x`",
+            ),
+            (
+                "coordinate Length x(der(start = 1 m/s, fixed = true)), y;",
+                "1/2*(1 kg)*der(x)^2 = 2 J;",
+                "contradicts the fixed start of `der(x)`",
+            ),
+            (
+                f"{_FREE} constraint c: x + y = 1 m; constraint d: x = 2*y;",
+                "x = 2 m;",
+                "`x = 2 m` contradicts constraint `c` and constraint `d`",
+            ),
+            (
+                f"{_FREE} constraint c: x + y = 1 m;",
+                "der(x) = 1 m/s; der(y) = 1 m/s;",
+                "contradicts constraint `c` and `der(x)",
+            ),
+            (
+                f"{_FREE} state Real z(start = 1, fixed = true); ",
+                "z = 2;",
+                "`z = 2` contradicts the fixed start of `z`",
+            ),
+        ],
+        5,
+    ),
 )
 def test_all_that_contradict_are_named(declarations: str, equations: str, names: str) -> None:
     """These were told as a residual, or as one fixed start too many."""

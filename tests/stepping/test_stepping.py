@@ -6,7 +6,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from choice import ALL, chosen, spread
+from choice import ALL, chosen, repeats, spread
 from compiled_programs import program_of
 from scipy.special import ellipk
 from stepping.balance import Balance, impact
@@ -28,6 +28,7 @@ def test_period_of_a_pendulum() -> None:
     np.testing.assert_allclose(s.x, [pi / 2, 0.0], atol=1e-10)
 
 
+@repeats("test_period_of_a_pendulum")
 def test_pendulum_by_a_constraint() -> None:
     period = 4 * ellipk(0.5) / sqrt(9.81)
     body = (
@@ -51,6 +52,7 @@ def test_ball_bounces_and_rests() -> None:
     np.testing.assert_allclose(found.states[-1].x, 0.0, atol=1e-12)
 
 
+@repeats("test_ball_bounces_and_rests")
 def test_ball_rests_on_a_moving_table() -> None:
     """Flights become as short as the round-off of the gap is deep; at the end it moves with the table."""
     body = (
@@ -73,6 +75,7 @@ def test_plank_rocks_to_rest() -> None:
     np.testing.assert_allclose(moved(body, 0.1).states[-1].x, 0.0, atol=1e-12)
 
 
+@repeats("test_cradle")
 def test_balls_that_go_on_together() -> None:
     """Three inelastic balls in a row share their momentum; nothing presses them, and round-off parts nothing."""
     body = (
@@ -127,6 +130,7 @@ def test_clutch_closes_and_opens() -> None:
     "ramp",
     spread(["max(0, time - 1)", "(if time < 1 then 0 else time - 1)", "table(time, {0, 1, 9}, {0, 0, 8})"], 2),
 )
+@repeats("test_ball_rests_on_a_moving_table")
 def test_base_that_starts_to_move(ramp: str) -> None:
     s = moved(f"coordinate Real x; potential 1/2*9*x^2; gravity = 0; mass 1 at {{x + {ramp}, 0}};", 3.0).states[-1]
     np.testing.assert_allclose(s.x, [-sin(6) / 3, -cos(6)], atol=1e-11)

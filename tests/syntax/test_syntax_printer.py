@@ -40,7 +40,7 @@ def check(text: str) -> str:
     return once
 
 
-@pytest.mark.parametrize("path", spread(TEXTS, 40), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(TEXTS, 20), ids=lambda path: path.stem)
 def test_corpus(path):
     once = check(path.read_text(encoding="utf-8"))
     assert all(len(line) <= WIDTH or re.match(" *(model|joint) ", line) for line in once.split("\n"))

@@ -1,6 +1,7 @@
 """Tokens: words, numbers and units ("Text, numbers and units" in docs/reference/language.md)."""
 
 import pytest
+from choice import together
 from texts_of_syntax import parsed
 
 from lagdsl.diagnostics import Sink
@@ -24,7 +25,7 @@ def lexers_of_states():
     return list({id(lexers[state]): lexers[state] for state in all_states()}.values())
 
 
-@pytest.mark.parametrize("word", [*WORDS])
+@together("word", [*WORDS])
 def test_number_before_a_keyword_has_no_unit(word):
     number, after = tokens(f"2 {word}")
     assert (number.type, number.value, after.value) == ("NUMBER", "2", word)
@@ -32,7 +33,7 @@ def test_number_before_a_keyword_has_no_unit(word):
     assert [t.value for t in tokens(f"2 /{word}")] == ["2", "/", word]
 
 
-@pytest.mark.parametrize("unit", [unit for unit in UNITS if unit != "%"])
+@together("unit", [unit for unit in UNITS if unit != "%"])
 def test_every_unit_makes_a_quantity(unit):
     for text in (f"2 {unit}", f"2{unit}", f"2 /{unit}", f"2 m.{unit}2/{unit}^-3", f"2.5e-3 \t{unit}"):
         (quantity,) = tokens(text)
@@ -46,13 +47,13 @@ def test_percent_is_a_unit_without_exponent():
         assert quantity.type == "QUANTITY" and quantity.value == text
 
 
-@pytest.mark.parametrize("word", sorted(WORDS))
+@together("word", sorted(WORDS))
 def test_words_are_names_unless_reserved(word):
     (plain,) = tokens(word)
     assert (plain.type == "IDENT") == (word not in RESERVED)
 
 
-@pytest.mark.parametrize("word", sorted({*WORDS, "name", "_"}))
+@together("word", sorted({*WORDS, "name", "_"}))
 def test_no_state_of_the_parser_cuts_a_word(word):
     """A word is one token, a keyword at most where it is accepted; so is a word that begins with a keyword."""
     for lexer in lexers_of_states():
@@ -80,7 +81,7 @@ def test_keywords_are_whole_words(text):
     assert parsed(text)[0] is None
 
 
-@pytest.mark.parametrize("word", sorted(set(WORDS) - RESERVED))
+@together("word", sorted(set(WORDS) - RESERVED))
 def test_soft_keywords_are_names_in_expressions(word):
     assert parse_expression(SourceFile("t", f"{word}.{word} + f({word}, a = {word})"), Sink()) is not None
 

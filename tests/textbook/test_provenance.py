@@ -39,7 +39,7 @@ def flat_model(path: Path) -> FlatModel:
     return flat
 
 
-@pytest.mark.parametrize("path", spread(_MODELS, 5), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(_MODELS, 3), ids=lambda path: path.stem)
 def test_shares_of_all_items_add_up_to_the_residual(path: Path) -> None:
     """M qdd - f - J' lam of the graph route, at random states."""
     flat = flat_model(path)
@@ -64,7 +64,7 @@ def test_shares_of_all_items_add_up_to_the_residual(path: Path) -> None:
     assert {index for share in found for index in share.sources} <= set(range(len(named)))
 
 
-@pytest.mark.parametrize("path", spread(_MODELS, 5), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(_MODELS, 3), ids=lambda path: path.stem)
 def test_each_printed_term_has_a_parent(path: Path) -> None:
     """The terms of each side are the side, and each comes from a statement."""
     derivation = recipe(flat_model(path)).derivation

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
-from choice import chosen
+from choice import chosen, spread
 from sympy import Expr, Float, Symbol
 
 import lagdsl
@@ -255,17 +255,20 @@ def test_damping_ratio_and_damped_frequency_are_those_of_the_eigenvalues() -> No
 
 @pytest.mark.parametrize(
     ("source", "closed"),
-    [
-        (_ROOT / "models/spherical_pendulum.lag", lambda v, w: v["g_n"] / (v["l"] * w["phi"] ** 2)),
-        (GOVERNOR, lambda v, w: (v["m"] + v["M"]) * v["g"] / (v["m"] * v["l"] * w["phi"] ** 2)),
-        (
-            _ROOT / "models/heavy_top.lag",
-            lambda v, w: (
-                (v["m"] * v["g_n"] * v["l"] - v["C"] * w["psi"] * w["phi"])
-                / ((v["C"] - v["A"] - v["m"] * v["l"] ** 2) * w["psi"] ** 2)
+    spread(
+        [
+            (_ROOT / "models/spherical_pendulum.lag", lambda v, w: v["g_n"] / (v["l"] * w["phi"] ** 2)),
+            (GOVERNOR, lambda v, w: (v["m"] + v["M"]) * v["g"] / (v["m"] * v["l"] * w["phi"] ** 2)),
+            (
+                _ROOT / "models/heavy_top.lag",
+                lambda v, w: (
+                    (v["m"] * v["g_n"] * v["l"] - v["C"] * w["psi"] * w["phi"])
+                    / ((v["C"] - v["A"] - v["m"] * v["l"] ** 2) * w["psi"] ** 2)
+                ),
             ),
-        ),
-    ],
+        ],
+        2,
+    ),
 )
 def test_steady_motions(source: str | Path, closed: Callable[..., float]) -> None:
     """The conical pendulum, Watt's governor, the regular precession of a top: cosines of textbooks (Goldstein 5.7 for

@@ -4,6 +4,7 @@ import math
 import os
 
 import pytest
+from choice import together
 
 from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
 from lagdsl.units.definition import from_si, si_value
@@ -59,12 +60,12 @@ QUANTITIES = [
 ]
 
 
-@pytest.mark.parametrize("name", QUANTITIES)
+@together("name", QUANTITIES)
 def test_named_by_the_language(name):
     assert TYPES[name].name == name
 
 
-@pytest.mark.parametrize("name", TYPES)
+@together("name", TYPES)
 def test_units_are_coherent_and_display_units_fit(name):
     known = TYPES[name]
     unit = parse_unit(known.unit)

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from choice import together
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -34,7 +35,7 @@ def test_main_writes_the_target(registry, tmp_path, monkeypatch):
     assert "degC" in (tmp_path / "vocabulary.py").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", UNITS)
+@together("name", UNITS)
 def test_conversion_agrees_with_floating_pint(name):
     import pint
 

@@ -156,7 +156,7 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", spread(FAULTS, 8))
+@pytest.mark.parametrize("fault", spread(FAULTS, 5))
 def test_the_line_of_a_fault_fails(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     plant, line = FAULTS[fault]
     found = certify(plant(monkeypatch))

@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from lagdsl.analysis.friction import FrictionForce
 from lagdsl.analysis.point import System
 from lagdsl.analysis.trim import Equilibrium, all_names
 from lagdsl.analysis.where import trim
@@ -31,10 +32,26 @@ def command(options: Options) -> None:
     ]
     title = f"{found.model}: equilibrium to within {found.residual:.1e} of a natural displacement"
     text = f"{title}\n{text_table(['', 'value', 'unit', ''], shown)}\n{steadiness_text(found.steadiness)}"
+    if found.frictions:
+        header = ["", "", "force", "limit", "unit", "margin", ""]
+        text += f"\nDry friction:\n{text_table(header, [_friction(each) for each in found.frictions])}"
     data = {"model": found.model, "kind": found.steadiness.kind, "residual": found.residual}
     data |= {"names": [row[0] for row in rows], "values": [row[1] for row in rows], "unknowns": list(found.unknowns)}
+    data |= {"frictions": [each.name for each in found.frictions], "modes": [each.mode for each in found.frictions]}
+    data |= {
+        "forces": [each.size for each in found.frictions],
+        "limits": [each.limit for each in found.frictions],
+        "margins": [each.margin for each in found.frictions],
+        "shared": [each.shared for each in found.frictions],
+    }
     table: list[list[Any]] = [["name", "value"], *([name, value] for name, value, _, _ in rows)]
     finish(asked, text, data, table)
+
+
+def _friction(found: FrictionForce) -> list[str]:
+    margin = round(found.margin, 9) + 0.0  # no sign of a zero
+    shared = "shared" if found.shared else ""
+    return [found.name, found.mode, number(found.size), number(found.limit), found.unit, number(margin), shared]
 
 
 def _rows(system: System, found: Equilibrium) -> list[tuple[str, float, float, str]]:

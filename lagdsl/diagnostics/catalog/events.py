@@ -94,7 +94,7 @@ ROWS: dict[str, Row] = {
         label="{found}",
         help="name the rate along which friction acts: `der(s)`, `der(a) - der(b)`, `{{der(x), der(y)}}`",
     ),
-    "E0388": error("{what} lacks {lacks}", label="incomplete"),
+    "E0388": error("{what} lacks {lacks}", label="{why}"),
     "E0389": error(
         "a contact of rates has no options",
         label="`{name}` is an option of gaps",

@@ -79,7 +79,7 @@ ROWS: dict[str, Row] = {
         help="write the text into the folder `{home}` with `-o` (in Python `folder=`)",
     ),
     "N1024": note(
-        "contacts between shapes are left out: MuJoCo lets {bodies} touch others",
+        "contacts between shapes are left out: MuJoCo lets {bodies} touch others, {friction}",
         label="the first one",
         help="write `SphereOnPlane` or another contact of `Lag.Spatial` for each shape that touches something",
     ),

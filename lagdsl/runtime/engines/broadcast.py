@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import prod
 from typing import Protocol
 
 import numpy as np
@@ -103,6 +104,8 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
         if length is not None and (array.ndim == 0 or array.shape[-1] != length):
             raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
         own_axes = array.shape if length is None else array.shape[:-1]
+        if own_axes in ((), leading):  # of one state, or of as many as before: NumPy takes its time to find that out
+            continue
         try:
             leading = np.broadcast_shapes(leading, own_axes)
         except ValueError:
@@ -115,6 +118,7 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
         if array.shape == own:
             arrays.append((name, np.ascontiguousarray(array), 0))
         else:
-            whole = np.ascontiguousarray(np.broadcast_to(array, leading + own))
+            shape = leading + own
+            whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
             arrays.append((name, whole, 1 if length is None else length))
-    return Spread(leading, int(np.prod(leading, dtype=np.int64)), tuple(arrays))
+    return Spread(leading, prod(leading), tuple(arrays))

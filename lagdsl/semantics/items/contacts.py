@@ -92,13 +92,14 @@ def _options(ctx: Context, node: nodes.Contact, *, one_way: bool) -> dict[str, n
             ctx.sink.report("E0389", name_span(option), name=option.name)
             return None
         return found
+    complete = _complete(ctx, found)
     law = _COMPLIANT if "compliance" in found else _RIGID
     odd = next((option for name, option in found.items() if name not in (*law, *UNDER_CONTACT)), None)
     if odd is not None or law[0] not in found:
         span = name_span(odd) if odd is not None else node.span
         ctx.sink.report("E0383", span)
         return None
-    return found if _complete(ctx, found) else None
+    return found if complete else None
 
 
 def _complete(ctx: Context, options: dict[str, nodes.Named]) -> bool:
@@ -107,10 +108,20 @@ def _complete(ctx: Context, options: dict[str, nodes.Named]) -> bool:
     lacking = next((name for name in ("friction", "slip") if name not in options), None)
     if first is None or lacking is None:
         return True
-    lacks = "a slip" if lacking == "slip" else "a coefficient"
-    hint = "write `slip = der(s)`, the rate" if lacking == "slip" else "write `friction = mu`"
-    ctx.sink.report("E0388", name_span(first), what="friction under a contact", lacks=lacks, help=hint)
+    lacks, why, hint = _LACKING[lacking]
+    ctx.sink.report("E0388", name_span(first), what="friction under a contact", lacks=lacks, why=why, help=hint)
     return False
+
+
+_LACKING = {
+    "slip": (
+        "a slip",
+        "a contact knows its gap, not the direction in which the bodies slide",
+        "add `slip = der(s)`, the rate at which the bodies slide on each other; in a plane two, `{der(x), der(y)}`",
+    ),
+    "friction": ("a coefficient", "nothing says how large the force is", "add `friction = mu`"),
+}
+"""Of an option that is left out: its name, a reason, and a way out."""
 
 
 # ---- rigid -----------------------------------------------------------------------------------------------------------

@@ -51,8 +51,9 @@ def make(ctx: Context, scope: Scope, node: nodes.Friction, name: str) -> Frictio
     if slip is None or options is None:
         return None
     if "limit" not in options:
-        hint = "write `with limit = ...`, the largest force; optionally `sticking`, the largest one at rest"
-        ctx.sink.report("E0388", node.value.span, what="friction", lacks="a limit", help=hint)
+        hint = "write `with limit = R`, the force while it slides; optionally `sticking = R_0`, the largest one at rest"
+        why = "nothing says how large the force is"
+        ctx.sink.report("E0388", node.value.span, what="friction", lacks="a limit", why=why, help=hint)
         return None
     unit = ctx.conventions.dimension(POWER) / slip.dimension
     named = "a moment [N.m]" if ctx.conventions.units and unit == ENERGY else None

@@ -118,6 +118,7 @@ class Page {
     const until = Math.min(time, this.motion.last);
     this.motion.state(until, this.numbers);
     this.stage.pose(this.motion, this.numbers, until);
+    this.legend();
     this.curves.point(until);
     if (!place("table-panel").hidden) this.tell();
   }
@@ -142,14 +143,12 @@ class Page {
       const told = ({ motion }: Outcome): void => {
         overlay.take(motion);
         document.documentElement.dataset.arrows = `${motion.count}`;
-        this.legend();
         this.pose(this.player.time);
       };
       this.arrows = Live.begin(this.head, ROWS, told, "vectors");
       if ((await this.arrows) === null) this.say("Arrows need WebAssembly.");
       this.again();
     }
-    this.legend();
     this.pose(this.player.time);
   }
 
@@ -188,7 +187,9 @@ class Page {
   }
 
   private legend(): void {
-    place("legend").textContent = (this.stage.overlay?.legend() ?? []).join("\n");
+    const words = (this.stage.overlay?.legend() ?? []).join("\n");
+    const legend = place("legend");
+    if (legend.textContent !== words) legend.textContent = words; // at each picture of a motion
   }
 
   private arrived({ motion, status, time, took }: Outcome): void {

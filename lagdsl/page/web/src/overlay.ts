@@ -13,13 +13,17 @@ export const SWITCHES: [kind: string, words: string, title: string][] = [
   ["admissible", "∂r/∂q", "Admissible motions of masses: each coordinate alone"],
   ["reaction", "reactions", "Forces and torques of joints, rods and wires"],
   ["constraint", "constraints", "Forces of constraints on masses"],
+  ["friction", "friction", "Dry friction: its forces, and whether it sticks or slides"],
 ];
 const UNITS: Record<string, string> = {
-  velocity: "m/s", acceleration: "m/s²", reaction: "N", "reaction torque": "N·m", constraint: "N", force: "N", torque: "N·m",
+  velocity: "m/s", acceleration: "m/s²", reaction: "N", "reaction torque": "N·m", constraint: "N", friction: "N", force: "N", torque: "N·m",
 };
 const PALETTE = ["#db2777", "#7c3aed", "#0891b2", "#65a30d", "#ca8a04", "#dc2626", "#2563eb", "#0d9488"];
 const LONGEST = 0.3; // of the machine
+const MOST_TOLD = 8;
 const ROUNDING = 1e-10;
+/** By number, as lagdsl/scene/vectors.py tells them. */
+const MODES = ["open", "slides", "sticks"];
 
 export class Overlay {
   readonly drawn: Drawn[] = [];
@@ -28,6 +32,8 @@ export class Overlay {
   coordinate = ""; // whose admissible motions are shown; all of them where it is empty
   private readonly scales = new Map<string, Sizes>();
   private motion: Motion | null = null;
+  private row = 0; // of the motion: the last one so far
+  private largest = 0; // force of friction along the motion
   private numbers = new Float64Array(0);
 
   constructor(
@@ -37,7 +43,7 @@ export class Overlay {
   ) {
     const moving = vectors.shapes.flatMap((shape) => shape.texts.coordinate ?? []);
     this.coordinates = [...new Set(moving)];
-    for (const shape of vectors.shapes) {
+    for (const shape of vectors.shapes.filter(hasPlace)) {
       const index = this.coordinates.indexOf(shape.texts.coordinate ?? "");
       if (index >= 0) shape.texts.color = PALETTE[index % PALETTE.length];
       const own = this.scales.get(scaleOf(shape)) ?? { ...sizes, first: vectors.first };
@@ -59,12 +65,17 @@ export class Overlay {
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
     const most = new Map<string, number>();
-    for (const shape of this.vectors.shapes) {
+    for (const shape of this.vectors.shapes.filter(hasPlace)) {
       const at = this.vectors.first + shape.numbers.vector;
       for (let row = 0; row < motion.count; ++row) {
         const size = Math.hypot(motion.at(row, at), motion.at(row, at + 1), motion.at(row, at + 2));
         if (Number.isFinite(size)) most.set(scaleOf(shape), Math.max(most.get(scaleOf(shape)) ?? 0, size));
       }
+    }
+    this.largest = 0;
+    for (const shape of this.vectors.shapes.filter(({ kind }) => kind === "friction")) {
+      const at = this.vectors.first + shape.numbers.value;
+      this.largest = Math.max(this.largest, motion.largest(at), shape.texts.components === "2" ? motion.largest(at + 1) : 0);
     }
     for (const [kind, own] of this.scales) {
       const largest = most.get(kind) ?? 0;
@@ -75,7 +86,11 @@ export class Overlay {
   }
 
   pose(t: number): void {
-    if (this.motion !== null && this.motion.count > 0) this.motion.state(Math.min(t, this.motion.last), this.numbers);
+    if (this.motion !== null && this.motion.count > 0) {
+      const until = Math.min(t, this.motion.last);
+      this.motion.state(until, this.numbers);
+      this.row = this.motion.rowAt(until);
+    }
     const frame = { numbers: this.numbers, first: this.vectors.first };
     for (const drawn of this.drawn) {
       const chosen = this.coordinate === "" || (drawn.shape.texts.coordinate ?? this.coordinate) === this.coordinate;
@@ -88,11 +103,12 @@ export class Overlay {
 
   /** The value behind an arrow, with its unit. */
   value(shape: Shape): string {
+    if (shape.kind === "friction") return this.rubs(shape);
     const at = vector(shape, "vector", { numbers: this.numbers, first: this.vectors.first });
     return `${sizeText(at.length())} ${unitOf(shape)}`;
   }
 
-  /** The value that the longest arrow of each switched kind stands for. */
+  /** The value that the longest arrow of each switched kind stands for; what each friction does now. */
   legend(): string[] {
     const lines: string[] = [];
     for (const [kind, own] of this.scales) {
@@ -100,8 +116,27 @@ export class Overlay {
       if (shape === undefined || !this.shown.has(switchOf(shape)) || own.force === 0) continue;
       lines.push(`${shape.kind}: longest ${sizeText((LONGEST * this.sizes.length) / own.force)} ${unitOf(shape)}`);
     }
-    return lines;
+    if (!this.shown.has("friction") || this.motion === null) return lines;
+    const rubbing = new Map(this.vectors.shapes.filter(({ kind }) => kind === "friction").map((shape) => [shape.name, shape]));
+    const told = [...rubbing.values()].map((shape) => `${shape.name}: ${this.rubs(shape)}`);
+    const more = told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [];
+    return [...lines, ...told.slice(0, MOST_TOLD), ...more];
   }
+
+  /** Mode and force of friction: the mode of the last row, for between two rows it is neither. */
+  private rubs(shape: Shape): string {
+    const { first } = this.vectors;
+    const mode = MODES[this.motion?.at(this.row, first + shape.numbers.mode) ?? 0] ?? "";
+    if (mode === "open") return mode;
+    const at = first + shape.numbers.value;
+    const size = Math.hypot(...this.numbers.subarray(at, at + Number(shape.texts.components)));
+    return `${mode}, ${sizeText(size > ROUNDING * this.largest ? size : 0)} ${unitOf(shape)}`;
+  }
+}
+
+/** False for friction that acts at no place, as a clutch: it has a value alone. */
+function hasPlace(shape: Shape): boolean {
+  return "vector" in shape.numbers;
 }
 
 export function unitOf(shape: Shape): string {

@@ -56,7 +56,7 @@ const COLORS: Record<string, ColorRepresentation> = {
   cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, mesh: 0x94a3b8, arrow: 0xd97706,
   force: 0xdc2626, torque: 0xea580c, trace: 0xd97706, slider: 0x2563eb, dial: 0x2563eb,
   ground: 0x94a3b8, velocity: 0x16a34a, acceleration: 0x9333ea, admissible: 0xdb2777, reaction: 0x0284c7,
-  "reaction torque": 0x0e7490, constraint: 0xb45309,
+  "reaction torque": 0x0e7490, constraint: 0xb45309, friction: 0xc026d3,
 };
 
 function colour(shape: Shape): ColorRepresentation {

@@ -86,7 +86,7 @@ export class Stage {
     this.grid = this.ground(length);
     this.scene.add(this.grid);
     const arrows = new Group();
-    if (head.planar) arrows.position.z = 0.15 * length; // in front of what they belong to
+    if (head.planar) arrows.position.z = 2 * length; // in front of everything, planes of contacts too
     this.scene.add(arrows);
     this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
     this.theme();

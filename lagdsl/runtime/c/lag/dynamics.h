@@ -82,6 +82,10 @@ size_t lag_dynamics_memory(const lag_model *model);
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
+/* The same along a motion: `chord` is that of lag/equations/feedback.h. */
+lag_status lag_forward_dynamics_along(
+    const lag_model *model, const lag_arguments *at, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate);
+
 /* At or below this pivot of elimination(), the dense system decides whether the position is singular. */
 double lag_smallest_pivot(const lag_model *model);
 

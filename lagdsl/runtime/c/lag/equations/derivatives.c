@@ -180,7 +180,7 @@ lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const do
     lag_arguments at = motion->at;
     at.qdd = qdd;
     at.lam = lam;
-    const lag_status status = lag_feedback_solve(model, &motion->at, solve_with_loads, &one, memory, qdd, lam);
+    const lag_status status = lag_feedback_solve(model, &motion->at, solve_with_loads, &one, memory, NULL, qdd, lam);
     return status == LAG_OK ? lag_motion_take_loads(motion, &at) : status;
 }
 

@@ -234,6 +234,12 @@ static lag_status eliminate_all(const lag_model *model, const lag_arguments *at,
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
+    return lag_forward_dynamics_along(model, at, memory, NULL, qdd, lam, coordinate);
+}
+
+lag_status lag_forward_dynamics_along(
+    const lag_model *model, const lag_arguments *at, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate)
+{
     const int whole = model->elimination != NULL && model->nk == 0 && model->nload == 0;
     if (whole && eliminate_all(model, at, qdd, lam) == LAG_OK) {
         return LAG_OK;
@@ -244,7 +250,7 @@ lag_status lag_forward_dynamics(
     s.to = place(model, memory);
     s.coordinate = coordinate;
     if (model->nload > 0) {
-        return lag_feedback_solve(model, at, solve_with_loads, &s, loads, qdd, lam);
+        return lag_feedback_solve(model, at, solve_with_loads, &s, loads, chord, qdd, lam);
     }
     return whole ? solve_system(&s, at, 0, qdd, lam) : solve_with_loads(&s, at, 0, qdd, lam);
 }

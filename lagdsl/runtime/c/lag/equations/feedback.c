@@ -11,6 +11,11 @@
 
 /* Steps of Newton's method: one where loads are affine in what they depend on. */
 enum { MOST_STEPS = 25 };
+/* Steps with derivatives of an earlier state, each of which leaves no more than this part of the one before. */
+enum { MOST_CHORDS = 12 };
+static const double CONTRACTS = 0.1;
+/* Below this what is left is round-off. */
+static const double ROUND_OFF = 1e-13;
 /* Loads are found when they change by less than this part of the largest of each. */
 static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
@@ -63,6 +68,11 @@ size_t lag_feedback_memory(const lag_model *model)
 {
     const size_t each = model->nq + model->nc;
     return model->nload == 0 ? 0 : model->nw + model->nload * (2 + each + model->nload) + lag_loads_memory(model) + each;
+}
+
+size_t lag_feedback_chord_memory(const lag_model *model)
+{
+    return model->nload > 0 ? 1 + model->nload * (1 + model->nload) : 0;
 }
 
 static feedback begin(const lag_model *model, const lag_arguments *at, double *memory)
@@ -147,19 +157,15 @@ static lag_status factor(feedback *f)
     return LAG_OK;
 }
 
-/* One step of Newton's method; *left: the largest change of a load, as a part of its size. */
-static lag_status step(feedback *f, double *left)
+/* The loads change as these decomposed derivatives tell; *left: the largest change of a load, as a part of its size. */
+static lag_status change_loads(feedback *f, const double *slope, const double *pivot, double *left)
 {
     const size_t count = f->model->nload;
-    const lag_status status = factor(f);
     *left = 0.0;
-    if (status != LAG_OK) {
-        return status;
-    }
     for (size_t i = 0; i < count; ++i) {
         f->loads.value[i] -= f->load[i];
     }
-    lag_lu_solve(count, f->slope, f->pivot, f->loads.value);
+    lag_lu_solve(count, slope, pivot, f->loads.value);
     for (size_t i = 0; i < count; ++i) {
         f->load[i] += f->loads.value[i];
         f->size[i] = fmax(f->size[i], fabs(f->load[i]));
@@ -168,26 +174,74 @@ static lag_status step(feedback *f, double *left)
     return lag_finite(count, f->load) ? LAG_OK : LAG_NO_FORCES;
 }
 
-lag_status lag_feedback_solve(
-    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *qdd, double *lam)
+/* From no loads, for which qdd, lam and L are found. */
+static lag_status start(feedback *f, double *qdd, double *lam)
 {
-    feedback f = begin(model, at, memory);
-    f.solve = solve;
-    f.context = context;
-    lag_status status = look(&f, qdd, lam);
-    for (size_t i = 0; i < model->nload; ++i) {
-        f.size[i] = fabs(f.loads.value[i]);
+    lag_fill(f->model->nload, 0.0, f->load);
+    const lag_status status = look(f, qdd, lam);
+    for (size_t i = 0; i < f->model->nload; ++i) {
+        f->size[i] = fabs(f->loads.value[i]);
     }
-    status = status == LAG_OK ? find_changes(&f, qdd, lam) : status;
+    return status;
+}
+
+/* Steps with the derivatives of an earlier state. LAG_MISSING: they do not contract, or there are none. */
+static lag_status follow_chord(feedback *f, const double *chord, double *qdd, double *lam)
+{
+    const double *pivot = chord + 1;
+    const double *slope = pivot + f->model->nload;
+    double left = 0.0;
+    double before = (double)INFINITY;
+    lag_status status = *chord != 0.0 ? LAG_OK : LAG_MISSING;
+    for (int k = 0; k < MOST_CHORDS && status == LAG_OK; ++k) {
+        status = change_loads(f, slope, pivot, &left);
+        status = status == LAG_OK ? look(f, qdd, lam) : status;
+        if (status == LAG_OK && (left <= FOUND || (before <= ROUND_OFF && left >= CONTRACTS * before))) {
+            return LAG_OK;
+        }
+        status = k == 0 || left < CONTRACTS * before ? status : LAG_MISSING;
+        before = k == 0 ? 1.0 : left;
+    }
+    return LAG_MISSING;
+}
+
+/* Newton's method. */
+static lag_status find_loads(feedback *f, double *qdd, double *lam)
+{
+    lag_status status = find_changes(f, qdd, lam);
     double left = (double)INFINITY;
     double before = (double)INFINITY;
     for (int k = 0; k < MOST_STEPS && status == LAG_OK; ++k) {
-        status = step(&f, &left);
-        status = status == LAG_OK ? look(&f, qdd, lam) : status;
+        status = factor(f);
+        status = status == LAG_OK ? change_loads(f, f->slope, f->pivot, &left) : status;
+        status = status == LAG_OK ? look(f, qdd, lam) : status;
         if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
-            return f.wedged ? LAG_NO_FORCES : LAG_OK;
+            return f->wedged ? LAG_NO_FORCES : LAG_OK;
         }
         before = left;
     }
     return status == LAG_OK ? LAG_NO_FORCES : status;
+}
+
+lag_status lag_feedback_solve(
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *chord, double *qdd,
+    double *lam)
+{
+    const size_t count = model->nload;
+    feedback f = begin(model, at, memory);
+    f.solve = solve;
+    f.context = context;
+    lag_status status = start(&f, qdd, lam);
+    if (status != LAG_OK || chord == NULL) {
+        return status == LAG_OK ? find_loads(&f, qdd, lam) : status;
+    }
+    if (follow_chord(&f, chord, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
+    status = *chord != 0.0 ? start(&f, qdd, lam) : LAG_OK;
+    status = status == LAG_OK ? find_loads(&f, qdd, lam) : status;
+    *chord = status == LAG_OK ? 1.0 : 0.0;
+    memcpy(chord + 1, f.pivot, count * sizeof(double));
+    memcpy(chord + 1 + count, f.slope, count * count * sizeof(double));
+    return status;
 }

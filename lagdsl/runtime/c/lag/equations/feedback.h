@@ -3,8 +3,11 @@
  *
  *     s = L(t, q, qd, z, u, w, p, qdd, lam),   qdd and lam affine in s
  *
- * by Newton's method from s = 0, so that the result is a function of the state alone. Where sliding friction drives its own normal force, the
- * determinant of ds - dL, which is one without friction, passes zero: beyond it no unique force exists (wedging; Painleve's paradox).
+ * by Newton's method from s = 0, so that the result is a function of the state alone, up to round-off. Where sliding friction drives its own normal
+ * force, the determinant of ds - dL, which is one without friction, passes zero: beyond it no unique force exists (wedging; Painleve's paradox).
+ *
+ * The derivatives take a solution of the system for each load. Those of an earlier state serve again as long as steps with them contract quickly
+ * (the chord method): the product of their inverse with those of this state then lies near one, so that the determinant has kept its sign.
  *
  * Source: Genot, Brogliato, New results on Painleve paradoxes, Eur. J. Mech. A/Solids 18 (1999) 653.
  */
@@ -35,6 +38,9 @@ lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_ar
 /* Doubles for it. */
 size_t lag_feedback_memory(const lag_model *model);
 
+/* Doubles for the derivatives of an earlier state, decomposed; all zero: there is none. */
+size_t lag_feedback_chord_memory(const lag_model *model);
+
 /*
  * The system with the loads as they are in at->w: accelerations qdd (nq) and multipliers lam (nc). `again`: nothing but loads has changed since
  * the last time.
@@ -42,10 +48,12 @@ size_t lag_feedback_memory(const lag_model *model);
 typedef lag_status lag_solve_with_loads(void *context, const lag_arguments *at, int again, double *qdd, double *lam);
 
 /*
- * qdd and lam with the loads that they cause; at->w does not change. `memory` is lag_feedback_memory() doubles.
+ * qdd and lam with the loads that they cause; at->w does not change. `memory` is lag_feedback_memory() doubles, `chord` what the last call left of
+ * lag_feedback_chord_memory() doubles, or null: nothing is known of earlier states.
  * LAG_NO_FORCES: there are none, or they are those beyond wedging, where forces that press make less of themselves. Any status of `solve`.
  */
 lag_status lag_feedback_solve(
-    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *qdd, double *lam);
+    const lag_model *model, const lag_arguments *at, lag_solve_with_loads *solve, void *context, double *memory, double *chord, double *qdd,
+    double *lam);
 
 #endif

@@ -4,13 +4,15 @@
 #include <string.h>
 
 #include "lag/equations/discretes.h"
+#include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
 #include "lag/linalg/arena.h"
 
-/* Loads with their derivatives, and three states for differences, where there are loads. */
+/* Loads with their derivatives, three states for differences, and what serves again at the next state, where there are loads. */
 static size_t loads_memory(const lag_model *model)
 {
-    return model->nload > 0 ? model->nload * (model->nq + model->nc) + 3 * lag_motion_size(model) : 0;
+    const size_t states = 3 * lag_motion_size(model);
+    return model->nload > 0 ? model->nload * (model->nq + model->nc) + states + lag_feedback_chord_memory(model) : 0;
 }
 
 size_t lag_motion_memory(const lag_model *model)
@@ -128,6 +130,8 @@ lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
 {
     const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    const lag_status status = lag_forward_dynamics(model, &motion->at, motion->memory, motion->qdd, motion->lam, &motion->coordinate);
+    double *chord = motion->loads + model->nload * (model->nq + model->nc) + 3 * lag_motion_size(model);
+    const lag_status status = lag_forward_dynamics_along(
+        model, &motion->at, motion->memory, chord, motion->qdd, motion->lam, &motion->coordinate);
     return status == LAG_OK && model->nload > 0 ? lag_motion_take_loads(motion, &motion->at) : status;
 }

@@ -72,21 +72,20 @@ static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, doub
     return status;
 }
 
-/* Its change along a step that ends about at its last stage z. */
-static lag_status take_change(lag_stepper *s, const lag_radau_places *at, double h)
+/* Its change along a step that ends about at its last stage z; none, where the system has no rates there: shorter steps may not get there. */
+static void take_change(lag_stepper *s, const lag_radau_places *at, double h)
 {
     const size_t n = s->ode->size;
     const double before = at->memo->before;
     for (size_t i = 0; i < n; ++i) {
         at->point[i] = s->x[i] + at->z[(at->table->stages - 1) * n + i];
     }
-    const lag_status status = take_jacobian(s, at, s->t + h, at->point, at->change);
+    const int known = take_jacobian(s, at, s->t + h, at->point, at->change) == LAG_OK;
     for (size_t i = 0; i < n * n; ++i) {
-        at->change[i] -= at->jacobian[i];
+        at->change[i] = known ? at->change[i] - at->jacobian[i] : 0.0;
         at->bend[i] = before > 0.0 ? (at->change[i] - h * at->trend[i]) * (h / (h + before)) : 0.0;
     }
     at->memo->ahead = h;
-    return status;
 }
 
 /* The same along a part of that step. */
@@ -111,7 +110,7 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
         memo->fresh = memo->usable = status == LAG_OK ? 1.0 : 0.0;
     }
     if (status == LAG_OK && memo->turning > 0.0 && memo->ahead == 0.0) {
-        status = take_change(s, at, h);
+        take_change(s, at, h);
     } else if (memo->turning > 0.0 && memo->ahead != h) {
         cut_change(s->ode->size, at, h / memo->ahead);
         memo->ahead = h;
