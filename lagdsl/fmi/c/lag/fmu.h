@@ -93,7 +93,7 @@ typedef struct lag_experiment {
     double start, stop, tolerance; /* infinite stop: none given */
 } lag_experiment;
 
-/* What inputs are beside their variables. */
+/* Properties of inputs beside their variables. */
 typedef struct lag_input_kinds {
     const size_t *rates;             /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
     const unsigned char *continuous; /* (nu) 1: it has such an input, and may not jump: no blow would follow. Null: none */

@@ -12,7 +12,7 @@
 #include "lag/initial.h"
 #include "lag/run.h"
 
-/* What becomes of the runs, one after the other. */
+/* Results of the runs, one after the other. */
 typedef struct lag_ensemble_results {
     double *rows;  /* (runs, options.count, lag_ensemble_width()) at the times of options; of two rows at an event the one after it */
     size_t *kept;  /* (runs) how many rows there are */

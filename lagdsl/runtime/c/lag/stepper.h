@@ -15,7 +15,7 @@ typedef struct lag_method lag_method;
 /* A step that would leave less than this part of itself before the limit is stretched to it. */
 static const double LAG_STRETCH = 1.01;
 
-/* What is known of the last accepted step. */
+/* The last accepted step, as far as it is known. */
 typedef struct lag_last_step {
     double error;    /* 0: none */
     double h;        /* the length that it belongs to */

@@ -62,7 +62,7 @@ typedef struct lag_held {
     size_t ending;          /* by this `terminate` */
 } lag_held;
 
-/* What was set until initialization ends. */
+/* Values that importers set until initialization ends. */
 typedef struct lag_starts {
     double *values, *given; /* (2 nq + nz) start values that were set, and flags: this one was */
     double *parameters;     /* (np) free ones are searched from these */
@@ -81,7 +81,7 @@ typedef struct lag_dead_bands {
     double *armed;   /* (guards) time from which on it is armed; infinite: not yet */
 } lag_dead_bands;
 
-/* What follows from the present state, as far as it is known. */
+/* Values that follow from the present state, as far as they are known. */
 typedef struct lag_values {
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */

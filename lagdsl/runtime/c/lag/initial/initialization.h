@@ -17,7 +17,7 @@ typedef struct lag_start_values {
     double *written, *fixed; /* flags */
 } lag_start_values;
 
-/* What initial equations say of the rest. */
+/* Coordinates and rates that initial equations tie. */
 typedef struct lag_tied {
     unsigned char *joined; /* (nq) or null: 1: they decide this coordinate, with what they tie to it */
     const double *slopes;  /* (ne, nq) or null: how they change with rates, in natural sizes */

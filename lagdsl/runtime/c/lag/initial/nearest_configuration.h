@@ -38,7 +38,7 @@ typedef struct lag_nearest_path {
     double *steps, *shorter, *opposite, *trial; /* (n) */
 } lag_nearest_path;
 
-/* How the set bends at a point. */
+/* The bend of the set at a point. */
 typedef struct lag_nearest_bend {
     double *point;             /* (n) */
     double *before;            /* (m, n) */
