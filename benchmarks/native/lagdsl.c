@@ -118,9 +118,8 @@ static void fill_batch(context *c, void *library, int rows)
     for (int i = 0; i < MANY; ++i) {
         memcpy(states + 2 * n * (size_t)i, c->states + 2 * n * (size_t)(i % rows), 2 * n * sizeof(double));
     }
-    c->many = (lag_batch){.count = MANY, .t = zeros, .q = states, .qd = states + n, .p = c->at.p};
-    c->many.q_stride = c->many.qd_stride = 2 * n;
-    c->many.z = c->at.z, c->many.u = c->at.u, c->many.w = c->at.w;
+    c->many = (lag_batch){.count = MANY, .t = {zeros, 0}, .q = {states, 2 * n}, .qd = {states + n, 2 * n}, .p = {c->at.p, 0}};
+    c->many.z.first = c->at.z, c->many.u.first = c->at.u, c->many.w.first = c->at.w;
     c->many.workspace = c->at.workspace, c->many.memory = c->memory;
     c->many.lanes = doubles(lanes(c->model, c->several));
     c->many_qdd = doubles(n * MANY);

@@ -61,7 +61,7 @@ int main(int count, char **word)
         least = took < least ? took : least;
         tell(run, &report);
     }
-    (void)printf("%d %zu %zu %zu %.17g", (int)status, report.evaluations, report.jacobians, report.all_steps, least);
+    (void)printf("%d %zu %zu %zu %.17g", (int)status, report.counts.evaluations, report.counts.jacobians, report.counts.steps, least);
     for (size_t i = 0; i < 2 * model->nq + model->nz; ++i) {
         (void)printf(" %.17g", report.x[i]);
     }

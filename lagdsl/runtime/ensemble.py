@@ -132,7 +132,7 @@ class Bench:
             p=np.array(own.p, dtype=np.float64),
         )
         for name, field in {"rows": "rows", "kept": "kept", "ended": "ended", "status": "status", "found": "p"}.items():
-            setattr(ensemble, name, getattr(made, field).ctypes.data)
+            setattr(ensemble.results, name, getattr(made, field).ctypes.data)
         ensemble.failed = failed = _FAILED(_teller(layout, made, hear))
         kept.append(failed)
         size = int(library.ensemble_size(byref(ensemble))) // 8 + 1

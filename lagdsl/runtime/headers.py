@@ -19,15 +19,22 @@ STRUCTURES = {
     "lag_model": ("model", "Model"),
     "lag_start": ("model", "Start"),
     "lag_range": ("equations/jacobian", "Range"),
+    "lag_strided": ("batch", "Strided"),
     "lag_batch": ("batch", "Batch"),
     "lag_note": ("run/results", "Note"),
     "lag_extremes": ("run/extremes", "Extremes"),
     "lag_results": ("run/results", "Results"),
     "lag_initial": ("initial", "Initial"),
+    "lag_run_callbacks": ("run", "RunCallbacks"),
+    "lag_sizes": ("model", "Sizes"),
+    "lag_lasting": ("model", "Lasting"),
+    "lag_run_invariants": ("run", "RunInvariants"),
     "lag_run_options": ("run", "RunOptions"),
     "lag_change": ("run", "RunChange"),
+    "lag_step_counts": ("stepper", "StepCounts"),
     "lag_run_report": ("run", "RunReport"),
     "lag_fault": ("run", "RunFault"),
+    "lag_ensemble_results": ("ensemble", "EnsembleResults"),
     "lag_ensemble": ("ensemble", "Ensemble"),
     "lag_signal": ("signals", "Signal"),
     "lag_signals": ("signals", "Signals"),
@@ -112,7 +119,7 @@ def _type(base: str, stars: int, *, read: bool = False) -> str:
     if typedef:
         return _function(*typedef[0])
     if not stars:
-        return "c_int" if base in _ENUMS else _NUMBERS[base]
+        return STRUCTURES[base][1] if base in STRUCTURES else "c_int" if base in _ENUMS else _NUMBERS[base]
     if base == "char" and stars == 1:
         return "c_char_p"
     if read:

@@ -17,9 +17,9 @@ from lagdsl.runtime.run_options import RunSettings, address, shared_options
 from lagdsl.runtime.run_results import RunResults
 from lagdsl.runtime.run_view import Found, RunView, found_of
 from lagdsl.runtime.signal_tables import TabledInputs
-from lagdsl.runtime.structures import Initial, RunOptions, Status
+from lagdsl.runtime.structures import Initial, RunCallbacks, RunOptions, Status
 
-_INPUTS: Any = dict(field[:2] for field in RunOptions._fields_)["inputs"]
+_INPUTS: Any = dict(field[:2] for field in RunCallbacks._fields_)["inputs"]
 _ALIGNED = 16
 
 
@@ -67,19 +67,19 @@ class Run(RunView):
     def _options(self) -> RunOptions:
         settings = self.settings
         options = shared_options(self._library, settings, self._kept)
-        for name in ("p", "natural"):
-            setattr(options, name, address(getattr(settings, name), self._kept))
-        options.row_sizes = self._row_sizes.ctypes.data
+        options.p = address(settings.p, self._kept)
+        options.sizes.natural = address(settings.natural, self._kept)
+        options.sizes.row_sizes = self._row_sizes.ctypes.data
         if settings.invariant_tolerance is not None:
             for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
-                setattr(options, f"invariant_{name}", values.ctypes.data)
+                setattr(options.invariants, name, values.ctypes.data)
         inputs = settings.inputs
         if isinstance(inputs, TabledInputs):
             inputs.tell(options, self._library, self._kept)
             options.u = address(inputs.u, self._kept)
         elif callable(inputs):
             self._inputs = _Inputs(inputs, self._layout.size(Group.U))
-            options.inputs = self._inputs.called
+            options.callbacks.inputs = self._inputs.called
         else:
             options.u = address(inputs, self._kept)
         options.results = addressof(self.results.structure)

@@ -13,7 +13,7 @@ from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import Runtime
 from lagdsl.runtime.signal_tables import TabledInputs
-from lagdsl.runtime.structures import RunOptions, Start
+from lagdsl.runtime.structures import Lasting, RunOptions, Start
 
 Flags = NDArray[np.bool_]
 
@@ -51,16 +51,17 @@ def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) 
         part=settings.part,
         h_fixed=settings.step,
         careful=1,
-        general=settings.general,
         length=settings.length,
         count=len(settings.times),
         method=None if settings.method is None else library.methods[settings.method],
     )
-    for name in ("group", "cap", "times", "lasting"):
-        setattr(options, name, address(getattr(settings, name), kept))
+    options.times = address(settings.times, kept)
+    options.sizes.group = address(settings.group, kept)
+    options.sizes.cap = address(settings.cap, kept)
+    options.lasting = Lasting(rows=address(settings.lasting, kept), general=settings.general)
     if settings.invariant_tolerance is not None:
         # one number more, so that it is not null where there are assertions only
-        options.invariant_tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
+        options.invariants.tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
     start = _start(settings.start, kept)
     kept.append(start)
     options.start = addressof(start)

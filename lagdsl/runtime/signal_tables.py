@@ -11,9 +11,9 @@ import numpy as np
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import Runtime, runtime_library
-from lagdsl.runtime.structures import RunOptions, Signal, SignalKind, Signals
+from lagdsl.runtime.structures import RunCallbacks, RunOptions, Signal, SignalKind, Signals
 
-_INPUTS: Any = next(field[1] for field in RunOptions._fields_ if field[0] == "inputs")
+_INPUTS: Any = next(field[1] for field in RunCallbacks._fields_ if field[0] == "inputs")
 
 
 class SignalTable:
@@ -42,5 +42,5 @@ class TabledInputs:
         signals = (Signal * len(self.tables))(*(Signal() if table is None else table.told for table in self.tables))
         every = Signals(count=len(signals), signal=addressof(signals))
         kept += [self.tables, signals, every]
-        options.inputs = cast(library.signals_tell, _INPUTS)
-        options.context = addressof(every)
+        options.callbacks.inputs = cast(library.signals_tell, _INPUTS)
+        options.callbacks.context = addressof(every)

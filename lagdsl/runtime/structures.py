@@ -183,15 +183,21 @@ class Range(Structure):
     ]
 
 
+class Strided(Structure):
+    """lag_strided."""
+
+    _fields_ = [
+        *_all(c_void_p, "first"),
+        *_all(c_size_t, "stride"),
+    ]
+
+
 class Batch(Structure):
     """lag_batch."""
 
     _fields_ = [
         *_all(c_size_t, "count"),
-        *_all(c_void_p, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
-        *_all(c_size_t, "t_stride q_stride qd_stride z_stride u_stride w_stride p_stride qdd_stride"),
-        *_all(c_size_t, "lam_stride dq_stride dqd_stride dz_stride du_stride dp_stride dqdd_stride"),
-        *_all(c_size_t, "dlam_stride"),
+        *_all(Strided, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
         *_all(c_void_p, "workspace memory lanes"),
     ]
 
@@ -246,6 +252,43 @@ class Initial(Structure):
     ]
 
 
+class RunCallbacks(Structure):
+    """lag_run_callbacks."""
+
+    _fields_ = [
+        *_all(c_void_p, "context"),
+        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
+    ]
+
+
+class Sizes(Structure):
+    """lag_sizes."""
+
+    _fields_ = [
+        *_all(c_void_p, "group natural cap row_sizes"),
+    ]
+
+
+class Lasting(Structure):
+    """lag_lasting."""
+
+    _fields_ = [
+        *_all(c_void_p, "rows"),
+        *_all(c_size_t, "general"),
+    ]
+
+
+class RunInvariants(Structure):
+    """lag_run_invariants."""
+
+    _fields_ = [
+        *_all(c_void_p, "tolerance start size drift"),
+        *_all(c_int, "continued"),
+    ]
+
+
 class RunOptions(Structure):
     """lag_run_options."""
 
@@ -253,19 +296,15 @@ class RunOptions(Structure):
         *_all(c_double, "tolerance"),
         *_all(c_void_p, "method"),
         *_all(c_double, "h_first h_most h_fixed part"),
-        *_all(c_void_p, "p context"),
-        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
-        *_all(c_void_p, "u group natural cap row_sizes"),
+        *_all(c_void_p, "p u"),
+        *_all(RunCallbacks, "callbacks"),
+        *_all(Sizes, "sizes"),
         *_all(c_int, "careful"),
-        *_all(c_void_p, "lasting"),
-        *_all(c_size_t, "general"),
-        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
+        *_all(Lasting, "lasting"),
         *_all(c_double, "length"),
         *_all(c_size_t, "count"),
-        *_all(c_void_p, "times rows"),
-        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
-        *_all(c_void_p, "results invariant_tolerance invariant_start invariant_size invariant_drift"),
-        *_all(c_int, "continued"),
+        *_all(c_void_p, "times rows results"),
+        *_all(RunInvariants, "invariants"),
         *_all(c_void_p, "start"),
         *_all(c_int, "zeroed"),
     ]
@@ -280,14 +319,23 @@ class RunChange(Structure):
     ]
 
 
+class StepCounts(Structure):
+    """lag_step_counts."""
+
+    _fields_ = [
+        *_all(c_size_t, "steps rejections evaluations jacobians decompositions"),
+    ]
+
+
 class RunReport(Structure):
     """lag_run_report."""
 
     _fields_ = [
         *_all(c_double, "t h trouble_time"),
         *_all(_Numbers, "x"),
-        *_all(c_size_t, "row steps all_steps rejections evaluations jacobians decompositions projections"),
-        *_all(c_size_t, "events changes"),
+        *_all(c_size_t, "row steps"),
+        *_all(StepCounts, "counts"),
+        *_all(c_size_t, "projections events changes"),
         *_all(_Numbers, "w changed guilty doubted"),
         *_all(c_size_t, "fault"),
         *_all(c_double, "next"),
@@ -307,6 +355,14 @@ class RunFault(Structure):
     ]
 
 
+class EnsembleResults(Structure):
+    """lag_ensemble_results."""
+
+    _fields_ = [
+        *_all(c_void_p, "rows kept ended status found"),
+    ]
+
+
 class Ensemble(Structure):
     """lag_ensemble."""
 
@@ -317,7 +373,8 @@ class Ensemble(Structure):
         *_all(c_void_p, "at"),
         *_all(c_size_t, "first_piece piece most_steps"),
         *_all(c_int, "equations"),
-        *_all(c_void_p, "set stopped p u natural x rows kept ended status found"),
+        *_all(c_void_p, "set stopped p u natural x"),
+        *_all(EnsembleResults, "results"),
         *_all(CFUNCTYPE(None, c_void_p, c_size_t, c_void_p, c_int, _Numbers, _Numbers, c_void_p), "failed"),
         *_all(c_void_p, "context"),
     ]

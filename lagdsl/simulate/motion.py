@@ -195,8 +195,8 @@ class Motion:
         statistics = Statistics(
             solver=automatic if self._asked.solver == "auto" else self._asked.solver,
             steps=self._steps,
-            evaluations=report.evaluations,
-            jacobians=report.jacobians,
+            evaluations=report.counts.evaluations,
+            jacobians=report.counts.jacobians,
             projections=report.projections,
             notes=(*self._notes, *self._changes()),
         )

@@ -37,9 +37,9 @@ int main(void)
     size_t coordinate;
     double *qdd[2] = {numbers(COUNT * m->nq), numbers(COUNT * m->nq)};
     double *lam[2] = {numbers(COUNT * m->nc), numbers(COUNT * m->nc)};
-    lag_batch batch = {.count = COUNT, .t = numbers(COUNT), .q = numbers(COUNT * m->nq), .qd = numbers(COUNT * m->nq),
-        .z = numbers(COUNT * m->nz), .u = numbers(m->nu), .w = numbers(m->nw), .p = m->defaults, .t_stride = 1,
-        .q_stride = m->nq, .qd_stride = m->nq, .z_stride = m->nz, .workspace = numbers(m->workspace),
+    lag_batch batch = {.count = COUNT, .t = {numbers(COUNT), 1}, .q = {numbers(COUNT * m->nq), m->nq},
+        .qd = {numbers(COUNT * m->nq), m->nq}, .z = {numbers(COUNT * m->nz), m->nz}, .u = {numbers(m->nu), 0},
+        .w = {numbers(m->nw), 0}, .p = {m->defaults, 0}, .workspace = numbers(m->workspace),
         .memory = numbers(lag_dynamics_memory(m)), .lanes = numbers(lag_batch_memory(m, &STEM_states))};
     if (lag_batch_forward_dynamics(m, NULL, &batch, qdd[0], lam[0], &coordinate) != LAG_OK ||
         lag_batch_forward_dynamics(m, &STEM_states, &batch, qdd[1], lam[1], &coordinate) != LAG_OK) {

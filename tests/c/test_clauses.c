@@ -150,7 +150,7 @@ static lag_run *begin(const lag_model *model, const lag_run_options *options)
     return run;
 }
 
-static const lag_run_options TOLD = {.tolerance = 1e-10, .tell = note};
+static const lag_run_options TOLD = {.tolerance = 1e-10, .callbacks.tell = note};
 
 static void a_clause_bounces(void)
 {

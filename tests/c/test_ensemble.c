@@ -20,7 +20,7 @@ static int status[RUNS];
 static lag_run_options options(void)
 {
     return (lag_run_options){
-        .tolerance = 1e-9, .count = TIMES, .times = times, .group = group, .cap = cap, .start = &START, .length = times[TIMES - 1]
+        .tolerance = 1e-9, .count = TIMES, .times = times, .sizes = {.group = group, .cap = cap}, .start = &START, .length = times[TIMES - 1]
     };
 }
 
@@ -28,7 +28,8 @@ static lag_ensemble ensemble_of(const lag_run_options *told)
 {
     return (lag_ensemble){
         .model = &MACHINE, .options = told, .stop = times[TIMES - 1], .first_piece = 1000, .piece = 1000, .most_steps = 100000, .equations = 1, .set = set,
-        .p = parameter, .natural = natural, .x = x, .rows = rows, .kept = kept, .ended = ended, .status = status
+        .p = parameter, .natural = natural, .x = x,
+        .results = {.rows = rows, .kept = kept, .ended = ended, .status = status}
     };
 }
 
@@ -54,8 +55,8 @@ static void make_alone(size_t i, double *states)
     double start[SIZE];
     lag_run_options told = options();
     told.rows = states;
-    told.natural = natural + i * SIZE;
-    told.row_sizes = row_sizes;
+    told.sizes.natural = natural + i * SIZE;
+    told.sizes.row_sizes = row_sizes;
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &told)), &MACHINE, &told);
     lag_initial found = {.dependent = dependent, .row_sizes = row_sizes};
     CHECK(lag_run_start(run, 0.0, start) == LAG_OK);
@@ -115,7 +116,7 @@ static void check_failures(const lag_ensemble *ensemble)
     lag_ensemble told = *ensemble;
     told.failed = hear;
     told.context = &last;
-    told.found = found;
+    told.results.found = found;
     lag_ensemble few = told;
     void *block = malloc(lag_ensemble_size(ensemble));
     const double height = x[SIZE];

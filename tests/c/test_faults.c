@@ -41,7 +41,7 @@ static void assertions_are_told(void)
     lag_fault fault;
     model.ni = model.na = 2;
     model.monitor = spring_monitor;
-    const lag_run_options options = {.tolerance = 1e-8, .invariant_tolerance = tolerance};
+    const lag_run_options options = {.tolerance = 1e-8, .invariants.tolerance = tolerance};
     lag_run *run = run_to(&model, &options, 10.0, LAG_VIOLATED);
     lag_run_explain(run, LAG_VIOLATED, &fault);
     CHECK(fault.which == 1);
@@ -59,7 +59,7 @@ static void invariants_are_told(void)
     lag_fault fault;
     model.ni = model.na = 2;
     model.monitor = spring_monitor;
-    const lag_run_options options = {.tolerance = 1e-8, .invariant_tolerance = tolerance};
+    const lag_run_options options = {.tolerance = 1e-8, .invariants.tolerance = tolerance};
     lag_run *run = run_to(&model, &options, 10.0, LAG_VIOLATED);
     lag_run_explain(run, LAG_VIOLATED, &fault);
     CHECK(fault.which == 2 + 1);
@@ -290,7 +290,7 @@ static lag_model pushed(void)
 static void relations_follow_inputs_that_jump(void)
 {
     const lag_model model = pushed();
-    const lag_run_options options = {.tolerance = 1e-10, .inputs = jumping, .tell = hear};
+    const lag_run_options options = {.tolerance = 1e-10, .callbacks = {.inputs = jumping, .tell = hear}};
     lag_run *run = place(&model, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_to(run, 1.0, 0) == LAG_OK);
@@ -314,7 +314,7 @@ static void relations_follow_inputs_between_fixed_steps(void)
 {
     double memory[16];
     const lag_model model = pushed();
-    const lag_run_options options = {.tell = hear};
+    const lag_run_options options = {.callbacks.tell = hear};
     lag_run *run = place(&model, &options);
     told.count = 0;
     CHECK(lag_fixed_memory(2) <= sizeof memory / sizeof memory[0]);
@@ -343,7 +343,7 @@ static void inputs_jump_between_fixed_steps(void)
 {
     double memory[16];
     lag_model model = pushed();
-    const lag_run_options options = {.inputs = jumping};
+    const lag_run_options options = {.callbacks.inputs = jumping};
     model.dynamics = push_by_input;
     model.event = NULL;
     model.nw = model.nindicator = 0;

@@ -41,7 +41,7 @@ static double time_of(lag_event_kind what, size_t number)
 
 static lag_run *begin(const lag_model *model, lag_status expected)
 {
-    const lag_run_options options = {.tolerance = 1e-10, .tell = note};
+    const lag_run_options options = {.tolerance = 1e-10, .callbacks.tell = note};
     void *block = malloc(lag_run_size(model, &options));
     CHECK(block != NULL);
     lag_run *run = lag_run_place(block, model, &options);

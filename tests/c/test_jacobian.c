@@ -367,8 +367,8 @@ static void batches(size_t p_stride)
     double *lanes = malloc((lag_batch_memory(&model, &several) + 1) * sizeof(double));
     CHECK(memory != NULL && lanes != NULL);
     const lag_batch batch = {
-        .count = STATES, .t = &t, .q = q, .qd = qd, .z = z, .u = u, .w = &t, .p = p, .q_stride = 2, .qd_stride = 2,
-        .z_stride = 1, .u_stride = 1, .p_stride = p_stride, .workspace = workspace, .memory = memory, .lanes = lanes,
+        .count = STATES, .t = {&t, 0}, .q = {q, 2}, .qd = {qd, 2}, .z = {z, 1}, .u = {u, 1}, .w = {&t, 0}, .p = {p, p_stride},
+        .workspace = workspace, .memory = memory, .lanes = lanes,
     };
     CHECK(lag_batch_forward_dynamics(&model, NULL, &batch, alone, lam, NULL) == LAG_OK);
     CHECK(lag_batch_forward_dynamics(&model, &several, &batch, together, lam_together, NULL) == LAG_OK);

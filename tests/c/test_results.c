@@ -107,7 +107,7 @@ static void extremes_are_those_of_the_motion(const lag_method *method)
     CHECK(lag_run_begin(run, 0.3, start) == LAG_OK);
     CHECK(lag_run_to(run, 20.3, 0) == LAG_OK);
     (void)printf("%s: extremes off by %.1e, %zu steps\n", run->stepper.method->name,
-        fmax(fabs(extremes.low[0] + 1.0), fabs(extremes.high[0] - 1.0)), run->stepper.steps);
+        fmax(fabs(extremes.low[0] + 1.0), fabs(extremes.high[0] - 1.0)), run->stepper.counts.steps);
     for (int i = 0; i < 2; ++i) {
         CHECK_NEAR(extremes.low[i], -1.0, 1e-6);
         CHECK_NEAR(extremes.high[i], 1.0, 1e-6);

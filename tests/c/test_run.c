@@ -142,7 +142,7 @@ static void constraints_hold(const lag_method *method)
         times[i] = (double)i / 20.0;
     }
     const lag_run_options options = {
-        .tolerance = 1e-9, .method = method, .count = 201, .times = times, .rows = rows, .invariant_tolerance = &tolerance};
+        .tolerance = 1e-9, .method = method, .count = 201, .times = times, .rows = rows, .invariants.tolerance = &tolerance};
     lag_run *run = place(&CIRCLE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(circle_gap(run->stepper.x) < 1e-11);
@@ -163,7 +163,7 @@ static void what_is_violated_stops(void)
 {
     static const double tolerance = 1e-6;
     static const double high[4] = {0.6, -0.8, 6.0, 4.5};
-    const lag_run_options options = {.invariant_tolerance = &tolerance};
+    const lag_run_options options = {.invariants.tolerance = &tolerance};
     lag_run *run = place(&CIRCLE, &options);
     CHECK(lag_run_begin(run, 0.0, high) == LAG_OK);
     CHECK(lag_run_to(run, 10.0, 0) == LAG_VIOLATED);
@@ -217,7 +217,7 @@ static void fixed_steps_stay_on_the_circle(void)
 static void a_run_can_be_placed_again_and_again(void)
 {
     static const double tolerance = 1e-6;
-    const lag_run_options options = {.invariant_tolerance = &tolerance, .careful = 1};
+    const lag_run_options options = {.invariants.tolerance = &tolerance, .careful = 1};
     double first[4] = {0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < 1000; ++i) {
         lag_run *run = place(&CIRCLE, &options);
@@ -240,12 +240,12 @@ static void stiffness_is_found(double epsilon, int stiff)
     lag_run *run = place(&OSCILLATOR, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_to(run, 2.0, 0) == LAG_OK);
-    (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.steps,
-        run->stepper.evaluations, run->stepper.jacobians, run->methods.changes, run->stepper.method->name);
+    (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.counts.steps,
+        run->stepper.counts.evaluations, run->stepper.counts.jacobians, run->methods.changes, run->stepper.method->name);
     if (stiff) {
         CHECK(run->methods.changes > 0 && run->methods.change[0].implicit);
         CHECK_NEAR(run->stepper.x[0], 1.706167732170483, 1e-4);
-        CHECK(run->stepper.evaluations < 20000);
+        CHECK(run->stepper.counts.evaluations < 20000);
     } else {
         CHECK(run->methods.changes == 0);
     }

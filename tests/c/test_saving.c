@@ -35,9 +35,9 @@ static int alike(const lag_run *one, const lag_run *other)
     return memcmp(one->stepper.x, other->stepper.x, states) == 0 && memcmp(one->stepper.f, other->stepper.f, states) == 0 &&
            memcmp(one->motion.w, other->motion.w, model->nw * sizeof(double)) == 0 && one->stepper.t == other->stepper.t &&
            one->stepper.h == other->stepper.h && one->stepper.method == other->stepper.method &&
-           one->stepper.steps == other->stepper.steps && one->stepper.evaluations == other->stepper.evaluations &&
-           one->stepper.jacobians == other->stepper.jacobians && one->stepper.decompositions == other->stepper.decompositions &&
-           one->stepper.rejections == other->stepper.rejections && one->counts.events == other->counts.events && one->methods.changes == other->methods.changes &&
+           one->stepper.counts.steps == other->stepper.counts.steps && one->stepper.counts.evaluations == other->stepper.counts.evaluations &&
+           one->stepper.counts.jacobians == other->stepper.counts.jacobians && one->stepper.counts.decompositions == other->stepper.counts.decompositions &&
+           one->stepper.counts.rejections == other->stepper.counts.rejections && one->counts.events == other->counts.events && one->methods.changes == other->methods.changes &&
            one->counts.row == other->counts.row && one->projection.count == other->projection.count;
 }
 

@@ -17,7 +17,7 @@ static lag_session *open(const lag_model *model, double tolerance)
 static void rows_are_those_of_a_run(void)
 {
     const double lasting[1] = {0.0};
-    const lag_run_options options = {.tolerance = 1e-8, .length = 1.0, .careful = 2, .lasting = lasting};
+    const lag_run_options options = {.tolerance = 1e-8, .length = 1.0, .careful = 2, .lasting.rows = lasting};
     lag_session *session = open(&MACHINE, 1e-8);
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &options)), &MACHINE, &options);
     CHECK(lag_session_begin(session, 0.0) == LAG_OK && lag_run_begin(run, 0.0, NULL) == LAG_OK);

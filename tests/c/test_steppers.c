@@ -83,7 +83,7 @@ static errors measure(const lag_method *method, const lag_ode *ode, void (*solut
     }
     solution(stop, exact);
     found.at_end = distance(3, s.x, exact);
-    found.steps = s.steps;
+    found.steps = s.counts.steps;
     CHECK(found.steps == (size_t)steps);
     return found;
 }
@@ -108,7 +108,7 @@ static double arenstorf_error(double tolerance)
     CHECK(s.t == ARENSTORF_PERIOD);
     const double error = distance(4, s.x, ARENSTORF_START);
     (void)printf("dop853: Arenstorf, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations\n", tolerance, error,
-        s.steps, s.rejections, s.evaluations);
+        s.counts.steps, s.counts.rejections, s.counts.evaluations);
     return error;
 }
 
@@ -129,9 +129,9 @@ static void van_der_pol(double tolerance, double worst, size_t most)
     const double error = distance(2, s.x, exact);
     (void)printf("radau: van der Pol, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations, %zu Jacobians, %zu "
                  "decompositions\n",
-        tolerance, error, s.steps, s.rejections, s.evaluations, s.jacobians, s.decompositions);
+        tolerance, error, s.counts.steps, s.counts.rejections, s.counts.evaluations, s.counts.jacobians, s.counts.decompositions);
     CHECK(error <= worst);
-    CHECK(s.evaluations <= most);
+    CHECK(s.counts.evaluations <= most);
 }
 
 /* The error against a run that is far more accurate goes with the tolerance. */
@@ -149,7 +149,7 @@ static void double_pendulum(void)
         place(&s, &ode, start, tolerance);
         CHECK(go(&s, &lag_dop853, 10.0) == LAG_OK);
         const double error = distance(4, s.x, reference);
-        (void)printf("dop853: double pendulum, tolerance %.0e: error %.1e, %zu evaluations\n", tolerance, error, s.evaluations);
+        (void)printf("dop853: double pendulum, tolerance %.0e: error %.1e, %zu evaluations\n", tolerance, error, s.counts.evaluations);
         CHECK(error <= 1e3 * tolerance);
     }
 }
@@ -165,9 +165,9 @@ static void turning(const lag_method *method, double tolerance, size_t most)
     CHECK(go(&s, method, 3.0) == LAG_OK);
     const double error = distance(2, s.x, exact);
     (void)printf("%s: stiff direction that turns, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations, %zu Jacobians\n",
-        method->name, tolerance, error, s.steps, s.rejections, s.evaluations, s.jacobians);
+        method->name, tolerance, error, s.counts.steps, s.counts.rejections, s.counts.evaluations, s.counts.jacobians);
     CHECK(error <= tolerance);
-    CHECK(s.evaluations <= most);
+    CHECK(s.counts.evaluations <= most);
 }
 
 static lag_status wall_rates(void *context, double t, const double *x, double *xd)

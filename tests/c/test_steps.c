@@ -76,7 +76,7 @@ static void the_end_is_hit(void)
         CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
         CHECK(lag_run_to(run, ends[i], 0) == LAG_OK);
         CHECK(run->stepper.t == ends[i]);
-        CHECK(run->stepper.steps == steps[i]);
+        CHECK(run->stepper.counts.steps == steps[i]);
         free(run);
     }
 }

@@ -84,9 +84,8 @@ static void run_states(const lag_model *model, const uint32_t *size, int same)
     for (size_t i = 0; i < COUNT * n; ++i) {
         to.array[1][i] = 0.1 * (double)i - 1.0;
     }
-    lag_batch batch = {.count = COUNT, .t = to.array[0], .q = to.at.q, .qd = to.at.qd, .z = to.at.z, .u = to.at.u, .w = to.at.w,
-        .p = to.at.p, .t_stride = 1, .q_stride = n, .qd_stride = n, .z_stride = model->nz, .u_stride = model->nu,
-        .w_stride = model->nw, .p_stride = model->np, .workspace = to.at.workspace};
+    lag_batch batch = {.count = COUNT, .t = {to.array[0], 1}, .q = {to.at.q, n}, .qd = {to.at.qd, n}, .z = {to.at.z, model->nz},
+        .u = {to.at.u, model->nu}, .w = {to.at.w, model->nw}, .p = {to.at.p, model->np}, .workspace = to.at.workspace};
     batch.memory = numbers(lag_dynamics_memory(model));
     batch.lanes = numbers(lag_batch_memory(model, states));
     double *const qdd = numbers(COUNT * n), *const lam = numbers(COUNT * m);

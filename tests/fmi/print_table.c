@@ -33,25 +33,25 @@ int main(void)
     for (size_t i = 0; i < fmu->nvariable; i++) {
         const lag_variable *v = &fmu->variables[i];
         printf("variable %d %d %d %zu %zu", v->role, v->type, v->setting, v->first, v->count);
-        if (v->role == LAG_ROLE_CONSTANT && v->type == LAG_TYPE_STRING) printf(" %s", fmu->texts[v->first]);
+        if (v->role == LAG_ROLE_CONSTANT && v->type == LAG_TYPE_STRING) printf(" %s", fmu->constants.texts[v->first]);
         else if (v->role == LAG_ROLE_CONSTANT) {
-            for (size_t k = 0; k < v->count; k++) printf(" %a", fmu->constants[v->first + k]);
+            for (size_t k = 0; k < v->count; k++) printf(" %a", fmu->constants.numbers[v->first + k]);
         }
         printf("\n");
     }
     bytes("fixed", fmu->fixed, sizes[0]);
     doubles("nominal", fmu->nominal, sizes[0]);
-    doubles("group", fmu->group, sizes[0]);
-    doubles("natural", fmu->natural, sizes[0]);
-    doubles("cap", fmu->cap, sizes[0]);
-    doubles("row_sizes", fmu->row_sizes, sizes[1]);
-    doubles("lasting", fmu->lasting, sizes[1]);
+    doubles("group", fmu->sizes.group, sizes[0]);
+    doubles("natural", fmu->sizes.natural, sizes[0]);
+    doubles("cap", fmu->sizes.cap, sizes[0]);
+    doubles("row_sizes", fmu->sizes.row_sizes, sizes[1]);
+    doubles("lasting", fmu->lasting.rows, sizes[1]);
     doubles("invariant_limits", fmu->invariant_limits, sizes[4]);
     for (size_t i = 0; i < sizes[5] && fmu->parameter_range != NULL; i++) {
         printf("range %a %a\n", fmu->parameter_range[i].least, fmu->parameter_range[i].most);
     }
     printf("input_rates");
-    for (size_t i = 0; i < sizes[2] && fmu->input_rates != NULL; i++) printf(" %zu", fmu->input_rates[i]);
-    printf("\nexperiment %a %a %a\ngeneral %zu\nkinds %d\n", fmu->start_time, fmu->stop_time, fmu->tolerance, fmu->general, fmu->kinds);
+    for (size_t i = 0; i < sizes[2] && fmu->inputs.rates != NULL; i++) printf(" %zu", fmu->inputs.rates[i]);
+    printf("\nexperiment %a %a %a\ngeneral %zu\nkinds %d\n", fmu->experiment.start, fmu->experiment.stop, fmu->experiment.tolerance, fmu->lasting.general, fmu->kinds);
     return 0;
 }

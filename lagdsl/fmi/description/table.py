@@ -23,21 +23,21 @@ def table_source(table: Table, stem: str, token: str) -> str:
     constants = [(v.attributes.type == "STRING", start) for _, v in table.of(Role.CONSTANT) for start in v.starts]
     tables = {
         "variables": ("lag_variable", [_row(variable, table.version) for variable in table.variables]),
-        "constants": ("double", _numbers([float(start) for is_text, start in constants if not is_text])),
-        "texts": ("char *const", [string(str(start)) for is_text, start in constants if is_text]),
+        "constants.numbers": ("double", _numbers([float(start) for is_text, start in constants if not is_text])),
+        "constants.texts": ("char *const", [string(str(start)) for is_text, start in constants if is_text]),
         "fixed": ("unsigned char", _flags(settings.fixed)),
         "nominal": ("double", _numbers(settings.nominal)),
-        "group": ("double", _numbers(settings.groups)),
-        "natural": ("double", _numbers(settings.natural)),
-        "cap": ("double", _numbers(settings.caps)),
-        "row_sizes": ("double", _numbers(settings.row_sizes)),
+        "sizes.group": ("double", _numbers(settings.groups)),
+        "sizes.natural": ("double", _numbers(settings.natural)),
+        "sizes.cap": ("double", _numbers(settings.caps)),
+        "sizes.row_sizes": ("double", _numbers(settings.row_sizes)),
         "row_factors": ("double", _numbers(factors if any(by != 1.0 for by in factors) else ())),
-        "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
+        "lasting.rows": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
-        "input_range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
+        "inputs.range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
         "held_relations": ("unsigned char", _held_relations(table)),
-        "input_rates": ("size_t", _input_rates(flat)),
-        "continuous_inputs": ("unsigned char", _continuous_inputs(table)),
+        "inputs.rates": ("size_t", _input_rates(flat)),
+        "inputs.continuous": ("unsigned char", _continuous_inputs(table)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
     if table.dependent:
@@ -49,20 +49,24 @@ def table_source(table: Table, stem: str, token: str) -> str:
         f".model = &{stem}_model",
         f".token = {string(token)}",
         f".nvariable = {len(table.variables)}",
-        *(f".{name} = fmu_{name}" for name, (_, rows) in tables.items() if rows),
+        *(f".{member} = {_name(member)}" for member, (_, rows) in tables.items() if rows),
         f".start = &{stem}_start",
-        f".start_time = {number(experiment.start_time)}",
-        f".stop_time = {number(experiment.stop_time)}",
-        f".tolerance = {number(experiment.tolerance)}",
-        f".general = {settings.general}",
-        *(f".n{name[:-1]} = {len(tables[name][1])}" for name in ("states", "dependents") if name in tables),
+        f".experiment.start = {number(experiment.start_time)}",
+        f".experiment.stop = {number(experiment.stop_time)}",
+        f".experiment.tolerance = {number(experiment.tolerance)}",
+        f".lasting.general = {settings.general}",
+        *(
+            f".{member.partition('.')[0]}.count = {len(tables[member][1])}"
+            for member in ("states.entries", "dependents.coordinates")
+            if member in tables
+        ),
         f".kinds = {' | '.join(_KINDS[kind] for kind in table.kinds)}",
     ]
     return "".join(
         [
             "/* Variables of the model as importers see them, generated: see lag/fmu.h for what is what. */\n",
             f'#include "{stem}.h"\n\n#include "lag/fmu.h"\n\n#include <math.h>\n\n',
-            *(_array(kind, name, rows) for name, (kind, rows) in tables.items()),
+            *(_array(kind, _name(member), rows) for member, (kind, rows) in tables.items()),
             "extern const lag_fmu lag_exported;\n\n",
             "const lag_fmu lag_exported = {\n" + "".join(f"    {member},\n" for member in members) + "};\n",
         ]
@@ -84,7 +88,7 @@ def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
     for own in table.structure.elements:
         rows += [f"{{{d.element}, {d.other}, {d.other_element}, LAG_DEPENDENCE_{d.kind.upper()}}}" for d in own]
         firsts.append(len(rows))
-    return {"dependency_first": ("size_t", _counts(firsts)), "dependencies": ("lag_dependency", rows)}
+    return {"dependencies.first": ("size_t", _counts(firsts)), "dependencies.entries": ("lag_dependency", rows)}
 
 
 def _dependent_coordinates(table: Table) -> dict[str, tuple[str, list[str]]]:
@@ -96,11 +100,11 @@ def _dependent_coordinates(table: Table) -> dict[str, tuple[str, list[str]]]:
         terms += each.terms
         firsts.append(len(terms))
     return {
-        "states": ("size_t", _counts([entry for entry in range(size) if entry not in follow])),
-        "dependents": ("size_t", _counts([each.place for each in table.dependent])),
-        "term_first": ("size_t", _counts(firsts)),
-        "term_of": ("size_t", _counts([other for other, _ in terms])),
-        "term_weight": ("double", _numbers([weight for _, weight in terms])),
+        "states.entries": ("size_t", _counts([entry for entry in range(size) if entry not in follow])),
+        "dependents.coordinates": ("size_t", _counts([each.place for each in table.dependent])),
+        "dependents.term_first": ("size_t", _counts(firsts)),
+        "dependents.term_of": ("size_t", _counts([other for other, _ in terms])),
+        "dependents.term_weight": ("double", _numbers([weight for _, weight in terms])),
     }
 
 
@@ -153,8 +157,13 @@ def _flags(values: Sequence[bool]) -> list[str]:
     return [str(int(value)) for value in values]
 
 
+def _name(member: str) -> str:
+    """Of the table that `member` of lag_fmu points at."""
+    return "fmu_" + member.replace(".", "_")
+
+
 def _array(kind: str, name: str, rows: Sequence[str]) -> str:
     """A table; none where it has no rows, since C has no empty arrays."""
     if not rows:
         return ""
-    return f"static const {kind} fmu_{name}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n\n"
+    return f"static const {kind} {name}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n\n"

@@ -25,7 +25,7 @@ from lagdsl.runtime.engines.native_model import NativeModel, load_compiled
 from lagdsl.runtime.engines.one_state import VECTORS, OneState
 from lagdsl.runtime.engines.state_jacobian import StateJacobian
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.structures import Batch, Range
+from lagdsl.runtime.structures import Batch, Range, Strided
 
 _NUMBER = {function.name: index for index, function in enumerate(FUNCTIONS)}
 _SINGULAR = 1
@@ -163,7 +163,7 @@ class CEngine:
         def part(first: int, end: int, _kept: object = own) -> None:
             batch.count = end - first
             for name, array, stride in many.arrays:
-                setattr(batch, name, array.ctypes.data + 8 * first * stride)
+                getattr(batch, name).first = array.ctypes.data + 8 * first * stride
             if call(batch, first, coordinate) == _SINGULAR:
                 raise SingularSystem(coordinate.value, self.layout)
 
@@ -192,10 +192,9 @@ class CEngine:
             setattr(batch, name, getattr(own, name).ctypes.data)
         for group in VECTORS:
             name = ARGUMENT_NAMES[group]
-            setattr(batch, name, getattr(self._one.arguments, name))
+            getattr(batch, name).first = getattr(self._one.arguments, name)
         for name, array, stride in many.arrays:
-            setattr(batch, name, array.ctypes.data)
-            setattr(batch, f"{name}_stride", stride)
+            setattr(batch, name, Strided(array.ctypes.data, stride))
         return batch
 
 

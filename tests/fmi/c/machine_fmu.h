@@ -36,14 +36,9 @@ static const lag_fmu MACH_FMU = {
     .nvariable = MACH_VARIABLES,
     .variables = MACH_TABLE,
     .start = &MACH_START,
-    .start_time = 0.0,
-    .stop_time = 2.0,
-    .tolerance = 1e-9,
-    .group = MACH_GROUP,
-    .natural = MACH_SIZES,
-    .cap = MACH_CAPS,
-    .row_sizes = MACH_ROWS,
-    .lasting = MACH_LASTING,
+    .experiment = {0.0, 2.0, 1e-9},
+    .sizes = {MACH_GROUP, MACH_SIZES, MACH_CAPS, MACH_ROWS},
+    .lasting.rows = MACH_LASTING,
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

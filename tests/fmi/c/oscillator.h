@@ -148,12 +148,8 @@ static const lag_fmu OSC_FMU = {
     .variables = OSC_TABLE,
     .start = &OSC_START,
     .nominal = OSC_SIZES,
-    .start_time = 0.0,
-    .stop_time = 10.0,
-    .tolerance = 1e-9,
-    .group = OSC_GROUP,
-    .natural = OSC_SIZES,
-    .cap = OSC_CAPS,
+    .experiment = {0.0, 10.0, 1e-9},
+    .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

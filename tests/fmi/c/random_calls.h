@@ -43,7 +43,7 @@ static double number(lag_visit *visit)
 /* Of the experiment, at most a second: what moves fast has a short one. */
 static double length(void)
 {
-    const double whole = lag_exported.stop_time - lag_exported.start_time;
+    const double whole = lag_exported.experiment.stop - lag_exported.experiment.start;
     return whole > 0.0 ? fmin(whole, 1.0) : 1.0;
 }
 

@@ -75,12 +75,10 @@ const lag_fmu lag_exported = {
     .nvariable = V_VARIABLES,
     .variables = stand_in_variables,
     .nominal = stand_in_nominal,
-    .stop_time = 1.0,
-    .tolerance = 1e-6,
-    .texts = stand_in_texts,
+    .experiment = {.stop = 1.0, .tolerance = 1e-6},
+    .constants.texts = stand_in_texts,
     .kinds = STAND_IN_KINDS,
-    .dependency_first = stand_in_first,
-    .dependencies = stand_in_dependencies,
+    .dependencies = {stand_in_first, stand_in_dependencies},
 };
 
 static lag_status stand_in_fail(lag_instance *instance, lag_status status)

@@ -11,11 +11,11 @@ static const double OFF = 1e-7;
 /* Steps that the integrator takes for itself. */
 static size_t steps_alone(double stop)
 {
-    const lag_run_options options = {.tolerance = TOLERANCE, .group = OSC_GROUP, .natural = OSC_SIZES, .cap = OSC_CAPS};
+    const lag_run_options options = {.tolerance = TOLERANCE, .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL}};
     lag_run *run = lag_run_place(malloc(lag_run_size(&OSC, &options)), &OSC, &options);
     CHECK(lag_run_begin(run, 0.0, OSC_STATE) == LAG_OK);
     CHECK(lag_run_to(run, stop, 0) == LAG_OK);
-    const size_t count = run->stepper.steps;
+    const size_t count = run->stepper.counts.steps;
     free(run);
     return count;
 }
@@ -40,7 +40,7 @@ static void steps(void)
         CHECK_NEAR(get(one, OSC_Z), exp(-t), OFF);
         CHECK_NEAR(get(one, OSC_ENERGY), 2.0, 4.0 * OFF);
     }
-    CHECK(count > 300 && one->run->stepper.steps <= steps_alone(t) + 2);
+    CHECK(count > 300 && one->run->stepper.counts.steps <= steps_alone(t) + 2);
     double both[2];
     CHECK_OK(one, lag_instance_get(one, OSC_BOTH, both));
     CHECK(both[0] == get(one, OSC_YQ) && both[1] == get(one, OSC_YA));
@@ -92,11 +92,11 @@ static void polynomial(void)
         CHECK_NEAR(get(one, OSC_Q), forced(t), OFF);
         CHECK_NEAR(get(one, OSC_U), 1.0 - t + 0.5 * t * t + t * t * t / 3.0, 1e-13);
     }
-    const size_t before = one->run->stepper.steps;
+    const size_t before = one->run->stepper.counts.steps;
     CHECK(before <= steps_alone(2.0) + 10);
     set(one, OSC_U, get(one, OSC_U)); /* no jump */
     step_to(one, 2.0001, 1);
-    CHECK(one->run->stepper.steps <= before + 1);
+    CHECK(one->run->stepper.counts.steps <= before + 1);
     CHECK(lag_instance_set_input_derivative(one, OSC_U, 4, derivatives) == LAG_MISSING);
     CHECK(lag_instance_set_input_derivative(one, OSC_Q, 1, derivatives) == LAG_MISSING);
     free(one);
@@ -107,7 +107,7 @@ static void chain(void)
 {
     static const size_t rates[2] = {1, 2};
     lag_fmu fmu = OSC_FMU;
-    fmu.input_rates = rates;
+    fmu.inputs.rates = rates;
     lag_instance *one = begun(&fmu, 0.0, 10.0, TOLERANCE);
     set(one, OSC_U, 1.0);
     set(one, OSC_UD, -0.5);
@@ -179,7 +179,7 @@ static void starts(void)
 /* Steps keep to a hundredth of a tolerance that is coarser than the experiment's; importers of states get what they gave. */
 static void tolerances(void)
 {
-    const double own = OSC_FMU.tolerance;
+    const double own = OSC_FMU.experiment.tolerance;
     const double given[] = {0.0, 1e-11, own, 10.0 * own, 1e-4, 1e3};
     const double kept[] = {own, 1e-11, own, own, 1e-6, 1e-3};
     for (unsigned i = 0; i < sizeof given / sizeof *given; ++i) {
@@ -190,7 +190,7 @@ static void tolerances(void)
     lag_instance *one = begun(&OSC_FMU, 0.0, 10.0, 1e-4);
     step_to(one, 10.0, 100);
     CHECK_NEAR(get(one, OSC_Q), cos(20.0), 1e-4);
-    CHECK(one->run->stepper.steps < steps_alone(10.0));
+    CHECK(one->run->stepper.counts.steps < steps_alone(10.0));
     CHECK_OK(one, lag_instance_setup(one, LAG_MODEL_EXCHANGE, 0.0, 10.0, 1e-4));
     CHECK(one->run->options.tolerance == 1e-4);
     free(one);

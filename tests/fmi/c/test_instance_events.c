@@ -29,8 +29,8 @@ static lag_status hear(void *context, lag_run *run, const lag_event_notice *noti
 /* States at `count` times, with the events on the way. */
 static lag_run *reference(size_t count, const double *times, double *rows)
 {
-    const lag_run_options options = {.tolerance = TOLERANCE, .length = STOP, .group = MACH_GROUP, .natural = MACH_SIZES, .cap = MACH_CAPS,
-        .row_sizes = MACH_ROWS, .count = count, .times = times, .rows = rows, .tell = hear};
+    const lag_run_options options = {.tolerance = TOLERANCE, .length = STOP, .sizes = {MACH_GROUP, MACH_SIZES, MACH_CAPS, MACH_ROWS},
+        .count = count, .times = times, .rows = rows, .callbacks.tell = hear};
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &options)), &MACHINE, &options);
     events.count = 0;
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);

@@ -9,8 +9,7 @@ const lag_fmu lag_exported = {
     .variables = MACH_TABLE,
     .start = &MACH_START,
     .nominal = nominal,
-    .stop_time = 2.0,
-    .tolerance = 1e-6,
+    .experiment = {0.0, 2.0, 1e-6},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

@@ -33,11 +33,8 @@ const lag_fmu lag_exported = {
     .variables = OSC_TABLE,
     .start = &OSC_START,
     .nominal = OSC_SIZES,
-    .stop_time = 10.0,
-    .tolerance = 1e-6,
-    .group = OSC_GROUP,
-    .natural = OSC_SIZES,
-    .cap = OSC_CAPS,
+    .experiment = {0.0, 10.0, 1e-6},
+    .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

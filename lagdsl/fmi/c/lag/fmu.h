@@ -83,43 +83,69 @@ typedef struct lag_range {
 
 typedef enum lag_kinds { LAG_NO_KIND = 0, LAG_MODEL_EXCHANGE = 1, LAG_CO_SIMULATION = 2 } lag_kinds;
 
+/* Values that no run changes. */
+typedef struct lag_constants {
+    const double *numbers;
+    const char *const *texts; /* those of type String */
+} lag_constants;
+
+typedef struct lag_experiment {
+    double start, stop, tolerance; /* infinite stop: none given */
+} lag_experiment;
+
+/* Properties of inputs beside their variables. */
+typedef struct lag_input_kinds {
+    const size_t *rates;             /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
+    const unsigned char *continuous; /* (nu) 1: it has such an input, and may not jump: no blow would follow. Null: none */
+    const lag_range *range;          /* (nu) of those that change at events only; null: any */
+} lag_input_kinds;
+
+/* Variable i depends as entries [first[i], first[i + 1]) tell; null: not told. */
+typedef struct lag_dependencies {
+    const size_t *first; /* (nvariable + 1) */
+    const lag_dependency *entries;
+} lag_dependencies;
+
+/* Entries of x that importers integrate. */
+typedef struct lag_integrated {
+    size_t count;
+    const size_t *entries; /* (count) null: all of them */
+} lag_integrated;
+
+/*
+ * Coordinates that follow from states: q[coordinates[i]] = sum of term_weight[k] q[term_of[k]] over term_first[i] <= k <
+ * term_first[i + 1], + an offset that is constant between events; rates without it. Terms are independent coordinates, or
+ * dependent ones that come before.
+ */
+typedef struct lag_dependents {
+    size_t count;
+    const size_t *coordinates; /* (count) */
+    const size_t *term_first;  /* (count + 1) */
+    const size_t *term_of;
+    const double *term_weight;
+} lag_dependents;
+
 typedef struct lag_fmu {
     const lag_model *model;
     const char *token; /* the guid of FMI 2, the instantiation token of FMI 3 */
     size_t nvariable;
     const lag_variable *variables; /* (nvariable) */
-    const double *constants;
+    lag_constants constants;
     const lag_start *start;      /* where the motion starts with the default parameters */
     const unsigned char *fixed;  /* (2 nq + nz) 1: the start value holds exactly, it is not only where the search begins */
     const double *nominal;       /* (2 nq + nz) */
-    double start_time, stop_time, tolerance; /* of the experiment; infinite stop: none given */
-    /* what accuracy is measured by: see lag_run_options */
-    const double *group, *natural, *cap; /* (2 nq + nz) */
-    const double *row_sizes, *lasting;   /* (nc) */
-    const double *row_factors;           /* (nc) multipliers of the variables are those of the model times these; null: one */
-    size_t general;
-    const char *const *texts;       /* constants of type String */
+    lag_experiment experiment;
+    lag_sizes sizes;
+    lag_lasting lasting;
+    const double *row_factors;      /* (nc) multipliers of the variables are those of the model times these; null: one */
     const double *invariant_limits; /* (ni) allowed departures, as parts of the scales; 0: a thousand tolerances */
     unsigned char kinds;            /* a sum of lag_kinds: what it can be instantiated for */
-    /* Variable i depends as dependencies [dependency_first[i], dependency_first[i + 1]) tell; null: not told. */
-    const size_t *dependency_first; /* (nvariable + 1) */
-    const lag_dependency *dependencies;
-    const size_t *input_rates; /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
-    const unsigned char *continuous_inputs; /* (nu) 1: it has such an input, and may not jump: no blow would follow. Null: none */
+    lag_dependencies dependencies;
+    lag_input_kinds inputs;
     const lag_range *parameter_range; /* (np) null: any */
-    const lag_range *input_range;     /* (nu) of those that change at events only; null: any */
     const unsigned char *held_relations; /* (nindicator) 1: only values that are set at events change it: no event indicator. Null: none */
-    size_t nstate;
-    const size_t *states; /* (nstate) entries of x that importers integrate; null: all of them */
-    /*
-     * q[dependents[i]] = sum of term_weight[k] q[term_of[k]] over term_first[i] <= k < term_first[i + 1], + an offset that is constant
-     * between events; rates without it. Terms are independent coordinates, or dependent ones that come before.
-     */
-    size_t ndependent;
-    const size_t *dependents;   /* (ndependent) */
-    const size_t *term_first;   /* (ndependent + 1) */
-    const size_t *term_of;
-    const double *term_weight;
+    lag_integrated states;
+    lag_dependents dependents;
 } lag_fmu;
 
 #endif

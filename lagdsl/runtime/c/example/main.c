@@ -208,7 +208,7 @@ int main(int argc, char **argv)
     double *times = malloc(count * sizeof(double));
     tables to = {.rows = stdout, .events = argc > 4 ? fopen(argv[4], "w") : stderr, .event_time = START.t - 1.0};
     to.y = malloc((model->ny + 1) * sizeof(double));
-    lag_run_options options = {.output = row, .tell = tell, .context = &to, .times = times, .start = &START};
+    lag_run_options options = {.callbacks = {.output = row, .tell = tell, .context = &to}, .times = times, .start = &START};
     options.count = argc > 2 ? count : 0;
     options.tolerance = argc > 3 ? strtod(argv[3], NULL) : 1e-10;
     const int ready = times != NULL && to.y != NULL && to.events != NULL;

@@ -60,7 +60,7 @@ int main(int argc, char **argv)
     const double h = argc > 2 ? strtod(argv[2], NULL) : 1e-3;
     lag_fixed_step *const step = method(argc > 3 ? argv[3] : "rk4");
     size_t events = 0;
-    const lag_run_options options = {.tell = count_events, .context = &events};
+    const lag_run_options options = {.callbacks = {.tell = count_events, .context = &events}};
     /* All memory there is: after this nothing is allocated. */
     void *block = malloc(lag_run_size(model, &options));
     double *memory = malloc((lag_fixed_memory(lag_motion_size(model)) + 1) * sizeof(double));

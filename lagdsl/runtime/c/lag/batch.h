@@ -6,12 +6,16 @@
 #include "lag/equations/jacobian.h"
 #include "lag/parallel.h"
 
-/* Arrays of `count` states: array x of state i starts at x + i * its stride; stride 0 shares one array among all states. */
+/* The same array of many states: that of state i starts at first + i * stride; stride 0 shares one among all states. */
+typedef struct lag_strided {
+    const double *first;
+    size_t stride;
+} lag_strided;
+
+/* Arguments of `count` states. */
 typedef struct lag_batch {
     size_t count;
-    const double *t, *q, *qd, *z, *u, *w, *p, *qdd, *lam, *dq, *dqd, *dz, *du, *dp, *dqdd, *dlam;
-    size_t t_stride, q_stride, qd_stride, z_stride, u_stride, w_stride, p_stride, qdd_stride, lam_stride, dq_stride,
-        dqd_stride, dz_stride, du_stride, dp_stride, dqdd_stride, dlam_stride;
+    lag_strided t, q, qd, z, u, w, p, qdd, lam, dq, dqd, dz, du, dp, dqdd, dlam;
     double *workspace; /* lag_jacobian_workspace() for Jacobians, else that of the model */
     double *memory;    /* lag_jacobian_memory() for Jacobians, else lag_dynamics_memory() */
     double *lanes;     /* lag_batch_memory() for several states at once */

@@ -15,6 +15,20 @@
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
 
+/* The equations of motion at a state, and the residuals of its constraints; later the right sides of what follows. */
+typedef struct lag_derivatives_terms {
+    double *mass, *force;     /* (nq, nq) (nq) */
+    double *jacobian, *gamma; /* (nc, nq) (nc) */
+    double *phi, *residual;   /* (nc) */
+} lag_derivatives_terms;
+
+/* Memory of one call. */
+typedef struct lag_derivatives_work {
+    double *motion, *rows; /* (nq) (nc) how the residuals of the equations change */
+    double *pulled;        /* (nc) */
+    double *unused;        /* (nc, nq) */
+} lag_derivatives_work;
+
 /* A state and the values that are known at it; all pointers lead into memory of the caller. */
 typedef struct lag_derivatives {
     const lag_model *model;
@@ -26,7 +40,8 @@ typedef struct lag_derivatives {
     double *dqdd, *dlam;         /* (nq) (nc) what follows from it */
     double *alone;               /* what changes with time alone, as time_tangent() tells */
     double *least;               /* (nq) J least = lam */
-    double *mass, *force, *jacobian, *gamma, *phi, *residual, *unused, *motion, *rows, *pulled;
+    lag_derivatives_terms terms;
+    lag_derivatives_work work;
     int timed;                   /* `alone` is filled */
     lag_system system;
 } lag_derivatives;

@@ -13,6 +13,27 @@
 #include "lag/equations/delassus.h"
 #include "lag/model.h"
 
+/*
+ * Rows of which less than this part is left beside others depend on them (RANK_TOLERANCE of the NumPy modules). So a solution satisfies rows if it
+ * leaves less than this part of what was there.
+ */
+static const double LAG_REACHED = 1e-8;
+
+/* Of rows that depend on each other, those that count. */
+typedef struct lag_row_choice {
+    /* (m) 1: this one counts as the dependent one, where the others do as well; null: what rounding says */
+    const unsigned char *late;
+    /* (n) (m) natural sizes: those count that are long in these; null: all that are not very short */
+    const double *sizes, *row_sizes;
+} lag_row_choice;
+
+/* Memory of one call. */
+typedef struct lag_system_work {
+    double *copy;           /* (n, n) */
+    double *y, *h, *rest;   /* (n) */
+    double *l, *row_rest;   /* (m) */
+} lag_system_work;
+
 /* One system; everything points into memory of the caller. */
 typedef struct lag_system {
     size_t n, m;            /* unknown accelerations, rows */
@@ -22,10 +43,7 @@ typedef struct lag_system {
     const double *mass;     /* (n, n) */
     const double *jacobian; /* (m, n) */
     const size_t *components; /* (n) coordinates of different ones share no row and no entry of M; null: all are of one */
-    /* (m) 1: of rows that depend on each other this one counts as the dependent one, where the others do as well; null: what rounding says */
-    const unsigned char *late;
-    /* (n) (m) natural sizes: of rows that depend on each other those count that are long in these; null: all that are not very short */
-    const double *sizes, *row_sizes;
+    lag_row_choice choice;
     double *column_scale;   /* (n) */
     double *row_scale;      /* (m) */
     double *rows;           /* (m, n) factors of the scaled J' */
@@ -34,10 +52,8 @@ typedef struct lag_system {
     double *reduced;        /* (n, n) Q' M Q of the scaled M */
     double *factor;         /* of its part beyond the rank, tightly packed */
     double *eigenvalue;     /* (n) */
-    double *copy;           /* (n, n) */
     double *excess;         /* (m, m) orthonormal combinations of rows that vanish, one per row beyond the rank that is not zero */
-    double *y, *h, *rest;   /* (n) */
-    double *l, *row_rest;   /* (m) */
+    lag_system_work work;
 } lag_system;
 
 /* Doubles that a system of n unknowns and m rows needs. */

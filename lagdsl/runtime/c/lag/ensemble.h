@@ -12,9 +12,18 @@
 #include "lag/initial.h"
 #include "lag/run.h"
 
+/* Results of the runs, one after the other. */
+typedef struct lag_ensemble_results {
+    double *rows;  /* (runs, options.count, lag_ensemble_width()) at the times of options; of two rows at an event the one after it */
+    size_t *kept;  /* (runs) how many rows there are */
+    double *ended; /* (runs) the time of the last row, at whatever time */
+    int *status;   /* (runs) a lag_status; LAG_STOPPED: a `terminate` acted. Others: the run failed, after these rows */
+    double *found; /* (runs, np) parameters, with those that were found with the start; null: not wanted */
+} lag_ensemble_results;
+
 typedef struct lag_ensemble {
     const lag_model *model;
-    /* Of all runs, with a `start`; p, u, natural, row_sizes and results of it are not looked at. `times` are those of the rows. */
+    /* Of all runs, with a `start`; p, u, natural sizes, sizes of rows and results of it are not looked at. `times` are those of the rows. */
     const lag_run_options *options;
     double t, stop;
     size_t breaks;    /* so many times between them at which inputs may jump, */
@@ -27,14 +36,10 @@ typedef struct lag_ensemble {
 
     /* Of every run, one after the other. */
     const double *p;       /* (runs, np) */
-    const double *u;       /* (runs, nu) constant inputs, and the others until options.inputs tell them; null: they tell all */
+    const double *u;       /* (runs, nu) constant inputs, and the others until callbacks of options tell them; null: they tell all */
     const double *natural; /* (runs, 2 nq + nz) */
     const double *x;       /* (runs, 2 nq + nz) start values that are given */
-    double *rows;          /* (runs, options.count, lag_ensemble_width()) at the times of options; of two rows at an event the one after it */
-    size_t *kept;          /* (runs) how many rows there are */
-    double *ended;         /* (runs) the time of the last row, at whatever time */
-    int *status;           /* (runs) a lag_status; LAG_STOPPED: a `terminate` acted. Others: the run failed, after these rows */
-    double *found;         /* (runs, np) parameters, with those that were found with the start; null: not wanted */
+    lag_ensemble_results results;
 
     /*
      * Told of run i that failed, by the thread that makes it, as long as the run is there: start values (2 nq + nz), where the search for a

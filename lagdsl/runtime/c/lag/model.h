@@ -41,6 +41,18 @@ typedef struct lag_start {
     const double *parameter_minimum, *parameter_maximum; /* (np) where a free parameter may be found; null: anywhere */
 } lag_start;
 
+/* Sizes that accuracy is measured by (lag/methods/accuracy.h): those of a change of order one. */
+typedef struct lag_sizes {
+    const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
+    const double *row_sizes;             /* (nc) of the constraints */
+} lag_sizes;
+
+/* Rows of the constraints that last. */
+typedef struct lag_lasting {
+    const double *rows; /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
+    size_t general;     /* else so many of those that do are independent in general */
+} lag_lasting;
+
 /* Positions of the nonzero elements of a matrix, row by row. */
 typedef struct lag_pattern {
     size_t rows, columns, count;

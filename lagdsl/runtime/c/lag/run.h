@@ -31,6 +31,21 @@
 typedef struct lag_run lag_run;
 struct lag_initial;
 
+/* Functions of the caller, all with one context; null where nobody wants them. */
+typedef struct lag_run_callbacks {
+    void *context;
+    lag_inputs *inputs; /* null: constant inputs */
+    lag_status (*output)(void *context, lag_run *run, double t, const double *x); /* a row at one of `times` */
+    lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice); /* events of models with discretes, as they happen */
+} lag_run_callbacks;
+
+/* A watch over invariants and assertions. The arrays may be null, the block holds them then. */
+typedef struct lag_run_invariants {
+    const double *tolerance;      /* (ni) null: not watched */
+    double *start, *size, *drift; /* (ni), as an earlier run left them where `continued` */
+    int continued;
+} lag_run_invariants;
+
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
@@ -39,35 +54,26 @@ typedef struct lag_run_options {
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
     const double *p;          /* (np) parameters; null: the defaults */
-    void *context;            /* of all callbacks */
-    lag_inputs *inputs;       /* null: constant inputs, */
-    const double *u;          /* (nu) these; null: the defaults */
+    const double *u;          /* (nu) constant inputs; null: the defaults */
+    lag_run_callbacks callbacks;
 
-    /* Sizes of a change of order one; null: the run finds them at the first state (see lag/methods/accuracy.h). */
-    const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
-    const double *row_sizes;             /* (nc) of the constraints */
-    int careful;                         /* 1: ranks are looked at, and singular positions crossed (lag/run/singular_crossing.h) */
-    const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
-    size_t general;                      /* else so many of those that do are independent in general */
+    lag_sizes sizes;     /* null: the run finds them at the first state */
+    int careful;         /* 1: ranks are looked at, and singular positions crossed (lag/run/singular_crossing.h) */
+    lag_lasting lasting;
 
     /*
-     * Callback for events of models with discretes, called as they happen. A contact rests when less than a millionth of the
-     * `length` of the experiment is left of a series of impacts; 0: that of the times, or as long as the run is let go.
+     * A contact rests when less than a millionth of the `length` of the experiment is left of a series of impacts; 0: that of
+     * the times, or as long as the run is let go.
      */
-    lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice);
     double length;
 
-    /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
+    /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or a callback `output` is given. */
     size_t count;
     const double *times;
     double *rows;
-    lag_status (*output)(void *context, lag_run *run, double t, const double *x);
     lag_results *results; /* whole rows at these times and at events, and what happens; null: not wanted */
 
-    /* Invariants and assertions; null tolerances: not watched. The arrays may be null, the block holds them then. */
-    const double *invariant_tolerance;                      /* (ni) */
-    double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
-    int continued;
+    lag_run_invariants invariants;
 
     /*
      * Attributes of the start in the model, for lag_run_begin() without a state; null: start values move onto the
@@ -171,7 +177,8 @@ typedef struct lag_run_report {
     const double *x;            /* (2 nq + nz) */
     size_t row;                 /* rows recorded */
     size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
-    size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
+    lag_step_counts counts;
+    size_t projections, events, changes;
     const double *w;            /* (nw) */
     const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
     const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP, 1: because of this one */

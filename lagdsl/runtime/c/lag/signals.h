@@ -1,7 +1,7 @@
 /*
  * Inputs that tables tell: functions of time in pieces. They are only read, so runs in any number of threads share them.
  *
- *     lag_run_options options = {.inputs = lag_signals_tell, .context = &signals, .u = constants};
+ *     lag_run_options options = {.callbacks = {.inputs = lag_signals_tell, .context = &signals}, .u = constants};
  */
 #ifndef LAG_SIGNALS_H
 #define LAG_SIGNALS_H

@@ -12,12 +12,39 @@
 
 typedef struct lag_method lag_method;
 
+/* A step that would leave less than this part of itself before the limit is stretched to it. */
+static const double LAG_STRETCH = 1.01;
+
+/* The last accepted step, as far as it is known. */
+typedef struct lag_last_step {
+    double error;    /* 0: none */
+    double h;        /* the length that it belongs to */
+    double urge;     /* h |lambda| along the step, as an explicit method sees it; 0: not known */
+    int dense_ready; /* whether its dense output has been prepared */
+} lag_last_step;
+
+/* The work so far. */
+typedef struct lag_step_counts {
+    size_t steps, rejections, evaluations, jacobians, decompositions;
+} lag_step_counts;
+
+/* For methods that do not choose their steps. */
+typedef struct lag_fixed_steps {
+    double length;
+    size_t nq; /* for methods of second order: x begins with so many coordinates and their rates */
+} lag_fixed_steps;
+
 /*
  * States that a method evaluates anyway and that lie near the motion, up to terms of the fourth order in the length of the step at least: at its
  * beginning, between, at its end. Methods tell those that they have.
  */
 enum { LAG_PASSED_BEGIN, LAG_PASSED_END = 4, LAG_PASSED };
 
+/* The one who wants these states. */
+typedef struct lag_passing {
+    void (*pass)(void *context, unsigned place, double t); /* told just after one was evaluated at t; null: nobody asks */
+    void *context;
+} lag_passing;
 
 typedef struct lag_stepper {
     const lag_ode *ode;
@@ -32,18 +59,13 @@ typedef struct lag_stepper {
     double *f_before;   /* (size) */
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
-    double error;       /* of the last accepted step, 0: none */
-    double h_of_error;  /* its length */
-    double urge;        /* h |lambda| along the last step, as an explicit method sees it; 0: not known */
-    int dense_ready;    /* whether the dense output of the last step has been prepared */
-    size_t evaluations, jacobians, decompositions, steps, rejections;
+    lag_last_step last;
+    lag_step_counts counts;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;
     double *trouble_x;  /* (size) and the state */
-    double length;      /* of the steps of methods that do not choose it */
-    size_t nq;          /* for methods of second order: x begins with so many coordinates and their rates */
-    void (*pass)(void *context, unsigned place, double t); /* told just after such a state was evaluated at t; null: nobody asks */
-    void *context;      /* of pass */
+    lag_fixed_steps fixed;
+    lag_passing passing;
 } lag_stepper;
 
 struct lag_method {

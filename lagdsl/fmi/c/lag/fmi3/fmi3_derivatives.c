@@ -29,12 +29,12 @@ static const lag_dependency *dependencies_of(lag_shell *shell, fmi3ValueReferenc
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)reference);
         return NULL;
     }
-    if (fmu->dependency_first == NULL || fmu->dependencies == NULL) {
+    if (fmu->dependencies.first == NULL || fmu->dependencies.entries == NULL) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "only modelDescription.xml lists dependencies");
         return NULL;
     }
-    *count = fmu->dependency_first[reference + 1] - fmu->dependency_first[reference];
-    return fmu->dependencies + fmu->dependency_first[reference];
+    *count = fmu->dependencies.first[reference + 1] - fmu->dependencies.first[reference];
+    return fmu->dependencies.entries + fmu->dependencies.first[reference];
 }
 
 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference valueReference, size_t *nDependencies)

@@ -3,9 +3,6 @@
 
 #include <math.h>
 
-/* A tick nearer to the present than this part of the period is the present one. */
-static const double SAME_TICK = 1e-9;
-
 /* The clock as it will be, or as it began: its period stays as it was at the start. */
 static lag_status known(lag_instance *instance, size_t which, lag_clock *clock)
 {
@@ -33,7 +30,7 @@ lag_status lag_instance_clock(lag_instance *instance, size_t which, double *peri
     lag_clock clock = {0};
     const lag_status status = known(instance, which, &clock);
     if (status == LAG_OK) {
-        lag_clock_seek(&clock, instance->held.start - SAME_TICK * clock.period);
+        lag_clock_seek(&clock, instance->held.start - LAG_SAME_TICK * clock.period);
         *period = clock.period;
         *shift = fmax(0.0, lag_clock_instant(&clock, clock.next) - instance->held.start);
     }
@@ -48,9 +45,9 @@ lag_status lag_instance_tick(lag_instance *instance, size_t which)
         return status;
     }
     const double t = instance->held.t;
-    lag_clock_seek(&clock, t - SAME_TICK * clock.period);
+    lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
     const double tick = lag_clock_instant(&clock, clock.next);
-    if (tick <= t + SAME_TICK * clock.period) {
+    if (tick <= t + LAG_SAME_TICK * clock.period) {
         return LAG_OK;
     }
     return lag_instance_fail(instance, LAG_MISSING, "the clock does not tick at %.10g s, but at %.10g s", t, tick);

@@ -15,8 +15,6 @@
 static const double AHEAD = 1000.0;
 /* The classical Runge-Kutta method wants h |lambda| to be less. */
 static const double STABLE = 2.5;
-/* A communication step longer than fixed steps by this part of one takes no further one. */
-static const double SAME = 1e-9;
 
 /* Up to where the run knows the motion. */
 static double reached(const lag_run *run)
@@ -35,7 +33,7 @@ static lag_status deliver(lag_instance *instance, double t)
         status = lag_run_inside(instance->run, t, instance->x);
     }
     instance->held.t = t;
-    instance->known = 0;
+    instance->values.known = 0;
     if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
         status = LAG_NOT_FINITE;
     }
@@ -139,14 +137,14 @@ static lag_status go_fixed(lag_instance *instance, double end)
 {
     lag_run *run = instance->run;
     const double begun = instance->held.t;
-    const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
+    const double count = fmax(1.0, ceil((end - begun) / instance->held.step - LAG_SAME_TICK));
     lag_status status = count <= LAG_MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
     if (instance->held.implicit < 0) {
         instance->held.implicit = needs_implicit(instance, instance->held.step);
     }
     lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
+        status = lag_run_fixed(run, (end - begun) / count, method, instance->scratch.fixed);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
             status = LAG_NOT_FINITE;
@@ -201,7 +199,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
         status = held->step > 0.0 ? go_fixed(instance, end) : go(instance, end, far, stops, &told->event);
-        if (status == LAG_OK && !told->event && held->t == end && end + SAME * h >= held->stop) {
+        if (status == LAG_OK && !told->event && held->t == end && end + LAG_SAME_TICK * h >= held->stop) {
             status = end_at_the_stop(instance);
         }
     }

@@ -29,7 +29,7 @@ size_t lag_instance_slopes(const lag_model *model)
 static changes lay_out(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    double *memory = instance->slopes;
+    double *memory = instance->scratch.slopes;
     changes to = {.known = 0};
     to.rates = lag_take(&memory, lag_motion_size(model));
     to.y = lag_take(&memory, model->ny);
@@ -79,10 +79,10 @@ static lag_status unmoved(lag_instance *instance, int *same)
 {
     const lag_model *model = instance->fmu->model;
     const size_t n = model->nq;
-    double *starts = instance->slopes;
+    double *starts = instance->scratch.slopes;
     const lag_status status = model->start(&instance->derivatives.at, starts, starts + n, starts + 2 * n, starts + lag_motion_size(model));
     for (size_t i = 0; i < lag_motion_size(model) && *same; ++i) {
-        *same = instance->x[i] == (instance->given[i] != 0.0 ? instance->begin[i] : starts[i]);
+        *same = instance->x[i] == (instance->starts.given[i] != 0.0 ? instance->starts.values[i] : starts[i]);
     }
     return status;
 }
@@ -98,7 +98,7 @@ static lag_status stays(lag_instance *instance, const double *starts, int *still
     const size_t size = lag_motion_size(model);
     *still = model->ne == 0 && instance->fmu->start->free == NULL;
     for (size_t i = 0; i < size && *still; ++i) {
-        *still = d->x[i] == 0.0 && (instance->given[i] != 0.0 || starts[i] == 0.0);
+        *still = d->x[i] == 0.0 && (instance->starts.given[i] != 0.0 || starts[i] == 0.0);
     }
     int same = 1;
     lag_status status = LAG_OK;
@@ -109,10 +109,10 @@ static lag_status stays(lag_instance *instance, const double *starts, int *still
         status = unmoved(instance, still);
     }
     if (status == LAG_OK) {
-        status = lag_derivatives_residuals(d, d->phi, d->residual);
+        status = lag_derivatives_residuals(d, d->terms.phi, d->terms.residual);
     }
     for (size_t i = 0; i < model->nc && *still; ++i) {
-        *still = d->phi[i] == 0.0 && d->residual[i] == 0.0;
+        *still = d->terms.phi[i] == 0.0 && d->terms.residual[i] == 0.0;
     }
     return status;
 }
@@ -124,20 +124,20 @@ static lag_status follow_parameters(lag_instance *instance)
     lag_derivatives *d = &instance->derivatives;
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
-    double *starts = instance->slopes;
+    double *starts = instance->scratch.slopes;
     int still = d->time == 0.0;
     if (model->start_tangent == NULL) {
         return lag_instance_judge(instance, LAG_MISSING);
     }
     lag_status status = model->start_tangent(&d->at, starts, starts + n, starts + 2 * n, starts + size);
     for (size_t i = 0; i < model->nu; ++i) {
-        d->x[size + i] += instance->given_inputs[i] != 0.0 ? 0.0 : starts[size + i];
+        d->x[size + i] += instance->inputs.given[i] != 0.0 ? 0.0 : starts[size + i];
     }
     if (status == LAG_OK && still && model->nc + model->ne > 0) {
         status = stays(instance, starts, &still);
     } else if (still) {
         for (size_t i = 0; i < size; ++i) {
-            d->x[i] += instance->given[i] != 0.0 ? 0.0 : starts[i];
+            d->x[i] += instance->starts.given[i] != 0.0 ? 0.0 : starts[i];
         }
     }
     if (status == LAG_OK && !still) {
@@ -167,7 +167,7 @@ static lag_status residuals(lag_instance *instance, changes *to)
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         double most = 0.0;
         to->worst[level] = 0.0;
-        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->unused);
+        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->work.unused);
         for (size_t i = 0; i < model->nc; ++i) {
             const double part = to->value[level][i] / instance->run->sizes.rows[i];
             if ((level > 0 || model->position_level[i]) && fabs(part) > most) {

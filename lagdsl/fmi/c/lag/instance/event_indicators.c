@@ -71,7 +71,7 @@ static double dead_band(const lag_instance *instance, size_t i)
 
 int lag_instance_is_armed(const lag_instance *instance, size_t i)
 {
-    return instance->held.t > instance->armed[i];
+    return instance->held.t > instance->guards.armed[i];
 }
 
 /* The way of guard i until it leaves; negative: it has left. */
@@ -79,7 +79,7 @@ static double room(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double before = lag_zero_crossing_touches(&instance->run->crossings, i) ? dead_band(instance, i) : 0.0;
-    const double behind = lag_instance_is_armed(instance, i) ? -before : instance->latched[i];
+    const double behind = lag_instance_is_armed(instance, i) ? -before : instance->guards.latched[i];
     return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 
@@ -88,13 +88,13 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
     const int leaves = room(instance, i) < near;
     instance->run->crossings.pieces.seen[0][i] = value_of(instance, i);
-    instance->latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
+    instance->guards.latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
-    double *g = instance->g;
+    double *g = instance->values.g;
     const size_t count = lag_guards(instance->fmu->model);
     lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
@@ -102,8 +102,8 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
         if (!is_held(instance->fmu, i)) {
             *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
         }
-        if (value_of(instance, i) > instance->latched[i]) {
-            instance->armed[i] = fmin(instance->armed[i], instance->held.t);
+        if (value_of(instance, i) > instance->guards.latched[i]) {
+            instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
         }
     }
     return status;
@@ -113,7 +113,7 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
 {
     const lag_status status = lag_instance_know(instance, LAG_KNOWN_INDICATORS);
     if (status == LAG_OK) {
-        memcpy(g, instance->g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+        memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
     }
     return status;
 }
@@ -130,7 +130,7 @@ lag_status lag_instance_latch(lag_instance *instance)
 {
     lag_run *run = instance->run;
     const double t = instance->held.t;
-    instance->known = 0;
+    instance->values.known = 0;
     if (instance->fmu->model->nindicator > 0) {
         lag_noise_find(&run->instants.noise, t, instance->x);
     }
@@ -140,8 +140,8 @@ lag_status lag_instance_latch(lag_instance *instance)
             continue;
         }
         const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);
-        instance->latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
-        instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
+        instance->guards.latched[i] = lag_instance_is_armed(instance, i) ? behind : fmax(behind, instance->guards.latched[i]);
+        instance->guards.armed[i] = value_of(instance, i) > instance->guards.latched[i] ? t : (double)INFINITY;
     }
     return status;
 }

@@ -9,8 +9,6 @@
 
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
-/* Length of the step that led here, as a part of the experiment, where nobody tells. */
-static const double STEP = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
 static const double LATE = 1e-9;
 
@@ -91,11 +89,11 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
-    const double h = located ? run->half.length : STEP * fmax(run->instants.contacts.length, fabs(t));
+    const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guards(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;
-    instance->known = 0;
+    instance->values.known = 0;
     held->jumped = 1;
     held->tied = 0;
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
@@ -140,9 +138,9 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
-        memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->scratch.point, instance->x, lag_instance_order(instance) * sizeof(double));
         status = lag_instance_carry_out(instance);
-        told->states_changed = memcmp(instance->point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
+        told->states_changed = memcmp(instance->scratch.point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
     }
     told->next = next_instant(instance);
     told->terminate = held->stopped;
@@ -167,7 +165,7 @@ lag_status lag_instance_terminate(lag_instance *instance)
     if (status == LAG_OK) {
         status = lag_run_end(run);
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        instance->known = 0;
+        instance->values.known = 0;
     }
     return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
 }

@@ -12,7 +12,7 @@ lag_status lag_instance_set_time(lag_instance *instance, double t)
     if (!isfinite(t)) {
         return lag_instance_fail(instance, LAG_NOT_FINITE, "the time is infinite or not a number");
     }
-    instance->known = t == instance->held.t ? instance->known : 0;
+    instance->values.known = t == instance->held.t ? instance->values.known : 0;
     instance->held.t = t;
     instance->held.exchanged = 1;
     return LAG_OK;
@@ -31,7 +31,7 @@ lag_status lag_instance_set_states(lag_instance *instance, const double *x)
         instance->x[lag_instance_state_entry(instance->fmu, i)] = x[i];
     }
     lag_instance_follow_states(instance);
-    instance->known = 0;
+    instance->values.known = 0;
     return LAG_OK;
 }
 
@@ -44,7 +44,7 @@ lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
     const lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
     if (status == LAG_OK) {
-        lag_instance_gather_states(instance->fmu, instance->xd, xd);
+        lag_instance_gather_states(instance->fmu, instance->values.xd, xd);
     }
     return status;
 }
@@ -53,7 +53,7 @@ lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 static int is_off(const lag_instance *instance)
 {
     const double tolerance = instance->held.tolerance;
-    return fmax(instance->residual[0], instance->slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
+    return fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
 }
 
 lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate)

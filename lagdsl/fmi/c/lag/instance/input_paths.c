@@ -19,8 +19,8 @@ static const double NOTHING = 1e-6;
 
 void lag_instance_leave_inputs(lag_instance *instance)
 {
-    if (instance->fmu->input_rates != NULL) {
-        lag_instance_inputs_at(instance, instance->held.t, instance->left);
+    if (instance->fmu->inputs.rates != NULL) {
+        lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
         instance->held.left_for = instance->held.exchanged ? 0.0 : instance->held.t - instance->held.left_at;
         instance->held.left_at = instance->held.t;
     }
@@ -39,19 +39,19 @@ static int look(lag_instance *instance)
 
 static double jump_of(const lag_instance *instance, size_t i)
 {
-    return i < instance->fmu->model->nu ? fabs(instance->run->motion.u[i] - instance->left[i]) : 0.0;
+    return i < instance->fmu->model->nu ? fabs(instance->run->motion.u[i] - instance->inputs.left[i]) : 0.0;
 }
 
 /* The larger magnitude of input i on both sides. */
 static double size_of(const lag_instance *instance, size_t i)
 {
-    return i < instance->fmu->model->nu ? fmax(fabs(instance->run->motion.u[i]), fabs(instance->left[i])) : 0.0;
+    return i < instance->fmu->model->nu ? fmax(fabs(instance->run->motion.u[i]), fabs(instance->inputs.left[i])) : 0.0;
 }
 
 /* The input that is the derivative of input i; nu without. */
 static size_t rate_of(const lag_instance *instance, size_t i)
 {
-    return i < instance->fmu->model->nu ? instance->fmu->input_rates[i] : i;
+    return i < instance->fmu->model->nu ? instance->fmu->inputs.rates[i] : i;
 }
 
 /* A jump of input i that counts as nothing. */
@@ -72,7 +72,7 @@ static lag_status refuse(lag_instance *instance, size_t i)
 
 lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
-    const unsigned char *follows = instance->fmu->continuous_inputs;
+    const unsigned char *follows = instance->fmu->inputs.continuous;
     const double h = instance->held.left_for;
     const size_t count = follows != NULL && look(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {
@@ -100,10 +100,10 @@ static int is_blow(const lag_instance *instance)
 lag_status lag_instance_balance_inputs(lag_instance *instance)
 {
     lag_run *run = instance->run;
-    if (!look(instance) || memcmp(run->motion.u, instance->left, instance->fmu->model->nu * sizeof(double)) == 0) {
+    if (!look(instance) || memcmp(run->motion.u, instance->inputs.left, instance->fmu->model->nu * sizeof(double)) == 0) {
         return LAG_OK;
     }
-    const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->left, is_blow(instance));
-    lag_instance_inputs_at(instance, instance->held.t, instance->left);
+    const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->inputs.left, is_blow(instance));
+    lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
     return status;
 }

@@ -1,19 +1,19 @@
 /* Inputs in time: constants, or polynomials about the time at which they were set. */
 #include "lag/instance/instance_internal.h"
 
-#include <math.h>
-#include <string.h>
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
 
 void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 {
     const size_t count = instance->fmu->model->nu;
     const double s = t - instance->held.about;
     for (size_t i = 0; i < count; ++i) {
-        u[i] = instance->course[LAG_INPUT_ORDER * count + i];
+        u[i] = instance->inputs.course[LAG_INPUT_ORDER * count + i];
     }
     for (size_t k = LAG_INPUT_ORDER; k > 0; --k) {
         for (size_t i = 0; i < count; ++i) {
-            u[i] = instance->course[(k - 1) * count + i] + u[i] * s / (double)k;
+            u[i] = instance->inputs.course[(k - 1) * count + i] + u[i] * s / (double)k;
         }
     }
 }
@@ -42,7 +42,7 @@ void lag_instance_inputs_about(lag_instance *instance, double t)
     const size_t count = instance->fmu->model->nu;
     const double s = t - instance->held.about;
     for (size_t i = 0; i < count && s != 0.0 && instance->held.polynomial; ++i) {
-        double *c = instance->course + i;
+        double *c = instance->inputs.course + i;
         for (size_t low = 0; low < LAG_INPUT_ORDER; ++low) {
             double sum = 0.0;
             for (size_t k = LAG_INPUT_ORDER; k > low; --k) {
@@ -57,16 +57,13 @@ void lag_instance_inputs_about(lag_instance *instance, double t)
 static void find_polynomials(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
-    instance->held.polynomial = 0;
-    for (size_t i = nu; i < (LAG_INPUT_ORDER + 1) * nu; ++i) {
-        instance->held.polynomial = instance->held.polynomial || instance->course[i] != 0.0;
-    }
+    instance->held.polynomial = lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
 }
 
 void lag_instance_chain_inputs(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
-    const size_t *rates = instance->fmu->input_rates;
+    const size_t *rates = instance->fmu->inputs.rates;
     if (rates == NULL) {
         return;
     }
@@ -74,7 +71,7 @@ void lag_instance_chain_inputs(lag_instance *instance)
     for (size_t k = 1; k <= LAG_INPUT_ORDER; ++k) {
         for (size_t i = 0; i < nu; ++i) {
             if (rates[i] < nu) {
-                instance->course[k * nu + i] = instance->course[(k - 1) * nu + rates[i]];
+                instance->inputs.course[k * nu + i] = instance->inputs.course[(k - 1) * nu + rates[i]];
             }
         }
     }
@@ -93,7 +90,7 @@ static void set(lag_instance *instance, size_t order, size_t first, size_t count
     }
     lag_instance_inputs_about(instance, held->t);
     for (size_t i = 0; i < count; ++i) {
-        double *value = instance->course + order * nu + first + i;
+        double *value = instance->inputs.course + order * nu + first + i;
         same = same && *value == values[i];
         *value = values[i];
     }
@@ -103,14 +100,14 @@ static void set(lag_instance *instance, size_t order, size_t first, size_t count
     find_polynomials(instance);
     held->jumped = 1;
     held->initialized = 0;
-    instance->known = 0;
+    instance->values.known = 0;
     lag_instance_tell_inputs(instance);
 }
 
 void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values)
 {
     for (size_t i = 0; i < count; ++i) {
-        instance->given_inputs[first + i] = 1.0;
+        instance->inputs.given[first + i] = 1.0;
     }
     set(instance, 0, first, count, values);
 }
@@ -121,10 +118,8 @@ lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t vari
     if (which->role != LAG_ROLE_INPUT || order < 1 || order > LAG_INPUT_ORDER) {
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of inputs can be set up to order %d", LAG_INPUT_ORDER);
     }
-    for (size_t i = 0; i < which->count; ++i) {
-        if (!isfinite(values[i])) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of %s is infinite or not a number", which->name);
-        }
+    if (!lag_finite(which->count, values)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the derivative of %s is infinite or not a number", which->name);
     }
     set(instance, (size_t)order, which->first, which->count, values);
     return LAG_OK;

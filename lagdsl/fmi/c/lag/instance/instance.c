@@ -7,8 +7,8 @@
 #include "lag/fixed.h"
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 
-static const double LEAST_TOLERANCE = 1e-13;
 static const double MOST_TOLERANCE = 0.1;
 /* Integrators of our own keep this part of a tolerance: it is that of values at communication points, long after the errors of the steps. */
 static const double INTEGRATION = 0.01;
@@ -18,11 +18,6 @@ static const double LENGTH = 1.0;
 static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
-
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
 
 /* Entries of the longest variable. */
 static size_t longest(const lag_fmu *fmu)
@@ -38,7 +33,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guards(fmu->model) +
-           fmu->ndependent;
+           fmu->dependents.count;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -64,28 +59,23 @@ static lag_run_options options_of(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_held *held = &instance->held;
-    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
+    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
     const double length = stop - held->start;
     lag_run_options options = lag_instance_plan();
     options.tolerance = held->integration;
     options.p = instance->p;
-    options.context = instance;
-    options.tell = hear;
-    options.group = fmu->group;
-    options.natural = fmu->natural;
-    options.cap = fmu->cap;
-    options.row_sizes = fmu->row_sizes;
+    options.callbacks = (lag_run_callbacks){.context = instance, .tell = hear};
+    options.sizes = fmu->sizes;
     options.lasting = fmu->lasting;
-    options.general = fmu->general;
     options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
-    options.invariant_tolerance = instance->invariant_limits;
+    options.invariants.tolerance = instance->invariant_limits;
     return options;
 }
 
 size_t lag_instance_size(const lag_fmu *fmu)
 {
     const lag_run_options options = lag_instance_plan();
-    return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
+    return lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
 }
 
 static void lay_out(lag_instance *instance, double *memory)
@@ -96,29 +86,29 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
-    instance->guess = lag_take(&memory, model->np);
-    instance->begin = lag_take(&memory, size);
-    instance->given = lag_take(&memory, size);
-    instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
-    instance->given_inputs = lag_take(&memory, model->nu);
-    instance->left = lag_take(&memory, model->nu);
-    instance->latched = lag_take(&memory, lag_guards(fmu->model));
-    instance->armed = lag_take(&memory, lag_guards(fmu->model));
-    instance->offsets = lag_take(&memory, fmu->ndependent);
+    instance->starts.parameters = lag_take(&memory, model->np);
+    instance->starts.values = lag_take(&memory, size);
+    instance->starts.given = lag_take(&memory, size);
+    instance->inputs.course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->inputs.given = lag_take(&memory, model->nu);
+    instance->inputs.left = lag_take(&memory, model->nu);
+    instance->guards.latched = lag_take(&memory, lag_guards(fmu->model));
+    instance->guards.armed = lag_take(&memory, lag_guards(fmu->model));
+    instance->offsets = lag_take(&memory, fmu->dependents.count);
     instance->kept_count = (size_t)(memory - instance->kept);
-    instance->g = lag_take(&memory, lag_instance_indicator_count(fmu));
-    instance->xd = lag_take(&memory, size);
-    instance->y = lag_take(&memory, model->ny);
-    instance->local = lag_take(&memory, fmu->model->nd);
-    instance->unasked = lag_take(&memory, model->nc);
-    instance->point = lag_take(&memory, size);
-    instance->tangent = lag_take(&memory, size);
-    instance->entry = lag_take(&memory, longest(fmu));
+    instance->values.g = lag_take(&memory, lag_instance_indicator_count(fmu));
+    instance->values.xd = lag_take(&memory, size);
+    instance->values.y = lag_take(&memory, model->ny);
+    instance->values.local = lag_take(&memory, fmu->model->nd);
+    instance->values.unasked = lag_take(&memory, model->nc);
+    instance->scratch.point = lag_take(&memory, size);
+    instance->scratch.tangent = lag_take(&memory, size);
+    instance->scratch.entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
-    instance->written = (unsigned char *)lag_take(&memory, size);
-    instance->initial_memory = lag_take(&memory, lag_initial_memory(model));
-    instance->fixed_memory = lag_take(&memory, lag_fixed_memory(size));
-    instance->slopes = lag_take(&memory, lag_instance_slopes(model));
+    instance->starts.written = (unsigned char *)lag_take(&memory, size);
+    instance->scratch.initial = lag_take(&memory, lag_initial_memory(model));
+    instance->scratch.fixed = lag_take(&memory, lag_fixed_memory(size));
+    instance->scratch.slopes = lag_take(&memory, lag_instance_slopes(model));
     lag_derivatives_place(&instance->derivatives, model, memory);
 }
 
@@ -127,16 +117,16 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     const lag_model *model = fmu->model;
     char *bytes = block;
     lag_instance *instance = block;
-    memset(block, 0, padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    memset(block, 0, lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
     instance->fmu = fmu;
-    lay_out(instance, (double *)(void *)(bytes + padded(sizeof(lag_instance))));
-    instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
-    instance->held.start = instance->held.t = fmu->start_time;
+    lay_out(instance, (double *)(void *)(bytes + lag_padded(sizeof(lag_instance))));
+    instance->run = (lag_run *)(void *)(bytes + lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
+    instance->held.start = instance->held.t = fmu->experiment.start;
     instance->held.stop = (double)INFINITY;
-    instance->held.tolerance = instance->held.integration = fmu->tolerance;
+    instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
-        memcpy(instance->guess, model->defaults, model->np * sizeof(double));
+        memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
     }
     lag_instance_renew(instance);
     return instance;
@@ -144,7 +134,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
 
 double lag_instance_rate(const lag_instance *instance)
 {
-    const double length = instance->fmu->stop_time - instance->fmu->start_time;
+    const double length = instance->fmu->experiment.stop - instance->fmu->experiment.start;
     return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
 }
 
@@ -159,7 +149,7 @@ void lag_instance_renew(lag_instance *instance)
     instance->run->motion.at.p = instance->p;
     lag_derivatives_size(&instance->derivatives, instance->run->sizes.natural, instance->run->sizes.rows);
     instance->held.prepared = instance->held.initialized = 0;
-    instance->known = 0;
+    instance->values.known = 0;
     lag_instance_tell_inputs(instance);
 }
 
@@ -167,7 +157,7 @@ void lag_instance_renew(lag_instance *instance)
 static double integration_tolerance(const lag_instance *instance, lag_kinds kind)
 {
     const double given = instance->held.tolerance;
-    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->tolerance)) : given;
+    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->experiment.tolerance)) : given;
 }
 
 lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
@@ -181,7 +171,7 @@ lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double sta
     }
     held->start = held->t = start;
     held->stop = stop;
-    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
+    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
     held->integration = integration_tolerance(instance, kind);
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);

@@ -18,6 +18,10 @@ enum { LAG_POINTS = 4 };
 static const double LAG_POINT[LAG_POINTS] = {1.0, -1.0, 0.5, -0.5};
 static const double LAG_WEIGHT[LAG_POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
 
+/* The larger distance, as a part of what a value changes over by itself; and a short time, as a part of an experiment, before the first step. */
+static const double LAG_DISTANCE = 1e-3;
+static const double LAG_SHORT_TIME = 1e-6;
+
 typedef enum lag_phase {
     LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
     LAG_PHASE_MOTION
@@ -58,6 +62,42 @@ typedef struct lag_held {
     size_t ending;          /* by this `terminate` */
 } lag_held;
 
+/* Values that importers set until initialization ends. */
+typedef struct lag_starts {
+    double *values, *given; /* (2 nq + nz) start values that were set, and flags: this one was */
+    double *parameters;     /* (np) free ones are searched from these */
+    unsigned char *written; /* (2 nq + nz) 1: this start was set */
+} lag_starts;
+
+typedef struct lag_input_courses {
+    double *course; /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
+    double *given;  /* (nu) flags: this one was set */
+    double *left;   /* (nu) inputs on the left of the present, before any was set there */
+} lag_input_courses;
+
+/* Of event indicators. */
+typedef struct lag_dead_bands {
+    double *latched; /* (guards) so far behind zero a guard that is not armed may go */
+    double *armed;   /* (guards) time from which on it is armed; infinite: not yet */
+} lag_dead_bands;
+
+/* Values that follow from the present state, as far as they are known. */
+typedef struct lag_values {
+    unsigned known;
+    double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *unasked;            /* (nc) multipliers of accelerations that are pulled */
+    double energy[4], residual[2];
+    double slip;                /* the largest residual of rates, each as a part of the rates of its component */
+} lag_values;
+
+/* Memory of one call. */
+typedef struct lag_instance_scratch {
+    double *point, *tangent; /* (2 nq + nz) */
+    double *entry;           /* as many as the longest variable has */
+    double *initial, *fixed; /* lag_initial_memory() lag_fixed_memory() */
+    double *slopes;          /* lag_instance_slopes() */
+} lag_instance_scratch;
+
 struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
@@ -66,28 +106,14 @@ struct lag_instance {
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
     double *p;              /* (np) those of the motion, found ones among them */
-    double *guess;          /* (np) those that were set: free ones are searched from them */
-    double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
-    double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
-    double *given_inputs;   /* (nu) flags: this one was set */
-    double *left;           /* (nu) inputs on the left of the present, before any was set there */
-    double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
-    double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
+    lag_starts starts;
+    lag_input_courses inputs;
+    lag_dead_bands guards;
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
-    /* what follows from these */
-    unsigned known;
-    double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
-    double *unasked;        /* (nc) multipliers of accelerations that are pulled */
-    double *point, *tangent; /* (2 nq + nz) */
-    double *entry;          /* as many as the longest variable has */
-    double energy[4], residual[2];
-    double slip;            /* the largest residual of rates, each as a part of the rates of its component */
-    double *invariant_limits;   /* (ni) */
-    unsigned char *written;     /* (2 nq + nz) 1: this start was set */
-    double *initial_memory;     /* lag_initial_memory() */
-    double *fixed_memory;   /* lag_fixed_memory() */
+    lag_values values;
     lag_derivatives derivatives;
-    double *slopes;         /* lag_instance_slopes() */
+    double *invariant_limits; /* (ni) */
+    lag_instance_scratch scratch;
     char message[LAG_MESSAGE];
 };
 

@@ -71,7 +71,7 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
         return lag_instance_fail(instance, status, "this is no saved state of this model");
     }
     walk(instance, &record);
-    instance->known = 0;
+    instance->values.known = 0;
     lag_instance_tell_inputs(instance);
     return LAG_OK;
 }

@@ -24,10 +24,10 @@ static int as_exported(const lag_instance *instance)
         same = instance->p[i] == model->defaults[i];
     }
     for (size_t i = 0; i < lag_motion_size(model) && same; ++i) {
-        same = instance->given[i] == 0.0 || instance->begin[i] == fmu->start->x[i];
+        same = instance->starts.given[i] == 0.0 || instance->starts.values[i] == fmu->start->x[i];
     }
     for (size_t i = 0; i < model->nu && same && model->nc + model->ne > 0; ++i) {
-        same = instance->course[i] == u[i];
+        same = instance->inputs.course[i] == u[i];
     }
     return same;
 }
@@ -39,10 +39,10 @@ static lag_status gather(lag_instance *instance)
     lag_motion *motion = &instance->run->motion;
     const lag_status status = lag_motion_start(motion, instance->held.t, instance->x);
     for (size_t i = 0; i < lag_motion_size(model); ++i) {
-        instance->x[i] = instance->given[i] != 0.0 ? instance->begin[i] : instance->x[i];
+        instance->x[i] = instance->starts.given[i] != 0.0 ? instance->starts.values[i] : instance->x[i];
     }
     for (size_t i = 0; i < model->nu; ++i) {
-        instance->course[i] = instance->given_inputs[i] != 0.0 ? instance->course[i] : motion->u[i];
+        instance->inputs.course[i] = instance->inputs.given[i] != 0.0 ? instance->inputs.course[i] : motion->u[i];
     }
     return status;
 }
@@ -94,10 +94,10 @@ static lag_status nearest(lag_instance *instance)
         return LAG_OK;
     }
     for (size_t i = 0; i < lag_instance_order(instance); ++i) {
-        instance->written[i] = instance->given[i] != 0.0;
+        instance->starts.written[i] = instance->starts.given[i] != 0.0;
     }
     const lag_status status = lag_initial_find(
-        &run->motion, instance->fmu->start, instance->written, instance->held.t, instance->x, instance->initial_memory, &told);
+        &run->motion, instance->fmu->start, instance->starts.written, instance->held.t, instance->x, instance->scratch.initial, &told);
     lag_run_depend(run, run->ranks.dependent);
     return status == LAG_OK ? status : explain(instance, status, &told);
 }
@@ -108,7 +108,7 @@ static lag_status find(lag_instance *instance)
     lag_run *run = instance->run;
     const unsigned char *free = instance->fmu->start->free;
     for (size_t i = 0; i < instance->fmu->model->np && free != NULL; ++i) {
-        instance->p[i] = instance->guess[i];
+        instance->p[i] = instance->starts.parameters[i];
     }
     lag_status status = lag_motion_parameters(&run->motion, instance->p);
     if (status == LAG_OK) {
@@ -146,8 +146,8 @@ lag_status lag_instance_settle(lag_instance *instance)
     status = lag_run_enter(run);
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     lag_instance_note_stop(instance, status);
-    lag_fill(lag_guards(instance->fmu->model), 0.0, instance->latched);
-    lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->armed);
+    lag_fill(lag_guards(instance->fmu->model), 0.0, instance->guards.latched);
+    lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->guards.armed);
     if (status == LAG_OK || status == LAG_STOPPED) {
         status = lag_instance_latch(instance);
     }

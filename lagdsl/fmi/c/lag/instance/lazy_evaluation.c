@@ -41,18 +41,18 @@ static lag_status rates(lag_instance *instance)
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
     const size_t n = model->nq;
-    double *xd = instance->xd;
+    double *xd = instance->values.xd;
     lag_status status = LAG_OK;
     memcpy(xd, instance->x + n, n * sizeof(double));
     if (model->nc > 0) {
-        status = lag_motion_pulled(motion, lag_instance_rate(instance), instance->held.t, instance->x, xd + n, instance->unasked);
+        status = lag_motion_pulled(motion, lag_instance_rate(instance), instance->held.t, instance->x, xd + n, instance->values.unasked);
     } else {
         memcpy(xd + n, motion->qdd, n * sizeof(double));
     }
     if (status == LAG_OK && model->nz > 0) {
         status = model->state_derivative(&motion->at, xd + 2 * n);
     }
-    return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->xd) ? LAG_NOT_FINITE : status;
+    return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->values.xd) ? LAG_NOT_FINITE : status;
 }
 
 /* The largest residuals of positions and of velocities, rows of size one. */
@@ -62,7 +62,7 @@ static lag_status residuals(lag_instance *instance)
     const lag_arguments *at = &instance->run->motion.at;
     lag_projection *projection = &instance->run->projection;
     lag_status status = LAG_OK;
-    instance->residual[0] = instance->residual[1] = instance->slip = 0.0;
+    instance->values.residual[0] = instance->values.residual[1] = instance->values.slip = 0.0;
     lag_projection_measure(projection, instance->x + model->nq);
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
@@ -72,10 +72,10 @@ static lag_status residuals(lag_instance *instance)
                 return LAG_NOT_FINITE;
             }
             if (level > 0 || model->position_level[i]) {
-                instance->residual[level] = fmax(instance->residual[level], part);
+                instance->values.residual[level] = fmax(instance->values.residual[level], part);
             }
             if (level > 0) {
-                instance->slip = fmax(instance->slip, part / lag_projection_pace(projection, i));
+                instance->values.slip = fmax(instance->values.slip, part / lag_projection_pace(projection, i));
             }
         }
     }
@@ -85,9 +85,9 @@ static lag_status residuals(lag_instance *instance)
 static lag_status outputs(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->y) : LAG_OK;
+    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->values.y) : LAG_OK;
     if (status == LAG_OK) {
-        lag_run_unwind(instance->run, instance->y);
+        lag_run_unwind(instance->run, instance->values.y);
     }
     return status;
 }
@@ -97,7 +97,7 @@ static lag_status find(lag_instance *instance, unsigned what)
 {
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
-    double *energy = instance->energy;
+    double *energy = instance->values.energy;
     switch (what) {
     case LAG_KNOWN_MOTION:
         return accelerations(instance);
@@ -106,7 +106,7 @@ static lag_status find(lag_instance *instance, unsigned what)
     case LAG_KNOWN_OUTPUTS:
         return outputs(instance);
     case LAG_KNOWN_LOCALS:
-        return model->nd > 0 ? model->definition(&motion->at, instance->local) : LAG_OK;
+        return model->nd > 0 ? model->definition(&motion->at, instance->values.local) : LAG_OK;
     case LAG_KNOWN_ENERGIES:
         return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
     case LAG_KNOWN_RESIDUALS:
@@ -150,12 +150,12 @@ static unsigned lost(unsigned what)
 lag_status lag_instance_know(lag_instance *instance, unsigned what)
 {
     lag_status status = lag_instance_ready(instance);
-    unsigned missing = with_accelerations(instance, what) & ~instance->known;
+    unsigned missing = with_accelerations(instance, what) & ~instance->values.known;
     for (unsigned bit = LAG_KNOWN_MOTION; missing != 0 && status == LAG_OK; bit <<= 1) {
         if ((missing & bit) != 0) {
             status = lag_instance_judge(instance, find(instance, bit));
-            instance->known |= status == LAG_OK ? bit : 0;
-            instance->known &= ~lost(bit);
+            instance->values.known |= status == LAG_OK ? bit : 0;
+            instance->values.known &= ~lost(bit);
             missing &= ~bit;
         }
     }
@@ -169,7 +169,7 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
     if (model->na == 0) {
         return LAG_OK;
     }
-    instance->known = 0;
+    instance->values.known = 0;
     lag_status status = lag_motion_solve(&instance->run->motion, t, x);
     if (status == LAG_OK) {
         status = model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held);

@@ -4,14 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Distance as a part of the step that the integrator would take next, or of the experiment where it has taken none. */
-static const double PART = 1e-3;
-static const double PART_OF_EXPERIMENT = 1e-6;
-
+/* Of what the integrator would step over next. */
 static double distance(const lag_instance *instance)
 {
     const lag_run *run = instance->run;
-    const double h = run->stepper.h > 0.0 ? PART * run->stepper.h : PART_OF_EXPERIMENT * run->instants.contacts.length;
+    const double h = run->stepper.h > 0.0 ? LAG_DISTANCE * run->stepper.h : LAG_SHORT_TIME * run->instants.contacts.length;
     const double t = fabs(instance->held.t);
     return t + h > t ? (t + h) - t : h; /* a distance that the time has */
 }
@@ -23,7 +20,7 @@ static lag_status values_at(lag_instance *instance, size_t variable, double t, c
         instance->x[i] = x[i] + s * xd[i];
     }
     instance->held.t = t + s;
-    instance->known = 0;
+    instance->values.known = 0;
     return lag_instance_get(instance, variable, values);
 }
 
@@ -37,17 +34,17 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
     }
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
-    memcpy(instance->point, instance->x, size * sizeof(double));
-    memcpy(instance->tangent, instance->xd, size * sizeof(double));
+    memcpy(instance->scratch.point, instance->x, size * sizeof(double));
+    memcpy(instance->scratch.tangent, instance->values.xd, size * sizeof(double));
     memset(values, 0, count * sizeof(double));
     for (size_t k = 0; k < LAG_POINTS && status == LAG_OK; ++k) {
-        status = values_at(instance, variable, t, instance->point, instance->tangent, LAG_POINT[k] * s, instance->entry);
+        status = values_at(instance, variable, t, instance->scratch.point, instance->scratch.tangent, LAG_POINT[k] * s, instance->scratch.entry);
         for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-            values[i] += LAG_WEIGHT[k] * instance->entry[i] / s;
+            values[i] += LAG_WEIGHT[k] * instance->scratch.entry[i] / s;
         }
     }
-    memcpy(instance->x, instance->point, size * sizeof(double));
+    memcpy(instance->x, instance->scratch.point, size * sizeof(double));
     instance->held.t = t;
-    instance->known = 0;
+    instance->values.known = 0;
     return status;
 }

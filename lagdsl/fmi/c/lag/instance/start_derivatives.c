@@ -11,8 +11,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* The largest change of a value, as a part of its size; smaller values than this have this size. */
-static const double PART = 1e-3;
+/* Smaller values than this have this size. */
 static const double SMALLEST = 1e-2;
 
 size_t lag_instance_start_slopes_memory(const lag_model *model)
@@ -46,12 +45,12 @@ static lag_status search(lag_instance *instance, double along, const double *u, 
         status = lag_motion_start(motion, t, x);
     }
     for (size_t i = 0; i < size; ++i) {
-        x[i] = (instance->given[i] != 0.0 ? instance->begin[i] : x[i]) + along * d->x[i];
+        x[i] = (instance->starts.given[i] != 0.0 ? instance->starts.values[i] : x[i]) + along * d->x[i];
     }
     memcpy(motion->u, u, model->nu * sizeof(double));
     lag_axpy(model->nu, along, d->x + size, motion->u);
     const int searched = status == LAG_OK && model->nc + model->ne > 0;
-    return searched ? lag_initial_find(motion, instance->fmu->start, instance->written, t, x, instance->initial_memory, &told) : status;
+    return searched ? lag_initial_find(motion, instance->fmu->start, instance->starts.written, t, x, instance->scratch.initial, &told) : status;
 }
 
 lag_status lag_instance_start_slopes(lag_instance *instance)
@@ -61,7 +60,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     lag_inputs *const inputs = motion->inputs;
     double *direction = instance->derivatives.x;
     const size_t size = lag_motion_size(model);
-    double *memory = instance->slopes;
+    double *memory = instance->scratch.slopes;
     double *u = lag_take(&memory, model->nu);
     double *w = lag_take(&memory, model->nw);
     double *x = lag_take(&memory, size);
@@ -71,12 +70,12 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     memcpy(w, motion->w, model->nw * sizeof(double));
     lag_fill(size + model->np, 0.0, slope);
     for (size_t i = 0; i < size; ++i) {
-        instance->written[i] = instance->given[i] != 0.0;
+        instance->starts.written[i] = instance->starts.given[i] != 0.0;
     }
     const double time = most_of(1, &instance->derivatives.time, &instance->held.t, 1.0);
     const double states = fmax(time, most_of(size, direction, instance->x, SMALLEST));
     const double set = fmax(most_of(model->nu, direction + size, u, SMALLEST), most_of(model->np, direction + size + model->nu, instance->p, SMALLEST));
-    const double h = PART / fmax(states, set);
+    const double h = LAG_DISTANCE / fmax(states, set);
     lag_status status = LAG_OK;
     motion->inputs = NULL;
     for (size_t k = 0; k < LAG_POINTS && h < (double)INFINITY && status == LAG_OK; ++k) {
@@ -92,7 +91,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
         double *of_parameter = direction + size + model->nu + i;
         *of_parameter = instance->fmu->start->free[i] ? slope[size + i] : *of_parameter;
     }
-    instance->known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
+    instance->values.known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;
 }

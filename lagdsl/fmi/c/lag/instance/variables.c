@@ -2,10 +2,8 @@
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
-
-/* Largest value of the Integer type of FMI. */
-static const double MOST_INTEGER = 2147483647.0;
 
 /* The array that a variable is in, as it is known now; null: its role has none. */
 static const double *array_of(const lag_instance *instance, lag_role role)
@@ -16,28 +14,28 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     case LAG_ROLE_PARAMETER:
         return instance->p;
     case LAG_ROLE_CONSTANT:
-        return instance->fmu->constants;
+        return instance->fmu->constants.numbers;
     case LAG_ROLE_STATE:
     case LAG_ROLE_DEPENDENT:
         return instance->x;
     case LAG_ROLE_DERIVATIVE:
-        return instance->xd;
+        return instance->values.xd;
     case LAG_ROLE_INPUT:
         return instance->run->motion.u;
     case LAG_ROLE_OUTPUT:
-        return instance->y;
+        return instance->values.y;
     case LAG_ROLE_LOCAL:
-        return instance->local;
+        return instance->values.local;
     case LAG_ROLE_DISCRETE:
         return instance->run->motion.w;
     case LAG_ROLE_MULTIPLIER:
         return instance->run->motion.lam;
     case LAG_ROLE_INDICATOR:
-        return instance->g;
+        return instance->values.g;
     case LAG_ROLE_ENERGY:
-        return instance->energy;
+        return instance->values.energy;
     case LAG_ROLE_RESIDUAL:
-        return instance->residual;
+        return instance->values.residual;
     case LAG_ROLE_OPTION:
         return &instance->held.step;
     case LAG_ROLE_CLOCK:
@@ -100,7 +98,7 @@ static lag_status check_found(lag_instance *instance, const lag_variable *variab
             return lag_instance_fail(
                 instance, LAG_NOT_FINITE, "t = %.10g s: %s is infinite or not a number", instance->held.t, variable->name);
         }
-        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= MOST_INTEGER)) {
+        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= (double)INT32_MAX)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
                 variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : variable->name, values[i]);
         }
@@ -120,7 +118,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const unsigned what = needed(role);
     const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
     lag_status status = LAG_OK;
-    if ((what & ~instance->known) != 0) {
+    if ((what & ~instance->values.known) != 0) {
         status = lag_instance_know(instance, what);
     } else if (follows) {
         status = lag_instance_ready(instance);
@@ -144,7 +142,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 static const lag_range *range_of(const lag_fmu *fmu, const lag_variable *variable, size_t i)
 {
     const lag_range *ranges = variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range :
-                              variable->role == LAG_ROLE_INPUT     ? fmu->input_range :
+                              variable->role == LAG_ROLE_INPUT     ? fmu->inputs.range :
                                                                      NULL;
     return ranges == NULL ? NULL : ranges + variable->first + i;
 }
@@ -194,11 +192,11 @@ static int put_states(lag_instance *instance, const lag_variable *variable, cons
         return changed;
     }
     for (size_t i = 0; i < variable->count; ++i) {
-        double *given = &instance->given[variable->first + i];
+        double *given = &instance->starts.given[variable->first + i];
         changed = changed || *given == 0.0;
         *given = 1.0;
     }
-    return put(variable->count, values, instance->begin + variable->first) || changed;
+    return put(variable->count, values, instance->starts.values + variable->first) || changed;
 }
 
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values)
@@ -212,7 +210,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     }
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
-        changed = put(which->count, values, instance->guess + which->first);
+        changed = put(which->count, values, instance->starts.parameters + which->first);
         changed = put(which->count, values, instance->p + which->first) || changed;
         held->prepared = held->prepared && !changed;
         break;
@@ -246,7 +244,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     if (changed) {
         held->jumped = 1;
         held->initialized = 0;
-        instance->known = 0;
+        instance->values.known = 0;
     }
     return LAG_OK;
 }

@@ -229,7 +229,7 @@ lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, siz
     for (size_t i = 0; i < n; ++i) {
         const lag_variable *variable = &shell->fmu->variables[references[i]];
         for (size_t k = 0; k < variable->count; ++k) {
-            values[place++] = shell->fmu->texts[variable->first + k];
+            values[place++] = shell->fmu->constants.texts[variable->first + k];
         }
     }
     return LAG_ANSWER_OK;

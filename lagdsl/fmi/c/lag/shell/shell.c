@@ -5,10 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
+#include "lag/linalg/arena.h"
 
 static size_t widest(const lag_fmu *fmu)
 {
@@ -53,9 +50,9 @@ static void begin(lag_shell *shell)
         .early_return = now->early_return,
         .mode = LAG_MODE_INSTANTIATED,
         .stale = 1,
-        .time = shell->fmu->start_time,
-        .reached = shell->fmu->start_time,
-        .start = shell->fmu->start_time,
+        .time = shell->fmu->experiment.start,
+        .reached = shell->fmu->experiment.start,
+        .start = shell->fmu->experiment.start,
         .stop = (double)INFINITY,
     };
 }
@@ -76,9 +73,9 @@ lag_shell *lag_shell_create(const char *call, const lag_birth *birth)
         return refuse(&first, reason);
     }
     const size_t length = strlen(birth->name) + 1;
-    const size_t name = padded(sizeof(lag_shell));
-    const size_t scratch = name + padded(length);
-    const size_t instance = scratch + padded(widest(fmu) * sizeof(double));
+    const size_t name = lag_padded(sizeof(lag_shell));
+    const size_t scratch = name + lag_padded(length);
+    const size_t instance = scratch + lag_padded(widest(fmu) * sizeof(double));
     const size_t size = instance + lag_instance_size(fmu);
     unsigned char *block = lag_shell_allocate(&first, size);
     if (block == NULL) {

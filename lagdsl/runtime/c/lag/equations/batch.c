@@ -4,25 +4,30 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
+static const double *of_state(lag_strided array, size_t i)
+{
+    return array.first + i * array.stride;
+}
+
 static lag_arguments state(const lag_model *model, const lag_batch *batch, size_t i)
 {
     lag_arguments at;
-    at.t = batch->t[i * batch->t_stride];
-    at.q = batch->q + i * batch->q_stride;
-    at.qd = batch->qd + i * batch->qd_stride;
-    at.z = batch->z + i * batch->z_stride;
-    at.u = batch->u + i * batch->u_stride;
-    at.w = batch->w + i * batch->w_stride;
-    at.p = batch->p + i * batch->p_stride;
-    at.qdd = batch->qdd + i * batch->qdd_stride;
-    at.lam = batch->lam + i * batch->lam_stride;
-    at.dq = batch->dq + i * batch->dq_stride;
-    at.dqd = batch->dqd + i * batch->dqd_stride;
-    at.dz = batch->dz + i * batch->dz_stride;
-    at.du = batch->du + i * batch->du_stride;
-    at.dp = batch->dp + i * batch->dp_stride;
-    at.dqdd = batch->dqdd + i * batch->dqdd_stride;
-    at.dlam = batch->dlam + i * batch->dlam_stride;
+    at.t = *of_state(batch->t, i);
+    at.q = of_state(batch->q, i);
+    at.qd = of_state(batch->qd, i);
+    at.z = of_state(batch->z, i);
+    at.u = of_state(batch->u, i);
+    at.w = of_state(batch->w, i);
+    at.p = of_state(batch->p, i);
+    at.qdd = of_state(batch->qdd, i);
+    at.lam = of_state(batch->lam, i);
+    at.dq = of_state(batch->dq, i);
+    at.dqd = of_state(batch->dqd, i);
+    at.dz = of_state(batch->dz, i);
+    at.du = of_state(batch->du, i);
+    at.dp = of_state(batch->dp, i);
+    at.dqdd = of_state(batch->dqdd, i);
+    at.dlam = of_state(batch->dlam, i);
     at.times = NULL;
     at.context = model->context;
     at.workspace = batch->workspace;
@@ -33,7 +38,7 @@ static lag_arguments state(const lag_model *model, const lag_batch *batch, size_
 
 static lag_status prepare(const lag_model *model, const lag_batch *batch, const lag_arguments *at, size_t i)
 {
-    if (i > 0 && batch->p_stride == 0) {
+    if (i > 0 && batch->p.stride == 0) {
         return LAG_OK;
     }
     return model->prepare(at);
@@ -138,12 +143,13 @@ size_t lag_batch_memory(const lag_model *model, const lag_states *states)
  * their reads and writes wait for nothing, and a vector of four is written whole.
  */
 static void interleave(
-    double *to, size_t lanes, size_t first, size_t count, size_t size, const double *x, size_t stride)
+    double *to, size_t lanes, size_t first, size_t count, size_t size, lag_strided x)
 {
+    const size_t stride = x.stride;
     if (size == 0 || (first > 0 && stride == 0)) {
         return;
     }
-    const double *const from = x + first * stride;
+    const double *const from = of_state(x, first);
     size_t lane = 0;
     for (; lane + 4 <= count; lane += 4) {
         const double *const a = from + lane * stride;
@@ -171,14 +177,14 @@ static lag_status form(
     const lag_model *model, const lag_states *states, const lag_batch *batch, size_t first, size_t count, const crowd *all)
 {
     const size_t lanes = states->lanes;
-    interleave(all->t, lanes, first, count, 1, batch->t, batch->t_stride);
-    interleave(all->q, lanes, first, count, model->nq, batch->q, batch->q_stride);
-    interleave(all->qd, lanes, first, count, model->nq, batch->qd, batch->qd_stride);
-    interleave(all->z, lanes, first, count, model->nz, batch->z, batch->z_stride);
-    interleave(all->u, lanes, first, count, model->nu, batch->u, batch->u_stride);
-    interleave(all->w, lanes, first, count, model->nw, batch->w, batch->w_stride);
-    interleave(all->p, lanes, first, count, model->np, batch->p, batch->p_stride);
-    lag_status status = first > 0 && batch->p_stride == 0 ? LAG_OK : states->prepare(&all->at);
+    interleave(all->t, lanes, first, count, 1, batch->t);
+    interleave(all->q, lanes, first, count, model->nq, batch->q);
+    interleave(all->qd, lanes, first, count, model->nq, batch->qd);
+    interleave(all->z, lanes, first, count, model->nz, batch->z);
+    interleave(all->u, lanes, first, count, model->nu, batch->u);
+    interleave(all->w, lanes, first, count, model->nw, batch->w);
+    interleave(all->p, lanes, first, count, model->np, batch->p);
+    lag_status status = first > 0 && batch->p.stride == 0 ? LAG_OK : states->prepare(&all->at);
     if (status == LAG_OK && states->elimination != NULL) {
         return states->elimination(
             &all->at, all->force, all->lam, all->response, all->lam_response, all->jacobian, all->gamma, all->pivot);

@@ -7,9 +7,6 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/vector.h"
 
-/* Largest residual after the correction, as a part of the largest before it. */
-static const double LEFT = 1e-8;
-
 size_t lag_correction_memory(const lag_model *model)
 {
     const size_t n = model->nq;
@@ -67,7 +64,7 @@ static int takes_away(const lag_model *model, const double *residual, const doub
             most = fmax(most, fabs(left[i]) / size);
         }
     }
-    return most <= LEFT * largest;
+    return most <= LAG_REACHED * largest;
 }
 
 lag_status lag_correction(const lag_model *model, const lag_arguments *at, const double *residual, const double *jacobian,

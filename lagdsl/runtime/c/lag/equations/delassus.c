@@ -14,16 +14,16 @@ static const double SHORT_RESPONSE = 1e-3;
 /* Column of entry k. */
 static size_t column_of(const lag_delassus *s, size_t k)
 {
-    return s->entries != NULL ? s->entries->column[k] : k;
+    return s->pattern.entries != NULL ? s->pattern.entries->column[k] : k;
 }
 
 /* Row i of J times y (n). */
 static double along(const lag_delassus *s, size_t i, const double *y)
 {
     const double *row = s->jacobian + i * s->n;
-    const size_t end = (size_t)s->end[i];
+    const size_t end = (size_t)s->pattern.end[i];
     double sum = 0.0;
-    for (size_t k = (size_t)s->first[i]; k < end; ++k) {
+    for (size_t k = (size_t)s->pattern.first[i]; k < end; ++k) {
         const size_t j = column_of(s, k);
         sum += row[j] * y[j];
     }
@@ -32,8 +32,8 @@ static double along(const lag_delassus *s, size_t i, const double *y)
 
 int lag_delassus_holds(const lag_delassus *s, size_t i)
 {
-    const size_t end = (size_t)s->end[i];
-    size_t k = (size_t)s->first[i];
+    const size_t end = (size_t)s->pattern.end[i];
+    size_t k = (size_t)s->pattern.first[i];
     while (k < end && s->jacobian[i * s->n + column_of(s, k)] == 0.0) {
         ++k;
     }
@@ -96,7 +96,7 @@ static void append_column(lag_delassus *s, size_t k, size_t end)
 static size_t gather(lag_delassus *s, size_t i, size_t begin)
 {
     size_t k = begin;
-    for (size_t row = i; row < s->kept; row = s->several ? (size_t)s->follower[row] : row + 1) {
+    for (size_t row = i; row < s->kept; row = s->components.several ? (size_t)s->components.follower[row] : row + 1) {
         s->chosen[k] = (double)row;
         s->lead[row] = (double)begin;
         ++k;
@@ -134,16 +134,16 @@ static void find_direction(lag_delassus *s, size_t own, double *direction)
 {
     for (size_t k = 0; k < s->rank; ++k) {
         const int shared = (double)k >= s->lead[own] && (double)k < s->reach[own];
-        s->rest[k] = shared ? s->factor[own * s->kept + k] : 0.0;
+        s->work.rest[k] = shared ? s->factor[own * s->kept + k] : 0.0;
     }
-    solve_upper(s, s->rest);
-    lag_fill(s->kept, 0.0, s->x);
+    solve_upper(s, s->work.rest);
+    lag_fill(s->kept, 0.0, s->work.x);
     for (size_t k = 0; k < s->rank; ++k) {
-        s->x[(size_t)s->chosen[k]] = -s->rest[k];
+        s->work.x[(size_t)s->chosen[k]] = -s->work.rest[k];
     }
-    s->x[own] = 1.0;
+    s->work.x[own] = 1.0;
     lag_fill(s->m, 0.0, direction);
-    add_multipliers(s, s->x, direction);
+    add_multipliers(s, s->work.x, direction);
     const double length = sqrt(lag_dot(s->m, direction, direction));
     for (size_t j = 0; j < s->m; ++j) {
         direction[j] /= length;
@@ -168,12 +168,12 @@ static void remove_excess(lag_delassus *s, double *lam)
 {
     const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
-        s->part[i] = lag_dot(s->m, s->excess + i * s->m, lam);
+        s->work.part[i] = lag_dot(s->m, s->excess + i * s->m, lam);
     }
-    lag_cholesky_solve(count, s->gram, s->part);
+    lag_cholesky_solve(count, s->gram, s->work.part);
     for (size_t i = 0; i < count; ++i) {
         for (size_t j = 0; j < s->m; ++j) {
-            lam[j] -= s->part[i] * s->excess[i * s->m + j];
+            lam[j] -= s->work.part[i] * s->excess[i * s->m + j];
         }
     }
 }
@@ -246,8 +246,8 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         return factor_nothing(s);
     }
     const double first = weigh(s);
-    for (size_t i = 0; i < (s->several ? s->kept : 1); ++i) {
-        if (s->several && s->leader[(size_t)s->component[i]] != (double)i) {
+    for (size_t i = 0; i < (s->components.several ? s->kept : 1); ++i) {
+        if (s->components.several && s->components.leader[(size_t)s->components.component[i]] != (double)i) {
             continue;
         }
         const size_t end = gather(s, i, k);
@@ -256,14 +256,14 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         }
         for (size_t at = k; at < end; ++at) {
             s->reach[(size_t)s->chosen[at]] = (double)k;
-            s->x[others++] = s->chosen[at];
+            s->work.x[others++] = s->chosen[at];
         }
     }
     if (k != rank) {
         return LAG_MISSING;
     }
     for (size_t at = 0; at < others; ++at) {
-        s->chosen[rank + at] = s->x[at];
+        s->chosen[rank + at] = s->work.x[at];
     }
     forget_zero_rows(s);
     return find_excess(s) ? LAG_OK : LAG_MISSING;
@@ -277,25 +277,25 @@ static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
         const double *own = s->factor + row * s->kept;
         const double missing = gamma[row] - along(s, row, a);
         const size_t from = (size_t)s->lead[row];
-        s->rest[k] = (missing - lag_dot(k - from, own + from, s->rest + from)) / own[k];
+        s->work.rest[k] = (missing - lag_dot(k - from, own + from, s->work.rest + from)) / own[k];
     }
-    solve_upper(s, s->rest);
+    solve_upper(s, s->work.rest);
     for (size_t k = 0; k < s->kept; ++k) {
-        s->x[(size_t)s->chosen[k]] = k < s->rank ? s->rest[k] : 0.0;
+        s->work.x[(size_t)s->chosen[k]] = k < s->rank ? s->work.rest[k] : 0.0;
     }
 }
 
 static void add_accelerations(const lag_delassus *s, double *a)
 {
     for (size_t i = 0; i < s->kept; ++i) {
-        if (s->x[i] == 0.0) {
+        if (s->work.x[i] == 0.0) {
             continue;
         }
         const double *response = s->response + i * s->n;
-        size_t j = s->several ? (size_t)s->coordinate[(size_t)s->component[i]] : 0;
+        size_t j = s->components.several ? (size_t)s->components.coordinate[(size_t)s->components.component[i]] : 0;
         while (j < s->n) {
-            a[j] += response[j] * s->x[i];
-            j = s->several ? (size_t)s->beside[j] : j + 1;
+            a[j] += response[j] * s->work.x[i];
+            j = s->components.several ? (size_t)s->components.beside[j] : j + 1;
         }
     }
 }
@@ -304,18 +304,18 @@ void lag_delassus_solve(lag_delassus *s, const double *gamma, double *a, double 
 {
     if (s->rank > 0) {
         solve_rest(s, gamma, a);
-        add_multipliers(s, s->x, lam);
+        add_multipliers(s, s->work.x, lam);
     }
     if (s->dependent > 0) {
         remove_excess(s, lam);
     }
     for (size_t i = 0; i < s->kept; ++i) {
-        s->x[i] = lam[s->row[i]];
+        s->work.x[i] = lam[s->row[i]];
     }
     add_accelerations(s, a);
     if (s->rank > 0) {
         solve_rest(s, gamma, a);
         add_accelerations(s, a);
-        add_multipliers(s, s->x, lam);
+        add_multipliers(s, s->work.x, lam);
     }
 }

@@ -14,6 +14,25 @@
 
 #include "lag/model.h"
 
+/* Entries of J that may not be zero. */
+typedef struct lag_delassus_pattern {
+    const lag_pattern *entries; /* those of J (m, n); null: all */
+    double *first, *end;        /* (kept) where the entries of each row begin, and one behind the last */
+} lag_delassus_pattern;
+
+/* Rows of two components share nothing. */
+typedef struct lag_delassus_components {
+    double *component;            /* (kept) that of each row */
+    int several;                  /* there are several: */
+    double *coordinate, *beside;  /* (n) (n) the first coordinate of each, and the next one in the same; n: none */
+    double *leader, *follower;    /* (n) (kept) the first row of each, and the next one in the same; kept: none */
+} lag_delassus_components;
+
+/* Memory of one call. */
+typedef struct lag_delassus_work {
+    double *part, *x, *rest; /* (kept) */
+} lag_delassus_work;
+
 /* One system; everything points into memory of the caller. */
 typedef struct lag_delassus {
     size_t n, m, kept;              /* accelerations, rows, rows that are left */
@@ -22,12 +41,8 @@ typedef struct lag_delassus {
     const double *response;         /* Y (kept, n) */
     const double *lam_response;     /* K (kept, m), zero at the kept rows */
     const double *jacobian;         /* J (kept, n) */
-    const lag_pattern *entries;     /* those of J (m, n) that may not be zero; null: all */
-    double *first, *end;            /* (kept) where the entries of each row begin, and one behind the last */
-    double *component;              /* (kept) that of each row: rows of two share nothing */
-    int several;                    /* there are several: */
-    double *coordinate, *beside;    /* (n) (n) the first coordinate of each, and the next one in the same; n: none */
-    double *leader, *follower;      /* (n) (kept) the first row of each, and the next one in the same; kept: none */
+    lag_delassus_pattern pattern;
+    lag_delassus_components components;
     double *lead, *reach;           /* (kept) the factor of each row is zero before and behind these columns */
     double *factor;                 /* (kept, rank) S = L L', rows as they stand, of those not chosen the first part */
     double *left;                   /* (kept) what is left of the diagonal of S */
@@ -35,8 +50,7 @@ typedef struct lag_delassus {
     double *chosen;                 /* (kept) the independent rows in turn, then the others */
     double *excess;                 /* (dependent, m) combinations of multipliers that change nothing, of length one */
     double *gram;                   /* (dependent, dependent) factor of their products */
-    double *part;                   /* (kept) */
-    double *x, *rest;               /* (kept) */
+    lag_delassus_work work;
 } lag_delassus;
 
 /* Doubles that `kept` of m rows of n accelerations need. */

@@ -25,32 +25,32 @@ static void find_entries(lag_delassus *s, const lag_pattern *entries, const size
         while (k < entries->count && entries->row[k] == s->row[i]) {
             ++k;
         }
-        s->first[i] = (double)first;
-        s->end[i] = (double)k;
-        s->component[i] = components != NULL && k > first ? (double)chain_of(s, components[entries->column[first]]) : 0.0;
+        s->pattern.first[i] = (double)first;
+        s->pattern.end[i] = (double)k;
+        s->components.component[i] = components != NULL && k > first ? (double)chain_of(s, components[entries->column[first]]) : 0.0;
     }
 }
 
 /* Chains of what belongs to one component, each in its order. */
 static void link_components(lag_delassus *s, const size_t *components)
 {
-    s->several = 0;
-    for (size_t j = 1; j < s->n && components != NULL && s->entries != NULL && !s->several; ++j) {
-        s->several = components[j] != components[0];
+    s->components.several = 0;
+    for (size_t j = 1; j < s->n && components != NULL && s->pattern.entries != NULL && !s->components.several; ++j) {
+        s->components.several = components[j] != components[0];
     }
-    if (!s->several) {
+    if (!s->components.several) {
         return;
     }
-    lag_fill(s->n, (double)s->n, s->coordinate);
-    lag_fill(s->n, (double)s->kept, s->leader);
+    lag_fill(s->n, (double)s->n, s->components.coordinate);
+    lag_fill(s->n, (double)s->kept, s->components.leader);
     for (size_t j = s->n; j-- > 0;) {
-        double *first = s->coordinate + chain_of(s, components[j]);
-        s->beside[j] = *first;
+        double *first = s->components.coordinate + chain_of(s, components[j]);
+        s->components.beside[j] = *first;
         *first = (double)j;
     }
     for (size_t i = s->kept; i-- > 0;) {
-        double *first = s->leader + (size_t)s->component[i];
-        s->follower[i] = *first;
+        double *first = s->components.leader + (size_t)s->components.component[i];
+        s->components.follower[i] = *first;
         *first = (double)i;
     }
 }
@@ -67,31 +67,31 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->entries = entries;
+    s->pattern.entries = entries;
     s->factor = lag_take(&memory, kept * kept);
     s->left = lag_take(&memory, kept);
     s->weight = lag_take(&memory, kept);
     s->chosen = lag_take(&memory, kept);
     s->excess = lag_take(&memory, kept * m);
     s->gram = lag_take(&memory, kept * kept);
-    s->part = lag_take(&memory, kept);
-    s->x = lag_take(&memory, kept);
-    s->rest = lag_take(&memory, kept);
-    s->first = lag_take(&memory, kept);
-    s->end = lag_take(&memory, kept);
-    s->component = lag_take(&memory, kept);
+    s->work.part = lag_take(&memory, kept);
+    s->work.x = lag_take(&memory, kept);
+    s->work.rest = lag_take(&memory, kept);
+    s->pattern.first = lag_take(&memory, kept);
+    s->pattern.end = lag_take(&memory, kept);
+    s->components.component = lag_take(&memory, kept);
     s->lead = lag_take(&memory, kept);
     s->reach = lag_take(&memory, kept);
-    s->follower = lag_take(&memory, kept);
-    s->coordinate = lag_take(&memory, n);
-    s->beside = lag_take(&memory, n);
-    s->leader = lag_take(&memory, n);
+    s->components.follower = lag_take(&memory, kept);
+    s->components.coordinate = lag_take(&memory, n);
+    s->components.beside = lag_take(&memory, n);
+    s->components.leader = lag_take(&memory, n);
     if (entries != NULL) {
         find_entries(s, entries, components);
     } else {
-        lag_fill(kept, 0.0, s->first);
-        lag_fill(kept, (double)n, s->end);
-        lag_fill(kept, 0.0, s->component);
+        lag_fill(kept, 0.0, s->pattern.first);
+        lag_fill(kept, (double)n, s->pattern.end);
+        lag_fill(kept, 0.0, s->components.component);
     }
     link_components(s, components);
 }

@@ -32,21 +32,21 @@ static void place_system(lag_derivatives *d, const lag_model *model, double **me
     const size_t m = model->nc;
     memset(d, 0, sizeof *d);
     d->model = model;
-    d->mass = lag_take(memory, n * n);
-    d->force = lag_take(memory, n);
-    d->jacobian = lag_take(memory, m * n);
-    d->gamma = lag_take(memory, m);
-    d->phi = lag_take(memory, m);
-    d->residual = lag_take(memory, m);
-    d->unused = lag_take(memory, m * n);
+    d->terms.mass = lag_take(memory, n * n);
+    d->terms.force = lag_take(memory, n);
+    d->terms.jacobian = lag_take(memory, m * n);
+    d->terms.gamma = lag_take(memory, m);
+    d->terms.phi = lag_take(memory, m);
+    d->terms.residual = lag_take(memory, m);
+    d->work.unused = lag_take(memory, m * n);
     lag_system_place(&d->system, n, m, model->components, lag_take(memory, lag_system_memory(n, m)));
-    d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
+    d->system.choice.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 
 void lag_derivatives_size(lag_derivatives *d, const double *sizes, const double *row_sizes)
 {
-    d->system.sizes = sizes;
-    d->system.row_sizes = row_sizes;
+    d->system.choice.sizes = sizes;
+    d->system.choice.row_sizes = row_sizes;
 }
 
 void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *memory)
@@ -60,10 +60,10 @@ void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *m
     d->lam = lag_take(&memory, m);
     d->dqdd = lag_take(&memory, n);
     d->dlam = lag_take(&memory, m);
-    d->motion = lag_take(&memory, n);
-    d->rows = lag_take(&memory, m);
+    d->work.motion = lag_take(&memory, n);
+    d->work.rows = lag_take(&memory, m);
     d->least = lag_take(&memory, n);
-    d->pulled = lag_take(&memory, m);
+    d->work.pulled = lag_take(&memory, m);
     lag_fill(variables(model), 0.0, d->x);
 }
 
@@ -83,14 +83,14 @@ static lag_status form(lag_derivatives *d)
     if (model->dynamics == NULL || model->position_constraint == NULL || model->velocity_constraint == NULL) {
         return LAG_MISSING;
     }
-    lag_status status = model->dynamics(&d->at, d->mass, d->force, d->jacobian, d->gamma);
+    lag_status status = model->dynamics(&d->at, d->terms.mass, d->terms.force, d->terms.jacobian, d->terms.gamma);
     if (status == LAG_OK && d->rate > 0.0 && model->nc > 0) {
-        status = model->position_constraint(&d->at, d->phi, d->unused);
+        status = model->position_constraint(&d->at, d->terms.phi, d->work.unused);
         if (status == LAG_OK) {
-            status = model->velocity_constraint(&d->at, d->residual, d->unused);
+            status = model->velocity_constraint(&d->at, d->terms.residual, d->work.unused);
         }
         if (status == LAG_OK) {
-            stabilize(model, d->rate, -1.0, d->phi, d->residual, d->gamma);
+            stabilize(model, d->rate, -1.0, d->terms.phi, d->terms.residual, d->terms.gamma);
         }
     }
     return status;
@@ -102,10 +102,10 @@ static size_t independent(const lag_derivatives *d)
     const lag_model *model = d->model;
     size_t count = model->rank;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        count -= count > 0 && !lag_any(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
+        count -= count > 0 && !lag_any(model->nq, d->terms.jacobian + model->contact_rows[i] * model->nq);
     }
     for (size_t i = 0; i < model->nslip; ++i) {
-        count -= count > 0 && !lag_any(model->nq, d->jacobian + model->friction_rows[i] * model->nq);
+        count -= count > 0 && !lag_any(model->nq, d->terms.jacobian + model->friction_rows[i] * model->nq);
     }
     return count;
 }
@@ -115,12 +115,12 @@ static lag_status solve(lag_derivatives *d, double *qdd, double *lam, size_t *co
     const lag_model *model = d->model;
     lag_status status = form(d);
     if (status == LAG_OK) {
-        status = lag_system_factor(&d->system, d->mass, d->jacobian, independent(d), coordinate);
+        status = lag_system_factor(&d->system, d->terms.mass, d->terms.jacobian, independent(d), coordinate);
     }
     if (status != LAG_OK) {
         return status;
     }
-    lag_system_solve(&d->system, d->force, d->gamma, qdd, lam);
+    lag_system_solve(&d->system, d->terms.force, d->terms.gamma, qdd, lam);
     return lag_finite(model->nq, qdd) && lag_finite(model->nc, lam) ? LAG_OK : LAG_NOT_FINITE;
 }
 
@@ -258,26 +258,26 @@ static lag_status turn_multipliers(lag_derivatives *d)
         return LAG_OK;
     }
     lag_arguments more = d->at;
-    more.qdd = d->motion;
+    more.qdd = d->work.motion;
     for (size_t i = 0; i < n; ++i) {
-        d->motion[i] = d->qdd[i] + more_by / length * d->least[i];
+        d->work.motion[i] = d->qdd[i] + more_by / length * d->least[i];
     }
-    lag_status status = model->residual_tangent(&more, d->force, d->pulled);
+    lag_status status = model->residual_tangent(&more, d->terms.force, d->work.pulled);
     if (status == LAG_OK) {
-        status = model->residual_tangent(&d->at, d->force, d->rows);
+        status = model->residual_tangent(&d->at, d->terms.force, d->work.rows);
     }
     for (size_t i = 0; i < m; ++i) {
-        d->pulled[i] = (d->pulled[i] - d->rows[i]) * length / more_by;
+        d->work.pulled[i] = (d->work.pulled[i] - d->work.rows[i]) * length / more_by;
     }
     for (size_t k = system->rank; k < m; ++k) { /* rows that are zero are combinations by themselves */
         const size_t own = (size_t)system->pivot[k];
-        d->dlam[own] += lag_any(n, system->jacobian + own * n) ? 0.0 : d->pulled[own];
+        d->dlam[own] += lag_any(n, system->jacobian + own * n) ? 0.0 : d->work.pulled[own];
     }
     for (size_t k = 0; k < system->combinations; ++k) {
         const double *direction = system->excess + k * m;
         double part = 0.0;
         for (size_t i = 0; i < m; ++i) {
-            part += direction[i] * d->pulled[i];
+            part += direction[i] * d->work.pulled[i];
         }
         for (size_t i = 0; i < m; ++i) {
             d->dlam[i] += part * direction[i];
@@ -294,27 +294,27 @@ lag_status lag_derivatives_along(lag_derivatives *d)
     if (model->residual_tangent == NULL) {
         return LAG_MISSING;
     }
-    lag_status status = model->residual_tangent(&d->at, d->motion, d->rows);
+    lag_status status = model->residual_tangent(&d->at, d->work.motion, d->work.rows);
     if (status == LAG_OK) {
-        status = add_time(d, 0, n, d->motion);
+        status = add_time(d, 0, n, d->work.motion);
     }
     if (status == LAG_OK) {
-        status = add_time(d, n, m, d->rows);
+        status = add_time(d, n, m, d->work.rows);
     }
     if (status == LAG_OK && d->rate > 0.0 && m > 0) {
-        status = lag_derivatives_residuals(d, d->phi, d->residual);
-        stabilize(model, d->rate, 1.0, d->phi, d->residual, d->rows);
+        status = lag_derivatives_residuals(d, d->terms.phi, d->terms.residual);
+        stabilize(model, d->rate, 1.0, d->terms.phi, d->terms.residual, d->work.rows);
     }
     if (status != LAG_OK) {
         return status;
     }
     for (size_t i = 0; i < n; ++i) {
-        d->force[i] = -d->motion[i];
+        d->terms.force[i] = -d->work.motion[i];
     }
     for (size_t i = 0; i < m; ++i) {
-        d->gamma[i] = -d->rows[i];
+        d->terms.gamma[i] = -d->work.rows[i];
     }
-    lag_system_solve(&d->system, d->force, d->gamma, d->dqdd, d->dlam);
+    lag_system_solve(&d->system, d->terms.force, d->terms.gamma, d->dqdd, d->dlam);
     status = turn_multipliers(d);
     return status == LAG_OK && !(lag_finite(n, d->dqdd) && lag_finite(m, d->dlam)) ? LAG_NOT_FINITE : status;
 }

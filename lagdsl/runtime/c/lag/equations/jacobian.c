@@ -17,21 +17,35 @@ typedef struct functions {
     lag_status (*output)(const lag_arguments *at, double *y);
 } functions;
 
+/* Arrays in lanes. */
+typedef struct lanes_of_directions {
+    double *x;                         /* directions of q, qd, z, u, p in a row */
+    double *dqdd, *dlam;               /* (nq) (nc) */
+    double *motion, *rows, *rates, *y; /* (nq) (nc) (nz) (ny) */
+    double *pivot;
+} lanes_of_directions;
+
+/* Of the rows that elimination left. */
+typedef struct kept_rows {
+    double *response, *lam_response; /* (nk, nq) (nk, nc) */
+    double *jacobian, *gamma;        /* (nk, nq) (nk) */
+    double *delassus;
+} kept_rows;
+
+typedef struct dense_system {
+    double *mass, *jacobian; /* (nq, nq) (nc, nq) */
+    double *force, *gamma;   /* (nq) (nc) */
+    double *system;
+} dense_system;
+
 /* Arrays that the functions of this file work in. */
 typedef struct places {
-    double *qdd, *lam;                       /* (nq) (nc) at the state */
-    double *x;                               /* directions of q, qd, z, u, p in a row, in lanes */
-    double *dqdd, *dlam;                     /* (nq) (nc) in lanes */
-    double *motion, *rows, *rates, *y;       /* (nq) (nc) (nz) (ny) in lanes */
-    double *pivot;                           /* in lanes */
-    double *one_qdd, *one_lam;               /* (nq) (nc) along one direction */
-    double *force, *gamma;                   /* (nq) (nc) */
-    double *mass, *jacobian;                 /* (nq, nq) (nc, nq) */
-    double *response, *lam_response;         /* (nk, nq) (nk, nc) */
-    double *kept_jacobian, *kept_gamma;      /* (nk, nq) (nk) */
-    double *delassus;                        /* of the rows that elimination left */
-    double *system;                          /* of the dense path */
-    double *dynamics;                        /* of lag_forward_dynamics() */
+    double *qdd, *lam;         /* (nq) (nc) at the state */
+    double *one_qdd, *one_lam; /* (nq) (nc) along one direction */
+    lanes_of_directions lanes;
+    kept_rows kept;
+    dense_system dense;
+    double *dynamics;          /* of lag_forward_dynamics() */
 } places;
 
 static size_t variables(const lag_model *model)
@@ -50,28 +64,28 @@ static size_t place(const lag_model *model, size_t lanes, double *memory, places
     const size_t n = model->nq;
     const size_t m = model->nc;
     double *end = memory;
-    at->x = lag_take(&end, lanes * variables(model));
-    at->dqdd = lag_take(&end, lanes * n);
-    at->dlam = lag_take(&end, lanes * m);
-    at->motion = lag_take(&end, lanes * n);
-    at->rows = lag_take(&end, lanes * m);
-    at->rates = lag_take(&end, lanes * model->nz);
-    at->y = lag_take(&end, lanes * model->ny);
-    at->pivot = lag_take(&end, lanes);
+    at->lanes.x = lag_take(&end, lanes * variables(model));
+    at->lanes.dqdd = lag_take(&end, lanes * n);
+    at->lanes.dlam = lag_take(&end, lanes * m);
+    at->lanes.motion = lag_take(&end, lanes * n);
+    at->lanes.rows = lag_take(&end, lanes * m);
+    at->lanes.rates = lag_take(&end, lanes * model->nz);
+    at->lanes.y = lag_take(&end, lanes * model->ny);
+    at->lanes.pivot = lag_take(&end, lanes);
     at->qdd = lag_take(&end, n);
     at->lam = lag_take(&end, m);
     at->one_qdd = lag_take(&end, n);
     at->one_lam = lag_take(&end, m);
-    at->force = lag_take(&end, n);
-    at->gamma = lag_take(&end, m);
-    at->mass = lag_take(&end, n * n);
-    at->jacobian = lag_take(&end, m * n);
-    at->response = lag_take(&end, model->nk * n);
-    at->lam_response = lag_take(&end, model->nk * m);
-    at->kept_jacobian = lag_take(&end, model->nk * n);
-    at->kept_gamma = lag_take(&end, model->nk);
-    at->delassus = lag_take(&end, lag_delassus_memory(n, m, model->nk));
-    at->system = lag_take(&end, lag_system_memory(n, m));
+    at->dense.force = lag_take(&end, n);
+    at->dense.gamma = lag_take(&end, m);
+    at->dense.mass = lag_take(&end, n * n);
+    at->dense.jacobian = lag_take(&end, m * n);
+    at->kept.response = lag_take(&end, model->nk * n);
+    at->kept.lam_response = lag_take(&end, model->nk * m);
+    at->kept.jacobian = lag_take(&end, model->nk * n);
+    at->kept.gamma = lag_take(&end, model->nk);
+    at->kept.delassus = lag_take(&end, lag_delassus_memory(n, m, model->nk));
+    at->dense.system = lag_take(&end, lag_system_memory(n, m));
     at->dynamics = lag_take(&end, lag_dynamics_memory(model));
     return (size_t)(end - memory);
 }
@@ -115,11 +129,11 @@ static void put_lane(size_t count, size_t lanes, size_t lane, const double *from
 static void solve_dense(const lag_model *model, solver *by, size_t lanes, size_t width, const places *to)
 {
     for (size_t lane = 0; lane < width; ++lane) {
-        pick(model->nq, lanes, lane, -1.0, to->motion, to->force);
-        pick(model->nc, lanes, lane, -1.0, to->rows, to->gamma);
-        lag_system_solve(&by->dense, to->force, to->gamma, to->one_qdd, to->one_lam);
-        put_lane(model->nq, lanes, lane, to->one_qdd, to->dqdd);
-        put_lane(model->nc, lanes, lane, to->one_lam, to->dlam);
+        pick(model->nq, lanes, lane, -1.0, to->lanes.motion, to->dense.force);
+        pick(model->nc, lanes, lane, -1.0, to->lanes.rows, to->dense.gamma);
+        lag_system_solve(&by->dense, to->dense.force, to->dense.gamma, to->one_qdd, to->one_lam);
+        put_lane(model->nq, lanes, lane, to->one_qdd, to->lanes.dqdd);
+        put_lane(model->nc, lanes, lane, to->one_lam, to->lanes.dlam);
     }
 }
 
@@ -127,12 +141,12 @@ static void solve_dense(const lag_model *model, solver *by, size_t lanes, size_t
 static void solve_kept(const lag_model *model, solver *by, size_t lanes, size_t width, const places *to)
 {
     for (size_t lane = 0; lane < width; ++lane) {
-        pick(model->nq, lanes, lane, 1.0, to->dqdd, to->one_qdd);
-        pick(model->nc, lanes, lane, 1.0, to->dlam, to->one_lam);
-        pick(model->nk, lanes, lane, -1.0, to->rows, to->kept_gamma);
-        lag_delassus_solve(&by->kept, to->kept_gamma, to->one_qdd, to->one_lam);
-        put_lane(model->nq, lanes, lane, to->one_qdd, to->dqdd);
-        put_lane(model->nc, lanes, lane, to->one_lam, to->dlam);
+        pick(model->nq, lanes, lane, 1.0, to->lanes.dqdd, to->one_qdd);
+        pick(model->nc, lanes, lane, 1.0, to->lanes.dlam, to->one_lam);
+        pick(model->nk, lanes, lane, -1.0, to->lanes.rows, to->kept.gamma);
+        lag_delassus_solve(&by->kept, to->kept.gamma, to->one_qdd, to->one_lam);
+        put_lane(model->nq, lanes, lane, to->one_qdd, to->lanes.dqdd);
+        put_lane(model->nc, lanes, lane, to->one_lam, to->lanes.dlam);
     }
 }
 
@@ -141,20 +155,20 @@ static lag_status solve(
     const lag_model *model, const functions *f, const lag_arguments *at, solver *by, size_t width, const places *to)
 {
     if (f->acceleration == NULL) {
-        const lag_status status = f->residual(at, to->motion, to->rows);
+        const lag_status status = f->residual(at, to->lanes.motion, to->lanes.rows);
         if (status == LAG_OK) {
             solve_dense(model, by, f->lanes, width, to);
         }
         return status;
     }
-    const lag_status status = f->acceleration(at, to->dqdd, to->dlam, to->rows, to->pivot);
+    const lag_status status = f->acceleration(at, to->lanes.dqdd, to->lanes.dlam, to->lanes.rows, to->lanes.pivot);
     if (status != LAG_OK) {
         return status;
     }
     if (model->nk > 0) {
         solve_kept(model, by, f->lanes, width, to);
     }
-    return to->pivot[0] > lag_smallest_pivot(model) ? LAG_OK : LAG_MISSING;
+    return to->lanes.pivot[0] > lag_smallest_pivot(model) ? LAG_OK : LAG_MISSING;
 }
 
 /* `count` rows of lanes into columns `column` and following of a matrix `columns` wide. */
@@ -179,29 +193,29 @@ static lag_status differentiate(
     const size_t n = model->nq;
     const size_t lanes = f->lanes;
     lag_status status = LAG_OK;
-    lag_fill(lanes * variables(model), 0.0, to->x);
+    lag_fill(lanes * variables(model), 0.0, to->lanes.x);
     lag_fill(n * x.count, 0.0, rates);
     for (size_t k = 0; k < x.count && status == LAG_OK; k += lanes) {
         const size_t width = x.count - k < lanes ? x.count - k : lanes;
         for (size_t lane = 0; lane < width; ++lane) {
             const size_t variable = x.first + k + lane;
-            to->x[variable * lanes + lane] = 1.0;
+            to->lanes.x[variable * lanes + lane] = 1.0;
             if (variable >= n && variable < 2 * n) {
                 rates[(variable - n) * x.count + k + lane] = 1.0;
             }
         }
         status = solve(model, f, at, by, width, to);
-        put(n, lanes, width, to->dqdd, x.count, k, rates + n * x.count);
+        put(n, lanes, width, to->lanes.dqdd, x.count, k, rates + n * x.count);
         if (status == LAG_OK && model->nz > 0) {
-            status = f->state_derivative(at, to->rates);
-            put(model->nz, lanes, width, to->rates, x.count, k, rates + 2 * n * x.count);
+            status = f->state_derivative(at, to->lanes.rates);
+            put(model->nz, lanes, width, to->lanes.rates, x.count, k, rates + 2 * n * x.count);
         }
         if (status == LAG_OK && outputs != NULL && model->ny > 0) {
-            status = f->output(at, to->y);
-            put(model->ny, lanes, width, to->y, x.count, k, outputs);
+            status = f->output(at, to->lanes.y);
+            put(model->ny, lanes, width, to->lanes.y, x.count, k, outputs);
         }
         for (size_t lane = 0; lane < width; ++lane) {
-            to->x[(x.first + k + lane) * lanes + lane] = 0.0;
+            to->lanes.x[(x.first + k + lane) * lanes + lane] = 0.0;
         }
     }
     return status;
@@ -213,13 +227,13 @@ static lag_arguments along(const lag_model *model, const lag_arguments *at, size
     lag_arguments here = *at;
     here.qdd = to->qdd;
     here.lam = to->lam;
-    here.dq = to->x;
+    here.dq = to->lanes.x;
     here.dqd = here.dq + lanes * model->nq;
     here.dz = here.dqd + lanes * model->nq;
     here.du = here.dz + lanes * model->nz;
     here.dp = here.du + lanes * model->nu;
-    here.dqdd = to->dqdd;
-    here.dlam = to->dlam;
+    here.dqdd = to->lanes.dqdd;
+    here.dlam = to->lanes.dlam;
     return here;
 }
 
@@ -227,13 +241,13 @@ static lag_arguments along(const lag_model *model, const lag_arguments *at, size
 static lag_status solve_by_elimination(const lag_model *model, const lag_arguments *at, const places *to, solver *by)
 {
     lag_status status = model->elimination(
-        at, to->qdd, to->lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, to->pivot);
+        at, to->qdd, to->lam, to->kept.response, to->kept.lam_response, to->kept.jacobian, to->kept.gamma, to->lanes.pivot);
     if (status == LAG_OK) {
         status = lag_factor_eliminated(
-            model, to->response, to->lam_response, to->kept_jacobian, to->pivot[0], to->delassus, &by->kept);
+            model, to->kept.response, to->kept.lam_response, to->kept.jacobian, to->lanes.pivot[0], to->kept.delassus, &by->kept);
     }
     if (status == LAG_OK) {
-        lag_delassus_solve(&by->kept, to->kept_gamma, to->qdd, to->lam);
+        lag_delassus_solve(&by->kept, to->kept.gamma, to->qdd, to->lam);
     }
     return status;
 }
@@ -243,11 +257,11 @@ static lag_status solve_by_dense(
 {
     lag_status status = lag_forward_dynamics(model, at, to->dynamics, to->qdd, to->lam, coordinate);
     if (status == LAG_OK) {
-        status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
+        status = model->dynamics(at, to->dense.mass, to->dense.force, to->dense.jacobian, to->dense.gamma);
     }
     if (status == LAG_OK) {
-        lag_system_place(&by->dense, model->nq, model->nc, model->components, to->system);
-        status = lag_system_factor(&by->dense, to->mass, to->jacobian, model->rank, coordinate);
+        lag_system_place(&by->dense, model->nq, model->nc, model->components, to->dense.system);
+        status = lag_system_factor(&by->dense, to->dense.mass, to->dense.jacobian, model->rank, coordinate);
     }
     return status;
 }
@@ -270,8 +284,8 @@ static lag_status along_many(
     solver by;
     lag_status status;
     if (tangents->motion != NULL) {
-        status = tangents->motion(at, to->qdd, to->lam, to->pivot);
-        if (status == LAG_OK && !(to->pivot[0] > lag_smallest_pivot(model))) {
+        status = tangents->motion(at, to->qdd, to->lam, to->lanes.pivot);
+        if (status == LAG_OK && !(to->lanes.pivot[0] > lag_smallest_pivot(model))) {
             status = LAG_MISSING;
         }
     } else if (tangents->acceleration != NULL) {

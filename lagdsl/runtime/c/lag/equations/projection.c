@@ -5,13 +5,11 @@
 
 #include "lag/equations/correction.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 
-static const double ROUNDING = 1e-14;
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
 static const double CLOSE = 1e3;
-/* Rates are on the constraints if residuals, rows of size one, are below this part of what they were before. */
-static const double REACHED = 1e-8;
 
 static const double LIGHT = 1e-6;
 
@@ -88,19 +86,19 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->sizes = projection->round_off + m;
     projection->phi = projection->sizes + n;
     projection->jacobian = projection->phi + m;
-    projection->mass = projection->jacobian + m * n;
-    projection->chosen = projection->mass + n * n;
-    projection->right = projection->chosen + rows * n;
-    projection->force = projection->right + rows;
-    projection->change = projection->force + n;
-    projection->lam = projection->change + n;
-    projection->point = projection->lam + rows;
+    projection->step.mass = projection->jacobian + m * n;
+    projection->step.chosen = projection->step.mass + n * n;
+    projection->step.right = projection->step.chosen + rows * n;
+    projection->step.force = projection->step.right + rows;
+    projection->step.change = projection->step.force + n;
+    projection->step.lam = projection->step.change + n;
+    projection->point = projection->step.lam + rows;
     projection->component = projection->point + n;
     projection->largest = projection->component + m;
-    projection->correction = projection->largest + n + motion->model->nz;
-    projection->system = projection->correction + lag_correction_memory(motion->model);
+    projection->step.correction = projection->largest + n + motion->model->nz;
+    projection->step.system = projection->step.correction + lag_correction_memory(motion->model);
     lag_fill(n, 1.0, projection->sizes);
-    lag_fill(n, 0.0, projection->force);
+    lag_fill(n, 0.0, projection->step.force);
     lag_fill(2 * m, 0.0, projection->limits); /* and round-off, which lies behind */
     find_components(projection);
 }
@@ -108,7 +106,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
 void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes)
 {
     for (size_t i = 0; i < projection->motion->model->nc; ++i) {
-        projection->round_off[i] = ROUNDING * row_sizes[i];
+        projection->round_off[i] = LAG_ROUNDING * row_sizes[i];
         projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), projection->round_off[i]);
     }
 }
@@ -135,22 +133,22 @@ static void fill_mass(lag_projection *projection)
     const double *sizes = projection->sizes;
     clear_largest(projection, 0.0);
     for (size_t i = 0; i < n; ++i) {
-        enlarge(projection, lag_component_of(model, i), projection->mass[i * n + i] * sizes[i] * sizes[i]);
+        enlarge(projection, lag_component_of(model, i), projection->step.mass[i * n + i] * sizes[i] * sizes[i]);
     }
     for (size_t i = 0; i < n; ++i) {
         const double scale = projection->largest[lag_component_of(model, i)];
-        projection->mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
+        projection->step.mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
     }
 }
 
 /* M where it was not formed for this projection. */
 static lag_status form_mass(lag_projection *projection)
 {
-    if (projection->formed) {
+    if (projection->step.formed) {
         return LAG_OK;
     }
-    projection->formed = 1;
-    return projection->motion->model->mass_matrix(&projection->motion->at, projection->mass);
+    projection->step.formed = 1;
+    return projection->motion->model->mass_matrix(&projection->motion->at, projection->step.mass);
 }
 
 /*
@@ -164,8 +162,8 @@ static lag_status smallest(lag_projection *projection, int every)
     size_t rows = 0;
     lag_system system;
     if ((every || projection->rows == model->nc) &&
-        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, projection->correction,
-            projection->change) == LAG_OK) {
+        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, projection->step.correction,
+            projection->step.change) == LAG_OK) {
         return LAG_OK;
     }
     if (form_mass(projection) != LAG_OK) {
@@ -173,19 +171,19 @@ static lag_status smallest(lag_projection *projection, int every)
     }
     for (size_t i = 0; i < model->nc; ++i) {
         if (every || model->position_level[i]) {
-            memcpy(projection->chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
-            projection->right[rows++] = -projection->phi[i];
+            memcpy(projection->step.chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
+            projection->step.right[rows++] = -projection->phi[i];
         }
     }
-    lag_system_place(&system, n, rows, model->components, projection->system);
+    lag_system_place(&system, n, rows, model->components, projection->step.system);
     const size_t most = rows < model->rank ? rows : model->rank;
-    lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    lag_status status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
     if (status == LAG_SINGULAR) {
         fill_mass(projection);
-        status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+        status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
     }
     if (status == LAG_OK) {
-        lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
+        lag_system_solve(&system, projection->step.force, projection->step.right, projection->step.change, projection->step.lam);
     }
     return status;
 }
@@ -199,7 +197,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
     memcpy(projection->point, x, n * sizeof(double));
     lag_motion_look(motion, t, x);
     motion->at.q = projection->point;
-    projection->formed = 0;
+    projection->step.formed = 0;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
         const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
         const double size = largest(projection);
@@ -214,7 +212,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
             return LAG_PROJECTION_FAILED;
         }
         *moved = 1;
-        lag_axpy(n, 1.0, projection->change, projection->point);
+        lag_axpy(n, 1.0, projection->step.change, projection->point);
     }
     return projection->rows == 0 || before <= CLOSE ? LAG_OK : LAG_PROJECTION_FAILED;
 }
@@ -253,9 +251,9 @@ static int satisfies(lag_projection *projection, double size)
 {
     const lag_model *model = projection->motion->model;
     for (size_t i = 0; i < model->nc; ++i) {
-        const double left = projection->phi[i] + lag_dot(model->nq, projection->jacobian + i * model->nq, projection->change);
+        const double left = projection->phi[i] + lag_dot(model->nq, projection->jacobian + i * model->nq, projection->step.change);
         const double part = fabs(left) / (projection->least[i] * largest_beside(projection, i));
-        if (!model->position_level[i] && !(part <= fmax(CLOSE, REACHED * size))) {
+        if (!model->position_level[i] && !(part <= fmax(CLOSE, LAG_REACHED * size))) {
             projection->lost = i;
         }
     }
@@ -275,12 +273,12 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
     if (size <= 1.0) {
         return LAG_OK;
     }
-    projection->formed = 0;
+    projection->step.formed = 0;
     if (smallest(projection, 1) != LAG_OK || !satisfies(projection, size)) {
         return LAG_PROJECTION_FAILED;
     }
     *moved = 1;
-    lag_axpy(n, 1.0, projection->change, x + n);
+    lag_axpy(n, 1.0, projection->step.change, x + n);
     return LAG_OK;
 }
 
@@ -318,31 +316,31 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
     lag_system system;
     *reached = 1;
     clear_largest(projection, 0.0);
-    memcpy(projection->chosen, projection->jacobian, rows * n * sizeof(double));
+    memcpy(projection->step.chosen, projection->jacobian, rows * n * sizeof(double));
     for (size_t i = 0; i < rows; ++i) {
-        projection->right[i] = -projection->phi[i];
-        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
+        projection->step.right[i] = -projection->phi[i];
+        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * LAG_ROUNDING / projection->round_off[i]);
     }
     for (size_t j = 0; j < n && held != NULL; ++j) {
         if (held[j] != 0.0) {
-            memset(projection->chosen + rows * n, 0, n * sizeof(double));
-            projection->chosen[rows * n + j] = 1.0;
-            projection->right[rows++] = 0.0;
+            memset(projection->step.chosen + rows * n, 0, n * sizeof(double));
+            projection->step.chosen[rows * n + j] = 1.0;
+            projection->step.right[rows++] = 0.0;
         }
     }
     const size_t most = model->rank + (rows - model->nc);
-    lag_system_place(&system, n, rows, model->components, projection->system);
-    const lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    lag_system_place(&system, n, rows, model->components, projection->step.system);
+    const lag_status status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
     if (status != LAG_OK) {
         *reached = 0;
         return status;
     }
-    lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
+    lag_system_solve(&system, projection->step.force, projection->step.right, projection->step.change, projection->step.lam);
     for (size_t i = 0; i < rows; ++i) {
-        const double rest = lag_dot(n, projection->chosen + i * n, projection->change) - projection->right[i];
+        const double rest = lag_dot(n, projection->step.chosen + i * n, projection->step.change) - projection->step.right[i];
         const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
-        const double unit = i < model->nc ? projection->round_off[i] / ROUNDING : 1.0;
-        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size) * unit;
+        const double unit = i < model->nc ? projection->round_off[i] / LAG_ROUNDING : 1.0;
+        *reached = *reached && fabs(rest) <= LAG_REACHED * (1.0 + size) * unit;
     }
     return LAG_OK;
 }
@@ -361,11 +359,11 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
         return status;
     }
     if (held == NULL && lag_correction(model, &motion->at, projection->phi, projection->jacobian, projection->round_off,
-                            projection->correction, projection->change) == LAG_OK) {
-        lag_axpy(model->nq, 1.0, projection->change, x + model->nq);
+                            projection->step.correction, projection->step.change) == LAG_OK) {
+        lag_axpy(model->nq, 1.0, projection->step.change, x + model->nq);
         return LAG_OK;
     }
-    status = model->mass_matrix(&motion->at, projection->mass);
+    status = model->mass_matrix(&motion->at, projection->step.mass);
     if (status != LAG_OK) {
         return status;
     }
@@ -376,7 +374,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
         status = change_rates(projection, NULL, &reached);
     }
     for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
-        x[model->nq + i] += projection->change[i];
+        x[model->nq + i] += projection->step.change[i];
     }
     return status;
 }
@@ -384,7 +382,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
 double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row)
 {
     lag_motion *motion = projection->motion;
-    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / ROUNDING : 1.0;
+    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / LAG_ROUNDING : 1.0;
     lag_motion_look(motion, t, x);
     const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
     return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;

@@ -10,6 +10,17 @@
 
 #include "lag/equations/motion.h"
 
+/* The system that gives one change. */
+typedef struct lag_projection_step {
+    double *mass;          /* (nq, nq), */
+    int formed;            /* where it is that of the present projection */
+    double *chosen;        /* (nc + most held, nq) */
+    double *right, *force; /* (nc + most held) (nq) */
+    double *change, *lam;  /* (nq) (nc + most held) */
+    double *correction;
+    double *system;
+} lag_projection_step;
+
 typedef struct lag_projection {
     lag_motion *motion;
     size_t rows;           /* of position level */
@@ -20,16 +31,10 @@ typedef struct lag_projection {
     double *sizes;         /* (nq) natural sizes of the coordinates */
     double *phi;           /* (nc) residuals, and */
     double *jacobian;      /* (nc, nq) their Jacobian, as they were looked at last */
-    double *mass;          /* (nq, nq), */
-    int formed;            /* where it is that of the present projection */
-    double *chosen;        /* (nc + most held, nq) */
-    double *right, *force; /* (nc + most held) (nq) */
-    double *change, *lam;  /* (nq) (nc + most held) */
+    lag_projection_step step;
     double *point;         /* (nq) */
     double *component;     /* (nc) that of the coordinates of each row, */
     double *largest;       /* (nq + nz) and what is largest in each of them */
-    double *correction;
-    double *system;
     size_t count;          /* of states that were moved */
     size_t lost;           /* nc; or a condition on rates that the last projection could not satisfy */
 } lag_projection;

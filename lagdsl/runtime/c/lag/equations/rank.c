@@ -10,8 +10,6 @@
  * x' (J0 + s (J1 - J0)) J0' x > 0.
  */
 static const double LEFT = 0.25;
-/* If more rows last than are independent, a row with a pivot below this follows from those before it. */
-static const double FOLLOWS = 1e-6;
 
 static size_t entries_of(const lag_model *model)
 {
@@ -186,7 +184,7 @@ static double least_pivot(lag_look *look, size_t spare)
             line[j - reach] = sum / above[j - other];
             pivot -= line[j - reach] * line[j - reach];
         }
-        if (spare > 0 && pivot <= FOLLOWS * FOLLOWS) {
+        if (spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
             --spare;
             look->follows[(size_t)look->order[i]] = 1.0;
             lag_fill(i - reach, 0.0, line);

@@ -12,6 +12,9 @@
 
 #include "lag/model.h"
 
+/* A row of size one of which less than this is left beside others follows from them; so does a direction. */
+static const double LAG_FOLLOWS = 1e-6;
+
 typedef struct lag_look {
     const lag_model *model;
     size_t m, n, most;        /* rows, columns, independent rows */

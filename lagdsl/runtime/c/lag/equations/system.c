@@ -7,7 +7,6 @@
 #include "lag/linalg/arena.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
-static const double RANK_TOLERANCE = 1e-8;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -31,8 +30,7 @@ void lag_system_place(lag_system *s, size_t n, size_t m, const size_t *component
     s->indefinite = 0;
     s->mass = NULL;
     s->jacobian = NULL;
-    s->late = NULL;
-    s->sizes = s->row_sizes = NULL;
+    s->choice = (lag_row_choice){NULL, NULL, NULL};
     s->column_scale = lag_take(&memory, n);
     s->row_scale = lag_take(&memory, m);
     s->rows = lag_take(&memory, m * n);
@@ -42,13 +40,13 @@ void lag_system_place(lag_system *s, size_t n, size_t m, const size_t *component
     s->reduced = lag_take(&memory, n * n);
     s->factor = lag_take(&memory, n * n);
     s->eigenvalue = lag_take(&memory, n);
-    s->copy = lag_take(&memory, n * n);
+    s->work.copy = lag_take(&memory, n * n);
     s->excess = lag_take(&memory, m * m);
-    s->y = lag_take(&memory, n);
-    s->h = lag_take(&memory, n);
-    s->rest = lag_take(&memory, n);
-    s->l = lag_take(&memory, m);
-    s->row_rest = lag_take(&memory, m);
+    s->work.y = lag_take(&memory, n);
+    s->work.h = lag_take(&memory, n);
+    s->work.rest = lag_take(&memory, n);
+    s->work.l = lag_take(&memory, m);
+    s->work.row_rest = lag_take(&memory, m);
 }
 
 static int usable(size_t count, const double *values)
@@ -95,14 +93,14 @@ static size_t largest_part(lag_system *s, size_t which)
     const size_t free_count = n - s->rank;
     double largest = 0.0;
     for (size_t i = 0; i < n; ++i) {
-        s->y[i] = i < s->rank ? 0.0 : s->factor[(i - s->rank) * free_count + which];
+        s->work.y[i] = i < s->rank ? 0.0 : s->factor[(i - s->rank) * free_count + which];
     }
-    lag_qr_apply(s->rank, n, s->rows, s->tau, s->y, 1);
+    lag_qr_apply(s->rank, n, s->rows, s->tau, s->work.y, 1);
     for (size_t i = 0; i < n; ++i) {
-        largest = fmax(largest, fabs(s->y[i]));
+        largest = fmax(largest, fabs(s->work.y[i]));
     }
     size_t index = 0;
-    while (fabs(s->y[index]) < (1.0 - 1e-6) * largest) {
+    while (fabs(s->work.y[index]) < (1.0 - 1e-6) * largest) {
         ++index;
     }
     return index;
@@ -114,8 +112,8 @@ static lag_status factor_by_eigenvectors(lag_system *s, size_t *coordinate)
     const size_t free_count = s->n - s->rank;
     double largest = 0.0;
     size_t smallest = 0;
-    copy_free(s, s->copy);
-    lag_symmetric_eigen(free_count, s->copy, s->eigenvalue, s->factor);
+    copy_free(s, s->work.copy);
+    lag_symmetric_eigen(free_count, s->work.copy, s->eigenvalue, s->factor);
     for (size_t i = 0; i < free_count; ++i) {
         largest = fmax(largest, fabs(s->eigenvalue[i]));
         if (fabs(s->eigenvalue[i]) < fabs(s->eigenvalue[smallest])) {
@@ -150,13 +148,13 @@ static void find_excess(lag_system *s)
         for (size_t j = s->rank; j-- > 0;) {
             double sum = -s->rows[i * n + j];
             for (size_t k = j + 1; k < s->rank; ++k) {
-                sum -= s->rows[k * n + j] * s->l[k];
+                sum -= s->rows[k * n + j] * s->work.l[k];
             }
-            s->l[j] = sum / s->diagonal[j];
+            s->work.l[j] = sum / s->diagonal[j];
         }
         for (size_t j = 0; j < s->rank; ++j) {
             const size_t row = (size_t)s->pivot[j];
-            direction[row] = s->l[j] * s->row_scale[row];
+            direction[row] = s->work.l[j] * s->row_scale[row];
         }
         direction[own] = s->row_scale[own] > 0.0 ? s->row_scale[own] : 1.0;
         lag_orthonormalize(s->combinations++, m, s->excess, direction);
@@ -174,7 +172,7 @@ lag_status lag_system_factor(
         return LAG_NOT_FINITE;
     }
     lag_system_scale(s, most < s->m);
-    s->rank = lag_qr(s->m, s->n, s->rows, s->tau, s->diagonal, s->pivot, most, RANK_TOLERANCE);
+    s->rank = lag_qr(s->m, s->n, s->rows, s->tau, s->diagonal, s->pivot, most, LAG_REACHED);
     find_excess(s);
     reduce(s);
     const size_t free_count = s->n - s->rank;
@@ -213,11 +211,11 @@ static void solve_rows(lag_system *s)
 {
     for (size_t i = 0; i < s->rank; ++i) {
         const size_t row = (size_t)s->pivot[i];
-        double sum = s->row_scale[row] * s->row_rest[row];
+        double sum = s->row_scale[row] * s->work.row_rest[row];
         for (size_t j = 0; j < i; ++j) {
-            sum -= s->rows[i * s->n + j] * s->y[j];
+            sum -= s->rows[i * s->n + j] * s->work.y[j];
         }
-        s->y[i] = sum / s->diagonal[i];
+        s->work.y[i] = sum / s->diagonal[i];
     }
 }
 
@@ -228,21 +226,21 @@ static void solve_reduced(lag_system *s)
     const size_t rank = s->rank;
     solve_rows(s);
     for (size_t i = rank; i < n; ++i) {
-        s->y[i] = s->h[i];
+        s->work.y[i] = s->work.h[i];
         for (size_t j = 0; j < rank; ++j) {
-            s->y[i] -= s->reduced[i * n + j] * s->y[j];
+            s->work.y[i] -= s->reduced[i * n + j] * s->work.y[j];
         }
     }
-    solve_free(s, s->y + rank, s->copy);
+    solve_free(s, s->work.y + rank, s->work.copy);
     for (size_t j = rank; j-- > 0;) {
-        double sum = -s->h[j];
+        double sum = -s->work.h[j];
         for (size_t k = 0; k < n; ++k) {
-            sum += s->reduced[j * n + k] * s->y[k];
+            sum += s->reduced[j * n + k] * s->work.y[k];
         }
         for (size_t i = j + 1; i < rank; ++i) {
-            sum -= s->rows[i * n + j] * s->l[i];
+            sum -= s->rows[i * n + j] * s->work.l[i];
         }
-        s->l[j] = sum / s->diagonal[j];
+        s->work.l[j] = sum / s->diagonal[j];
     }
 }
 
@@ -251,17 +249,17 @@ static void correct(lag_system *s, double *a, double *lam)
 {
     const size_t n = s->n;
     for (size_t i = 0; i < n; ++i) {
-        s->h[i] = s->column_scale[i] * s->rest[i];
+        s->work.h[i] = s->column_scale[i] * s->work.rest[i];
     }
-    lag_qr_apply_transposed(s->rank, n, s->rows, s->tau, s->h, 1);
+    lag_qr_apply_transposed(s->rank, n, s->rows, s->tau, s->work.h, 1);
     solve_reduced(s);
-    lag_qr_apply(s->rank, n, s->rows, s->tau, s->y, 1);
+    lag_qr_apply(s->rank, n, s->rows, s->tau, s->work.y, 1);
     for (size_t i = 0; i < n; ++i) {
-        a[i] += s->column_scale[i] * s->y[i];
+        a[i] += s->column_scale[i] * s->work.y[i];
     }
     for (size_t i = 0; i < s->rank; ++i) {
         const size_t row = (size_t)s->pivot[i];
-        lam[row] += s->row_scale[row] * s->l[i];
+        lam[row] += s->row_scale[row] * s->work.l[i];
     }
     lag_remove_parts(s->combinations, s->m, s->excess, lam);
 }
@@ -278,18 +276,18 @@ void lag_system_solve(lag_system *s, const double *force, const double *gamma, d
     }
     for (int step = 0; step <= REFINEMENTS; ++step) {
         for (size_t i = 0; i < n; ++i) {
-            s->rest[i] = force[i];
+            s->work.rest[i] = force[i];
             for (size_t j = 0; j < n; ++j) {
-                s->rest[i] -= s->mass[i * n + j] * a[j];
+                s->work.rest[i] -= s->mass[i * n + j] * a[j];
             }
             for (size_t j = 0; j < m; ++j) {
-                s->rest[i] += s->jacobian[j * n + i] * lam[j];
+                s->work.rest[i] += s->jacobian[j * n + i] * lam[j];
             }
         }
         for (size_t i = 0; i < m; ++i) {
-            s->row_rest[i] = gamma[i];
+            s->work.row_rest[i] = gamma[i];
             for (size_t j = 0; j < n; ++j) {
-                s->row_rest[i] -= s->jacobian[i * n + j] * a[j];
+                s->work.row_rest[i] -= s->jacobian[i * n + j] * a[j];
             }
         }
         correct(s, a, lam);
@@ -299,14 +297,14 @@ void lag_system_solve(lag_system *s, const double *force, const double *gamma, d
 void lag_system_least(lag_system *s, const double *gamma, double *v)
 {
     for (size_t i = 0; i < s->m; ++i) {
-        s->row_rest[i] = gamma[i];
+        s->work.row_rest[i] = gamma[i];
     }
     for (size_t i = s->rank; i < s->n; ++i) {
-        s->y[i] = 0.0;
+        s->work.y[i] = 0.0;
     }
     solve_rows(s);
-    lag_qr_apply(s->rank, s->n, s->rows, s->tau, s->y, 1);
+    lag_qr_apply(s->rank, s->n, s->rows, s->tau, s->work.y, 1);
     for (size_t i = 0; i < s->n; ++i) {
-        v[i] = s->column_scale[i] * s->y[i];
+        v[i] = s->column_scale[i] * s->work.y[i];
     }
 }

@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "lag/equations/system_scales.h"
+#include "lag/linalg/linalg.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
-static const double ZERO_TOLERANCE = 1e-14;
 static const double SHORT_ROW = 1e-3;
 static const double LIGHTEST = 1e3;
 /*
@@ -12,9 +12,8 @@ static const double LIGHTEST = 1e3;
  * what is left of them. Rows that are to be taken last are so much shorter: others are taken where they leave less.
  */
 static const double LATE = 0.3;
-/* Such rows are not stretched where they are shorter than this part of their natural size; and shorter than that none of them becomes. */
+/* Such rows are not stretched where they are shorter than this part of their natural size; none of them becomes shorter than SHORT_ROW. */
 static const double SHORT_PART = 0.3;
-static const double LEAST_PART = 1e-3;
 
 /* The largest inertia of the coordinates that M ties to number i, itself included. */
 static double largest_tied(const lag_system *s, size_t i)
@@ -40,7 +39,7 @@ static void scale_coordinates(lag_system *s)
     }
     for (size_t i = 0; i < n; ++i) {
         const double own = fabs(s->mass[i * n + i]);
-        const int counts = own > 0.0 && own > ZERO_TOLERANCE * ZERO_TOLERANCE * largest_tied(s, i);
+        const int counts = own > 0.0 && own > LAG_ROUNDING * LAG_ROUNDING * largest_tied(s, i);
         s->column_scale[i] = 1.0 / sqrt(counts ? own : largest);
     }
 }
@@ -49,15 +48,15 @@ static void scale_coordinates(lag_system *s)
 static double length_of_row(const lag_system *s, size_t i, double part, int dependent)
 {
     double sum = 0.0;
-    if (!dependent || s->row_sizes == NULL) {
+    if (!dependent || s->choice.row_sizes == NULL) {
         return part;
     }
     for (size_t j = 0; j < s->n; ++j) {
-        const double entry = s->jacobian[i * s->n + j] * s->sizes[j] / s->row_sizes[i];
+        const double entry = s->jacobian[i * s->n + j] * s->choice.sizes[j] / s->choice.row_sizes[i];
         sum += entry * entry;
     }
     const double natural = fmin(1.0, sqrt(sum) / SHORT_PART);
-    return fmax(natural < part ? natural : part, fmin(LEAST_PART, part));
+    return fmax(natural < part ? natural : part, fmin(SHORT_ROW, part));
 }
 
 static size_t component(const lag_system *s, size_t coordinate)
@@ -73,7 +72,7 @@ static void find_components(lag_system *s)
         while (j + 1 < s->n && s->jacobian[i * s->n + j] == 0.0) {
             ++j;
         }
-        s->l[i] = s->n > 0 ? (double)component(s, j) : 0.0;
+        s->work.l[i] = s->n > 0 ? (double)component(s, j) : 0.0;
     }
 }
 
@@ -85,7 +84,7 @@ static void judge_rows(lag_system *s)
         double least = (double)INFINITY;
         double sum = 0.0;
         for (size_t j = 0; j < n; ++j) {
-            least = (double)component(s, j) == s->l[i] ? fmin(least, s->column_scale[j]) : least;
+            least = (double)component(s, j) == s->work.l[i] ? fmin(least, s->column_scale[j]) : least;
         }
         for (size_t j = 0; j < n; ++j) {
             const double judged = s->jacobian[i * n + j] * fmin(s->column_scale[j], LIGHTEST * least);
@@ -94,9 +93,9 @@ static void judge_rows(lag_system *s)
         s->row_scale[i] = sqrt(sum);
     }
     for (size_t i = 0; i < s->m; ++i) {
-        s->row_rest[i] = 0.0;
+        s->work.row_rest[i] = 0.0;
         for (size_t k = 0; k < s->m; ++k) {
-            s->row_rest[i] = s->l[k] == s->l[i] ? fmax(s->row_rest[i], s->row_scale[k]) : s->row_rest[i];
+            s->work.row_rest[i] = s->work.l[k] == s->work.l[i] ? fmax(s->work.row_rest[i], s->row_scale[k]) : s->work.row_rest[i];
         }
     }
 }
@@ -109,15 +108,15 @@ static void scale_rows(lag_system *s, int dependent)
     judge_rows(s);
     for (size_t i = 0; i < s->m; ++i) {
         const double judged = s->row_scale[i];
-        const double longest = s->row_rest[i];
+        const double longest = s->work.row_rest[i];
         double sum = 0.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] = s->jacobian[i * n + j] * s->column_scale[j];
             sum += s->rows[i * n + j] * s->rows[i * n + j];
         }
         const double part = fmin(1.0, judged / (SHORT_ROW * longest));
-        s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? length_of_row(s, i, part, dependent) / sqrt(sum) : 0.0;
-        s->row_scale[i] *= s->late != NULL && s->late[i] ? LATE : 1.0;
+        s->row_scale[i] = judged > LAG_ROUNDING * longest ? length_of_row(s, i, part, dependent) / sqrt(sum) : 0.0;
+        s->row_scale[i] *= s->choice.late != NULL && s->choice.late[i] ? LATE : 1.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];
         }

@@ -14,8 +14,6 @@ static const double ROUNDING = 1e-14;
 enum { DENSE = 1000 };
 static const double BRIEF = 1e-10;
 
-/* An instant nearer to the present than this part of the period is the present one. */
-static const double SAME_TICK = 1e-9;
 static const double LARGEST_DENOMINATOR = 1e6;
 static const double LARGEST_WHOLE = 9007199254740992.0; /* 2^53 */
 
@@ -98,12 +96,12 @@ void lag_clock_seek(lag_clock *clock, double t)
 
 void lag_clock_enter(lag_clock *clock, double t)
 {
-    lag_clock_seek(clock, t - SAME_TICK * clock->period);
+    lag_clock_seek(clock, t - LAG_SAME_TICK * clock->period);
 }
 
 int lag_clock_is_due(const lag_clock *clock, double t)
 {
-    return lag_clock_instant(clock, clock->next) <= t + SAME_TICK * clock->period;
+    return lag_clock_instant(clock, clock->next) <= t + LAG_SAME_TICK * clock->period;
 }
 
 double lag_clocks_next(size_t count, const lag_clock *clocks)
@@ -129,7 +127,7 @@ double lag_clocks_same(size_t count, const lag_clock *clocks, double t)
     double same = t;
     for (size_t i = 0; i < count; ++i) {
         const double instant = lag_clock_nearest(&clocks[i], t);
-        same = instant < same && t - instant <= SAME_TICK * clocks[i].period ? instant : same;
+        same = instant < same && t - instant <= LAG_SAME_TICK * clocks[i].period ? instant : same;
     }
     return same;
 }

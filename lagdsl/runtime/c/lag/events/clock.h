@@ -7,6 +7,9 @@
 
 #include <stddef.h>
 
+/* An instant nearer to the present than this part of the period, or of a step of fixed length, is the present one. */
+static const double LAG_SAME_TICK = 1e-9;
+
 typedef struct lag_clock {
     double first, period;          /* [s]; period > 0 */
     unsigned long long next;       /* k of the next instant */

@@ -12,14 +12,8 @@
 
 /* Sweeps of Gauss-Seidel's method, and those between two trials of Newton's, which takes so many steps. */
 enum { MOST_SWEEPS = 4000, SWEEPS = 10, MOST_STEPS = 20 };
-/* A solution satisfies the law to this part of its largest terms; */
-static const double SOLVED = 1e-9;
 /* Newton's method goes on down to this part. */
 static const double ROUNDING = 1e-15;
-/* Entries across the diagonal are equal if they differ by less than this part of what they could be. */
-static const double EQUAL = 1e-12;
-/* Singular values below this part of the largest are none: forces that nothing determines are the smallest ones. */
-static const double RANK = 1e-12;
 
 /* The problem with rows scaled to a unit diagonal of G, and c to a size of one. */
 typedef struct scaled {
@@ -248,13 +242,13 @@ static double improve(scaled *s)
     memcpy(s->best, s->lam, n * sizeof(double));
     for (int k = 0; k < MOST_STEPS && least > ROUNDING; ++k) {
         const lag_svd svd = lag_svd_of(n, n, s->slope, s->work);
-        lag_svd_solve(&svd, s->rest, RANK, 0.0, s->change);
+        lag_svd_solve(&svd, s->rest, LAG_KNOWN_ROWS, 0.0, s->change);
         lag_axpy(n, -1.0, s->change, s->lam);
         const double left = look(s) / size_of(s);
         if (left < least) {
             least = left;
             memcpy(s->best, s->lam, n * sizeof(double));
-        } else if (!(left < (double)INFINITY) || least < SOLVED) {
+        } else if (!(left < (double)INFINITY) || least < LAG_SOLVED) {
             break;
         }
     }
@@ -295,13 +289,13 @@ static void sweep(scaled *s)
 static double iterate(scaled *s)
 {
     double left = improve(s);
-    for (int k = 0; k < MOST_SWEEPS && left > SOLVED; k += SWEEPS) {
+    for (int k = 0; k < MOST_SWEEPS && left > LAG_SOLVED; k += SWEEPS) {
         for (int i = 0; i < SWEEPS; ++i) {
             sweep(s);
         }
         memcpy(s->kept, s->lam, s->size * sizeof(double));
         left = improve(s);
-        if (left > SOLVED) {
+        if (left > LAG_SOLVED) {
             memcpy(s->lam, s->kept, s->size * sizeof(double));
         }
     }
@@ -316,7 +310,7 @@ static int is_symmetric(const lag_friction_problem *problem, size_t size)
     for (size_t i = 0; i < size; ++i) {
         for (size_t j = 0; j < i; ++j) {
             const double largest = sqrt(fabs(g[i * size + i] * g[j * size + j]));
-            symmetric = symmetric && fabs(g[i * size + j] - g[j * size + i]) <= EQUAL * largest;
+            symmetric = symmetric && fabs(g[i * size + j] - g[j * size + i]) <= LAG_KNOWN_ROWS * largest;
         }
     }
     return symmetric;
@@ -336,7 +330,7 @@ lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam
     scaled s = begin(problem, memory, &size);
     const double left = scalar && solve_scalar(&s) ? improve(&s) : iterate(&s);
     for (size_t i = 0; i < s.size; ++i) {
-        lam[i] = left <= SOLVED ? s.lam[i] * s.scale[i] * size : 0.0;
+        lam[i] = left <= LAG_SOLVED ? s.lam[i] * s.scale[i] * size : 0.0;
     }
-    return left <= SOLVED ? LAG_OK : LAG_NO_FORCES;
+    return left <= LAG_SOLVED ? LAG_OK : LAG_NO_FORCES;
 }

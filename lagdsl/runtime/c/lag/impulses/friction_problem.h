@@ -20,6 +20,13 @@
 
 #include "lag/status.h"
 
+/* Laws of forces, of impulses and of energies hold to this part of their largest terms. */
+static const double LAG_SOLVED = 1e-9;
+/* Rows and their Delassus matrix are known to this part of their terms: what is below is none. */
+static const double LAG_KNOWN_ROWS = 1e-12;
+/* So many round-offs of what enters are round-off. */
+static const double LAG_FEW = 16.0;
+
 typedef struct lag_friction_problem {
     size_t normals, frictions;
     const double *components; /* (frictions) 1 or 2: components of the slips, whose rows follow those of the normals */

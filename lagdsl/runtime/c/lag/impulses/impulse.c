@@ -4,25 +4,20 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse_step.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 
 /* Newton's method for rates: one step where T is quadratic in them. A step that overshoots is halved so often. */
 enum { MOST_STEPS = 60, MOST_HALVES = 300 };
-/* The iteration ends when the residual of the momenta is this part of their size, that of the rows this part of their terms. */
+/* The iteration ends when the residual of the momenta is this part of their size, that of the rows LAG_KNOWN_ROWS of their terms. */
 static const double ROUNDING = 1e-11;
-static const double OF_ROWS = 1e-12;
-/* Momenta that are off by less than this part of their size are where they were: there is nothing to balance. */
-static const double NONE = 1e-13;
-/* A residual of a row below this part of its terms is no jump: projection leaves more. Momenta that are off by more are not reached. */
-static const double LEFT = 1e-9;
 /* A step overshoots where the momenta behind it are beyond their aim by this part of what they were short of it. */
 static const double BEYOND = 0.5;
 /* Less than this part of a step changes no rate. */
 static const double NOTHING = 1e-60;
-/* A momentum of so many round-offs of the energy is round-off. */
-static const double FEW = 16.0;
 
 size_t lag_impulse_memory(const lag_model *model)
 {
@@ -186,14 +181,14 @@ static lag_status judge(const lag_impulse *impulse, const double *qd)
     const size_t n = impulse->motion->model->nq;
     double action = 0.0;
     double sum = 0.0;
-    double most = LEFT;
+    double most = LAG_SOLVED;
     lag_status status = LAG_OK;
     for (size_t k = 0; k < impulse->count; ++k) {
         action += qd[lag_impulse_place_of(impulse, k)] * times_mass(impulse, lag_impulse_place_of(impulse, k), qd, &sum);
     }
     for (size_t k = 0; k < impulse->count; ++k) {
         const size_t i = lag_impulse_place_of(impulse, k);
-        const double noise = FEW * DBL_EPSILON * sqrt(fabs(impulse->mass[i * n + i]) * fabs(action));
+        const double noise = LAG_FEW * DBL_EPSILON * sqrt(fabs(impulse->mass[i * n + i]) * fabs(action));
         const double off = fabs(impulse->aim[i] - impulse->now[i]);
         const double part = off <= noise ? 0.0 : off / fmax(impulse->size[i], DBL_MIN);
         if (!(part <= most)) {
@@ -281,7 +276,7 @@ lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const 
             return status;
         }
         find_sizes(impulse, qd);
-        if (impulse->part < NOTHING || !is_off(impulse, qd, ROUNDING, OF_ROWS)) {
+        if (impulse->part < NOTHING || !is_off(impulse, qd, ROUNDING, LAG_KNOWN_ROWS)) {
             return LAG_OK;
         }
     }
@@ -299,6 +294,6 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     lag_impulse_choose(impulse, NULL);
     memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
     find_sizes(impulse, qd);
-    *jumped = is_off(impulse, qd, NONE, LEFT);
+    *jumped = is_off(impulse, qd, LAG_EXACT, LAG_SOLVED);
     return *jumped ? lag_impulse_iterate(impulse, t, x, held, NULL) : LAG_OK;
 }

@@ -2,12 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse_step.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
-
-/* A blow gains energy where its impulses work by more than this part of what they do. */
-static const double GAIN = 1e-9;
 
 /* The rates (size) of the rows at rates qd, from their speeds at impulse->rates. */
 static double speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd)
@@ -100,7 +98,7 @@ lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_ine
     lag_impulse_choose(impulse, rows);
     memcpy(impulse->point, x + n, n * sizeof(double));
     status = status == LAG_OK ? rebound(impulse, t, x, rows) : status;
-    if (status == LAG_OK && work_of(impulse, rows, x + n, &size) > GAIN * size && equalize(rows)) {
+    if (status == LAG_OK && work_of(impulse, rows, x + n, &size) > LAG_SOLVED * size && equalize(rows)) {
         memcpy(x + n, impulse->point, n * sizeof(double));
         memcpy(rows->speed, rows->start, rows->size * sizeof(double));
         status = lag_impulse_look(impulse, t, x);

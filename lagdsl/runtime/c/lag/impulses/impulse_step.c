@@ -8,9 +8,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* A step satisfies rows to this part of their terms. */
-static const double REACHED = 1e-8;
-
 static size_t most_held(const lag_model *model)
 {
     return model->nreset < model->nq ? model->nreset : model->nq;
@@ -138,7 +135,7 @@ static int change_by_constraints(lag_impulse *impulse, step_system *s)
             rest += term;
             along += fabs(term);
         }
-        reached = reached && fabs(rest) <= REACHED * along;
+        reached = reached && fabs(rest) <= LAG_REACHED * along;
     }
     return reached;
 }

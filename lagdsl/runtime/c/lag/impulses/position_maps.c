@@ -4,12 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/impulses/friction_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* A map changes by less than this part of its size at an instant, or by so many round-offs of coordinates, or changes of a moment. */
-static const double CONTINUOUS = 1e-9;
-static const double FEW = 16.0;
+/* A map is continuous at an instant if it is the same there to LAG_SOLVED, or to LAG_FEW round-offs of coordinates or changes of a moment. */
 
 size_t lag_position_maps_memory(const lag_model *model)
 {
@@ -60,8 +59,8 @@ lag_status lag_position_maps_continue(
     status = status == LAG_OK ? look_later(maps, t, stood, before, moment, later) : status;
     status = status == LAG_OK ? look_later(maps, t, x, motion->w, moment, behind) : status;
     for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
-        const double own = CONTINUOUS * (fabs(was[i]) + fabs(now[i]));
-        const double noise = FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));
+        const double own = LAG_SOLVED * (fabs(was[i]) + fabs(now[i]));
+        const double noise = LAG_FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));
         status = fabs(now[i] - was[i]) > own + noise ? LAG_WAY_JUMP : LAG_OK;
     }
     return status;

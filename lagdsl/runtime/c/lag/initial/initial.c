@@ -31,7 +31,7 @@ static int find_no_number(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
     const size_t size = lag_motion_size(model);
-    size_t wrong = first_wrong(size, b->x);
+    size_t wrong = first_wrong(size, b->starts.x);
     if (wrong == size && model->nc > 0) {
         lag_initialization_positions(b);
         const size_t row = first_wrong(model->nc, b->phi);
@@ -158,7 +158,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             copy(model->nc, b.row_sizes, found.row_sizes);
             copy(model->nc * model->nq, b.pattern, found.pattern);
             found = b.told;
-            found.moved = differ(lag_motion_size(model), b.x, x);
+            found.moved = differ(lag_motion_size(model), b.starts.x, x);
             check_bounds(model, start, &found);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_PROJECTION_FAILED;
         }

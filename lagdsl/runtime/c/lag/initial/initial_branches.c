@@ -7,12 +7,6 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-/* In a singular position singular values of J are below this part of the largest. */
-static const double LOST = 1e-7;
-static const double DIFFERENCE = 1e-6;
-static const double TARGET = 1e-13;
-enum { DESCENTS = 100 };
-
 /* n' gamma at rates v + along' y for every combination n of rows that vanishes: zero along a branch of the motion. */
 static void bias(lag_rates *r, const double *y, size_t moved, double by, double *result)
 {
@@ -20,17 +14,17 @@ static void bias(lag_rates *r, const double *y, size_t moved, double by, double 
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     memcpy(r->part, r->v, n * sizeof(double));
-    for (size_t i = 0; i < r->along_width; ++i) {
-        lag_axpy(n, y[i] + (i == moved ? by : 0.0), r->along + i * n, r->part);
+    for (size_t i = 0; i < r->branch.width; ++i) {
+        lag_axpy(n, y[i] + (i == moved ? by : 0.0), r->branch.along + i * n, r->part);
     }
     for (size_t j = 0; j < n; ++j) {
         b->qd[j] = r->part[j] * b->sizes[j];
     }
-    const lag_status status = model->dynamics(&b->motion->at, r->inner, r->force, r->turned, r->gamma);
-    for (size_t i = 0; i < r->lost; ++i) {
+    const lag_status status = model->dynamics(&b->motion->at, r->inner, r->force, r->branch.turned, r->branch.gamma);
+    for (size_t i = 0; i < r->branch.lost; ++i) {
         result[i] = status == LAG_OK ? 0.0 : (double)NAN;
         for (size_t k = 0; k < model->nc; ++k) {
-            result[i] += r->vanishing[i * model->nc + k] * r->gamma[k] / b->row_sizes[k];
+            result[i] += r->branch.vanishing[i * model->nc + k] * r->branch.gamma[k] / b->row_sizes[k];
         }
     }
 }
@@ -38,32 +32,32 @@ static void bias(lag_rates *r, const double *y, size_t moved, double by, double 
 static void at_branches(void *context, const double *y, double *residual, double *jacobian)
 {
     lag_rates *r = context;
-    for (size_t k = 0; k < r->along_width; ++k) {
-        bias(r, y, k, -DIFFERENCE, residual);
-        for (size_t i = 0; i < r->lost; ++i) {
-            jacobian[i * r->along_width + k] = -residual[i];
+    for (size_t k = 0; k < r->branch.width; ++k) {
+        bias(r, y, k, -LAG_DIFFERENCE, residual);
+        for (size_t i = 0; i < r->branch.lost; ++i) {
+            jacobian[i * r->branch.width + k] = -residual[i];
         }
-        bias(r, y, k, DIFFERENCE, residual);
-        for (size_t i = 0; i < r->lost; ++i) {
-            jacobian[i * r->along_width + k] = (jacobian[i * r->along_width + k] + residual[i]) / (2.0 * DIFFERENCE);
+        bias(r, y, k, LAG_DIFFERENCE, residual);
+        for (size_t i = 0; i < r->branch.lost; ++i) {
+            jacobian[i * r->branch.width + k] = (jacobian[i * r->branch.width + k] + residual[i]) / (2.0 * LAG_DIFFERENCE);
         }
     }
-    bias(r, y, r->along_width, 0.0, residual);
+    bias(r, y, r->branch.width, 0.0, residual);
 }
 
 static int descend_along(lag_rates *r, const double *along, size_t width)
 {
     const size_t n = r->b->motion->model->nq;
     const size_t m = r->b->motion->model->nc;
-    double *memory = r->minimizer;
-    const lag_equations equations = {r->lost, width, at_branches, r};
+    double *memory = r->branch.minimizer;
+    const lag_equations equations = {r->branch.lost, width, at_branches, r};
     lag_levenberg_marquardt minimizer;
-    r->along = along;
-    r->along_width = width;
-    const lag_parts parts = lag_parts_of(r->lost, width, NULL, lag_take(&memory, lag_parts_memory(m, n)));
-    lag_levenberg_marquardt_place(&minimizer, r->lost, width, memory);
+    r->branch.along = along;
+    r->branch.width = width;
+    const lag_parts parts = lag_parts_of(r->branch.lost, width, NULL, lag_take(&memory, lag_parts_memory(m, n)));
+    lag_levenberg_marquardt_place(&minimizer, r->branch.lost, width, memory);
     lag_fill(width, 0.0, r->change);
-    lag_descend(&minimizer, &equations, &parts, TARGET, DESCENTS, r->change);
+    lag_descend(&minimizer, &equations, &parts, LAG_EXACT, LAG_DESCENTS, r->change);
     if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, lag_dot(n, r->v, r->v)))) {
         return 0;
     }
@@ -80,16 +74,16 @@ void lag_initialization_branch(lag_rates *r)
     const size_t m = model->nc;
     for (size_t i = 0; i < m; ++i) {
         for (size_t j = 0; j < n; ++j) {
-            r->turned[j * m + i] = r->rows[i * n + j];
+            r->branch.turned[j * m + i] = r->rows[i * n + j];
         }
     }
-    const lag_svd svd = lag_svd_of(n, m, r->turned, r->svd);
-    const size_t rank = lag_svd_rank(&svd, LOST);
+    const lag_svd svd = lag_svd_of(n, m, r->branch.turned, r->svd);
+    const size_t rank = lag_svd_rank(&svd, LAG_ROUGH_RANK);
     if (rank >= model->rank) {
         return;
     }
-    r->lost = m - rank;
-    memcpy(r->vanishing, svd.v + rank * m, r->lost * m * sizeof(double));
+    r->branch.lost = m - rank;
+    memcpy(r->branch.vanishing, svd.v + rank * m, r->branch.lost * m * sizeof(double));
     if (!descend_along(r, r->free, r->width)) {
         (void)descend_along(r, r->unbound, r->unbound_width);
     }

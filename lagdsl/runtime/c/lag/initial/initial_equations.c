@@ -72,7 +72,7 @@ void lag_joint_choose(const lag_joint_parts *t, lag_joint *joint)
     for (size_t k = 0; k < joint->all; ++k) {
         const size_t part = (size_t)t->whole.column_part[k];
         const int rate = k >= model->nq && k < 2 * model->nq;
-        const int held = k < size && (b->fixed[k] != 0.0 || (b->written[k] != 0.0 && !t->open[part]));
+        const int held = k < size && (b->starts.fixed[k] != 0.0 || (b->starts.written[k] != 0.0 && !t->open[part]));
         if ((rate ? t->rated : t->equation)[part] && !held) {
             joint->free[joint->count++] = (double)k;
         }
@@ -137,7 +137,7 @@ void lag_initialization_find_all(lag_initialization *b, double *x)
     if (b->told.fault != LAG_INITIAL_NONE) {
         return;
     }
-    b->joined = t.joined;
+    b->equations.joined = t.joined;
     b->memory = t.memory;
     lag_initialization_find_q(b, x); /* what initial equations do not decide */
     memcpy(joint.origin, x, size * sizeof(double));

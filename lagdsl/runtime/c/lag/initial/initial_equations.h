@@ -5,9 +5,6 @@
 #include "lag/initial/initialization_joint.h"
 
 #define LAG_JOINT_TARGET 1e-11
-/* Singular values below this part of the largest are those of differences. */
-#define LAG_JOINT_ROUGH 1e-7
-enum { LAG_JOINT_DESCENTS = 100 };
 
 /* Of each part of rows and unknowns, by its number. */
 typedef struct lag_joint_parts {

@@ -54,13 +54,13 @@ void lag_joint_find_undecided(const lag_joint_parts *t, lag_joint *joint)
     lag_fill(joint->all, 0.0, chosen);
     lag_joint_evaluate(joint, t->best, joint->one, matrix);
     const lag_svd svd = lag_svd_of(joint->rows, joint->count, matrix, memory);
-    const size_t rank = lag_svd_rank(&svd, LAG_JOINT_ROUGH);
+    const size_t rank = lag_svd_rank(&svd, LAG_ROUGH_RANK);
     for (size_t k = 0; k < joint->count; ++k) {
         double along = 0.0;
         for (size_t i = rank; i < joint->count; ++i) {
             along += svd.v[i * joint->count + k] * svd.v[i * joint->count + k];
         }
-        chosen[(size_t)joint->free[k]] = sqrt(along) <= LAG_JOINT_ROUGH ? 1.0 : 0.0;
+        chosen[(size_t)joint->free[k]] = sqrt(along) <= LAG_ROUGH_RANK ? 1.0 : 0.0;
     }
     for (size_t k = size; k < joint->all; ++k) {
         if (chosen[k] == 0.0 && b->told.fault == LAG_INITIAL_NONE) {

@@ -54,7 +54,7 @@ static double correct(const lag_joint_parts *t, lag_joint *joint)
     lag_fill(count, 0.0, t->trial);
     lag_joint_evaluate(joint, t->trial, minimizer.residual, minimizer.jacobian);
     if (lag_levenberg_marquardt_size(&minimizer, &equations) > LAG_JOINT_TARGET) {
-        lag_descend(&minimizer, &equations, &parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
+        lag_descend(&minimizer, &equations, &parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->trial);
     }
     lag_joint_put(joint, t->trial);
     memcpy(joint->origin, joint->at, joint->all * sizeof(double));
@@ -73,7 +73,7 @@ void lag_joint_find_rates(const lag_joint_parts *t, lag_joint *joint, double *x)
     for (int round = 0; round < ROUNDS && far > SETTLED; ++round) {
         find_slopes(t, joint);
         memcpy(x, joint->origin, size * sizeof(double));
-        b->slopes = t->slopes;
+        b->equations.slopes = t->slopes;
         b->memory = t->memory;
         lag_initialization_find_qd(b, x);
         if (b->told.fault != LAG_INITIAL_NONE) {

@@ -12,11 +12,11 @@ enum { TRIES = 12 };
 static void draw(const lag_joint *joint, unsigned long long *seed, size_t which, double *all, double *y)
 {
     const lag_initialization *b = joint->b;
-    lag_initialization_point(b, seed, which, b->x, all);
+    lag_initialization_point(b, seed, which, b->starts.x, all);
     for (size_t k = 0; k < joint->count; ++k) {
         const size_t i = (size_t)joint->free[k];
         const double other = 0.4 * lag_initialization_draw(seed);
-        y[k] = i < b->motion->model->nq ? (all[i] - b->x[i]) / b->widths[i] : i < 2 * b->motion->model->nq ? 0.0 : other;
+        y[k] = i < b->motion->model->nq ? (all[i] - b->starts.x[i]) / b->starts.widths[i] : i < 2 * b->motion->model->nq ? 0.0 : other;
     }
 }
 
@@ -31,7 +31,7 @@ static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *
             continue;
         }
         const lag_svd svd = lag_svd_of(rows, columns, block, svd_memory);
-        if (lag_svd_rank(&svd, LAG_JOINT_ROUGH) < columns) {
+        if (lag_svd_rank(&svd, LAG_ROUGH_RANK) < columns) {
             return 1;
         }
     }
@@ -99,13 +99,13 @@ static double descend(const lag_joint_parts *t, lag_joint *joint, const lag_part
     unsigned long long seed = 20011;
     double sum = 0.0;
     lag_fill(joint->count, 0.0, t->best);
-    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->best);
+    lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->best);
     memcpy(found->sizes, minimizer->sizes, parts->count * sizeof(double));
     lag_parts_norms(parts, 0, t->best, found->distances);
     const size_t tries = find_open(t, joint, parts, found) ? TRIES : 0;
     for (size_t k = 0; k < tries; ++k) {
         draw(joint, &seed, k, t->point, t->trial);
-        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_JOINT_DESCENTS, t->trial);
+        lag_descend(minimizer, equations, parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->trial);
         take_better(t, parts, minimizer, found);
     }
     for (size_t i = 0; i < parts->count; ++i) {

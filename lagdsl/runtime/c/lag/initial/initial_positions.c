@@ -33,10 +33,10 @@ static int is_joined(const lag_initialization *b, size_t row)
 {
     const size_t n = b->motion->model->nq;
     size_t j = 0;
-    while (b->joined != NULL && j < n && !(b->joined[j] && b->pattern[row * n + j] != 0.0)) {
+    while (b->equations.joined != NULL && j < n && !(b->equations.joined[j] && b->pattern[row * n + j] != 0.0)) {
         ++j;
     }
-    return b->joined != NULL && j < n;
+    return b->equations.joined != NULL && j < n;
 }
 
 static void put(const positions *p, const double *y)
@@ -45,7 +45,7 @@ static void put(const positions *p, const double *y)
     memcpy(b->q, p->base, b->motion->model->nq * sizeof(double));
     for (size_t k = 0; k < p->count; ++k) {
         const size_t j = (size_t)p->free[k];
-        b->q[j] += b->widths[j] * y[k];
+        b->q[j] += b->starts.widths[j] * y[k];
     }
 }
 
@@ -60,7 +60,7 @@ static void at_positions(void *context, const double *y, double *residual, doubl
         residual[i] = is_joined(b, row) || p->met[i] != 0.0 ? 0.0 : b->phi[row] / b->row_sizes[row];
         for (size_t k = 0; k < p->count; ++k) {
             const size_t j = (size_t)p->free[k];
-            jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->widths[j] / b->row_sizes[row];
+            jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->starts.widths[j] / b->row_sizes[row];
         }
     }
 }
@@ -103,7 +103,7 @@ static void count_excess(const positions *p, double *point, double *memory)
     size_t excess = n;
     size_t most = 0;
     for (size_t k = 0; k < SAMPLES; ++k) {
-        lag_initialization_point(b, &seed, k, b->x, point);
+        lag_initialization_point(b, &seed, k, b->starts.x, point);
         memcpy(b->q, point, n * sizeof(double));
         lag_initialization_positions(b);
         gather(p, 0, matrix);
@@ -139,7 +139,7 @@ static void tell(const positions *p, double *point, double *memory)
 /* True if initial equations decide this coordinate, or it is fixed. */
 static int is_given(const lag_initialization *b, size_t j)
 {
-    return b->fixed[j] != 0.0 || (b->joined != NULL && b->joined[j]);
+    return b->starts.fixed[j] != 0.0 || (b->equations.joined != NULL && b->equations.joined[j]);
 }
 
 /* Coordinates that may move; written ones only if they need not be held. */
@@ -148,7 +148,7 @@ static void choose(positions *p, int hold)
     const lag_initialization *b = p->b;
     p->count = 0;
     for (size_t j = 0; j < b->motion->model->nq; ++j) {
-        if (!is_given(b, j) && !(hold && b->written[j] != 0.0)) {
+        if (!is_given(b, j) && !(hold && b->starts.written[j] != 0.0)) {
             p->free[p->count++] = (double)j;
         }
     }
@@ -175,10 +175,10 @@ static double search(positions *p, double *point, double *memory)
     double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p->count);
     unsigned long long seed = 20011;
     for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
-        lag_initialization_point(b, &seed, k, b->x, point);
+        lag_initialization_point(b, &seed, k, b->starts.x, point);
         for (size_t i = 0; i < p->count; ++i) {
             const size_t j = (size_t)p->free[i];
-            others[k * p->count + i] = (point[j] - b->x[j]) / b->widths[j];
+            others[k * p->count + i] = (point[j] - b->starts.x[j]) / b->starts.widths[j];
         }
     }
     const lag_parts parts = find_parts(p, pattern, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
@@ -228,7 +228,7 @@ static int open_parts(positions *p, double *memory)
 static int any_written(const lag_initialization *b)
 {
     size_t j = 0;
-    while (j < b->motion->model->nq && (is_given(b, j) || b->written[j] == 0.0)) {
+    while (j < b->motion->model->nq && (is_given(b, j) || b->starts.written[j] == 0.0)) {
         ++j;
     }
     return j < b->motion->model->nq;
@@ -242,7 +242,7 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
     double *point = lag_take(&memory, n);
     double worst = 0.0;
     for (size_t j = 0; j < n; ++j) {
-        p.base[j] = b->joined != NULL && b->joined[j] ? x[j] : b->x[j];
+        p.base[j] = b->equations.joined != NULL && b->equations.joined[j] ? x[j] : b->starts.x[j];
     }
     lag_fill(b->rows, 0.0, p.met);
     if (b->rows == 0 || already_there(&p)) {

@@ -8,24 +8,18 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/rank.h"
 #include "lag/initial/initialization.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-static const double RANK = 1e-9;
-static const double LOOSE = 1e-6;
-/* Points are as good as exact below this residual; J is known to so many residuals. */
-static const double EXACT = 1e-10;
+/* J is known to so many residuals; a point is as good as exact if that is better than roughly. */
 static const double KNOWN = 1e3;
 /* A part whose largest singular value is below this has no content but round-off. */
 static const double CONTENT = 1e-3;
-/* Rows are told apart by what is left of them: lowered between these until there are enough. Below a length there is no row. */
-static const double LEAST = 1e-13;
-static const double NOTHING = 1e-12;
 static const double SHORTER = 0.6;
-static const double TARGET = 1e-13;
-enum { WANTED = 3, TRIES = 24, DESCENTS = 100 };
+enum { WANTED = 3, TRIES = 24 };
 
 typedef struct walk {
     lag_initialization *b;
@@ -121,7 +115,7 @@ static void keep_tangent(walk *w)
             w->part[j] = w->step[(size_t)w->parts.column[first + j]];
             w->inner[j] = 0.0;
         }
-        for (size_t i = lag_svd_rank(&svd, LOOSE); i < columns; ++i) {
+        for (size_t i = lag_svd_rank(&svd, LAG_FOLLOWS); i < columns; ++i) {
             double along = 0.0;
             for (size_t j = 0; j < columns; ++j) {
                 along += svd.v[i * columns + j] * w->part[j];
@@ -162,12 +156,12 @@ static double left_of(walk *w, const double *row, size_t count)
             }
         }
     }
-    return length > NOTHING ? sqrt(lag_dot(n, w->part, w->part)) / length : 0.0;
+    return length > LAG_NO_ROW ? sqrt(lag_dot(n, w->part, w->part)) / length : 0.0;
 }
 
 /*
  * Rows of a part in turn, those of position level first, each if it depends on none of those before, until there are as many as the rank:
- * with that known no tolerance of its own decides. The others are flagged.
+ * with that known no tolerance of its own decides: it is lowered down to round-off. The others are flagged.
  */
 static void flag_dependent(walk *w, size_t which, size_t rank)
 {
@@ -176,7 +170,7 @@ static void flag_dependent(walk *w, size_t which, size_t rank)
     size_t first = 0;
     size_t count = 0;
     const size_t rows = lag_parts_rows(&w->all, which, &first);
-    for (double least = LOOSE; count < rank && least > LEAST; least *= 0.1) {
+    for (double least = LAG_FOLLOWS; count < rank && least > LAG_EXACT; least *= 0.1) {
         count = 0;
         for (int velocities = 0; velocities < 2; ++velocities) {
             for (size_t i = first; i < first + rows; ++i) {
@@ -209,7 +203,7 @@ static int look(walk *w, double residual)
 {
     lag_initialization *b = w->b;
     const size_t n = b->motion->model->nq;
-    double *ranks = residual <= EXACT ? w->ranks : w->rough;
+    double *ranks = KNOWN * residual <= LAG_ROUGH_RANK ? w->ranks : w->rough;
     for (size_t j = 0; j < n; ++j) {
         b->q[j] = w->point[j] * b->sizes[j];
     }
@@ -227,7 +221,7 @@ static int look(walk *w, double residual)
         finite = lag_parts_block(&w->all, which, n, w->jacobian, w->block);
         if (finite && rows > 0 && columns > 0) {
             const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
-            const double least = fmax(RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
+            const double least = fmax(LAG_RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
             size_t rank = 0;
             while (rank < svd.k && svd.value[rank] > least) {
                 ++rank;
@@ -246,15 +240,15 @@ static int take_step(walk *w, unsigned long long *seed, size_t which, double sca
 {
     lag_initialization *b = w->b;
     const size_t n = b->motion->model->nq;
-    lag_initialization_point(b, seed, which, b->x, w->step);
+    lag_initialization_point(b, seed, which, b->starts.x, w->step);
     for (size_t j = 0; j < n; ++j) {
-        w->step[j] = (w->step[j] - b->x[j]) / b->sizes[j];
+        w->step[j] = (w->step[j] - b->starts.x[j]) / b->sizes[j];
     }
     keep_tangent(w);
     for (size_t j = 0; j < n; ++j) {
         w->point[j] = w->here[j] + scale * w->step[j];
     }
-    lag_descend(&w->minimizer, &w->equations, &w->parts, TARGET, DESCENTS, w->point);
+    lag_descend(&w->minimizer, &w->equations, &w->parts, LAG_EXACT, LAG_DESCENTS, w->point);
     *residual = lag_levenberg_marquardt_size(&w->minimizer, &w->equations);
     return *residual <= LAG_HOLDS && look(w, *residual);
 }
@@ -277,7 +271,7 @@ void lag_initialization_find_rank(lag_initialization *b, const double *x)
     for (size_t k = 0; k < TRIES && found < WANTED; ++k) {
         if (take_step(&w, &seed, k, scale, &residual)) {
             memcpy(w.here, w.point, n * sizeof(double));
-            found += residual <= EXACT;
+            found += KNOWN * residual <= LAG_ROUGH_RANK;
         } else {
             scale *= SHORTER;
         }

@@ -2,19 +2,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/rank.h"
 #include "lag/initial/initialization_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
-
-static const double RANK = 1e-9;
-/* The same where initial equations take part, whose derivatives are differences. */
-static const double ROUGH = 1e-7;
-/* A rate that the remaining freedom moves by less than this part is decided by the others (dead centers). */
-static const double INDEPENDENT = 1e-6;
-static const double CONSISTENT = 1e-9;
-/* Rates that met their values exactly keep them exactly, not to within round-off. */
-static const double EXACT = 1e-13;
 
 /* Conditions at most. */
 static size_t most(const lag_model *model)
@@ -43,26 +35,26 @@ static void place(lag_rates *r, lag_initialization *b)
     r->rows = lag_take(&memory, m * n);
     r->table = lag_take(&memory, all * n);
     r->pattern = lag_take(&memory, all * n);
-    r->block = lag_take(&memory, all * n);
+    r->its.block = lag_take(&memory, all * n);
     r->right = lag_take(&memory, most(model));
-    r->its_right = lag_take(&memory, most(model));
+    r->its.right = lag_take(&memory, most(model));
     r->v = lag_take(&memory, n);
     r->wanted = lag_take(&memory, n);
-    r->its_v = lag_take(&memory, n);
-    r->its_wanted = lag_take(&memory, n);
+    r->its.v = lag_take(&memory, n);
+    r->its.wanted = lag_take(&memory, n);
     r->free = lag_take(&memory, n * n);
     r->unbound = lag_take(&memory, n * n);
-    r->its_free = lag_take(&memory, n * n);
-    r->other = lag_take(&memory, n * n);
+    r->its.free = lag_take(&memory, n * n);
+    r->its.other = lag_take(&memory, n * n);
     r->inner = lag_take(&memory, n * n);
     r->part = lag_take(&memory, n);
     r->change = lag_take(&memory, n);
     r->force = lag_take(&memory, n);
-    r->gamma = lag_take(&memory, m);
-    r->turned = lag_take(&memory, n * m);
-    r->vanishing = lag_take(&memory, m * m);
+    r->branch.gamma = lag_take(&memory, m);
+    r->branch.turned = lag_take(&memory, n * m);
+    r->branch.vanishing = lag_take(&memory, m * m);
     r->parts = lag_parts_of(0, 0, NULL, lag_take(&memory, lag_parts_memory(all, n)));
-    r->minimizer = lag_take(&memory, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
+    r->branch.minimizer = lag_take(&memory, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
     r->svd = memory;
 }
 
@@ -83,16 +75,16 @@ static void state_conditions(lag_rates *r, const double *x)
         r->right[i] = -b->phi[i] / b->row_sizes[i];
     }
     memcpy(r->table, r->rows, m * n * sizeof(double));
-    for (size_t i = 0; b->slopes != NULL && i < model->ne; ++i, ++count) {
-        memcpy(r->table + count * n, b->slopes + i * n, n * sizeof(double));
+    for (size_t i = 0; b->equations.slopes != NULL && i < model->ne; ++i, ++count) {
+        memcpy(r->table + count * n, b->equations.slopes + i * n, n * sizeof(double));
         r->right[count] = 0.0;
         for (size_t j = 0; j < n; ++j) {
-            r->right[count] += b->slopes[i * n + j] * x[n + j] / b->sizes[j];
+            r->right[count] += b->equations.slopes[i * n + j] * x[n + j] / b->sizes[j];
         }
     }
     for (size_t j = 0; j < n; ++j) {
-        r->wanted[j] = r->v[j] = b->x[n + j] / b->sizes[j];
-        if (b->fixed[n + j] != 0.0) {
+        r->wanted[j] = r->v[j] = b->starts.x[n + j] / b->sizes[j];
+        if (b->starts.fixed[n + j] != 0.0) {
             lag_fill(n, 0.0, r->table + count * n);
             r->table[count * n + j] = 1.0;
             r->right[count++] = r->wanted[j];
@@ -105,9 +97,9 @@ static void state_conditions(lag_rates *r, const double *x)
 static int are_as_wanted(lag_rates *r)
 {
     const size_t n = r->b->motion->model->nq;
-    int alike = r->b->slopes == NULL;
+    int alike = r->b->equations.slopes == NULL;
     for (size_t i = 0; i < r->conditions && alike; ++i) {
-        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= EXACT * (1.0 + fabs(r->right[i]));
+        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= LAG_EXACT * (1.0 + fabs(r->right[i]));
     }
     return alike && lag_initialization_is_regular(r->b, r->svd);
 }
@@ -143,12 +135,12 @@ static void tell(lag_rates *r, size_t which, double residual)
     lag_initialization *b = r->b;
     const size_t n = b->motion->model->nq;
     const size_t m = b->motion->model->nc;
-    size_t number = m + (b->slopes != NULL ? b->motion->model->ne : 0);
+    size_t number = m + (b->equations.slopes != NULL ? b->motion->model->ne : 0);
     b->told.fault = LAG_INITIAL_RATES;
     b->told.which = which;
     b->told.residual = which < m ? residual * b->row_sizes[which] : residual;
     for (size_t j = 0; which >= m && j < n; ++j) {
-        if (b->fixed[n + j] != 0.0 && number++ == which) {
+        if (b->starts.fixed[n + j] != 0.0 && number++ == which) {
             b->told.which = m + j;
             b->told.residual = residual * b->sizes[j];
         }
@@ -158,7 +150,7 @@ static void tell(lag_rates *r, size_t which, double residual)
 /* v of minimum norm, and what it leaves free; 0: the conditions contradict each other, which is told. */
 static int satisfy(lag_rates *r, size_t which)
 {
-    const size_t n = r->columns;
+    const size_t n = r->its.columns;
     const lag_model *model = r->b->motion->model;
     int with_equations = 0;
     size_t first = 0;
@@ -168,24 +160,24 @@ static int satisfy(lag_rates *r, size_t which)
     size_t place = 0;
     for (size_t i = 0; i < count; ++i) {
         const size_t row = (size_t)r->parts.row[first + i];
-        r->its_right[i] = r->right[row];
-        with_equations = with_equations || (r->b->slopes != NULL && row >= model->nc && row < model->nc + model->ne);
+        r->its.right[i] = r->right[row];
+        with_equations = with_equations || (r->b->equations.slopes != NULL && row >= model->nc && row < model->nc + model->ne);
     }
-    const lag_svd svd = lag_svd_of(count, n, r->block, r->svd);
-    const double least = with_equations ? ROUGH : RANK;
+    const lag_svd svd = lag_svd_of(count, n, r->its.block, r->svd);
+    const double least = with_equations ? LAG_ROUGH_RANK : LAG_RANK; /* their derivatives are differences */
     const size_t rank = lag_svd_rank(&svd, least);
-    lag_svd_solve(&svd, r->its_right, least, 0.0, r->its_v);
+    lag_svd_solve(&svd, r->its.right, least, 0.0, r->its.v);
     for (size_t i = 0; i < count; ++i) {
-        const double left = fabs(lag_dot(n, r->block + i * n, r->its_v) - r->its_right[i]);
-        largest = fmax(largest, fabs(r->its_right[i]));
+        const double left = fabs(lag_dot(n, r->its.block + i * n, r->its.v) - r->its.right[i]);
+        largest = fmax(largest, fabs(r->its.right[i]));
         if (left > worst) {
             worst = left;
             place = i;
         }
     }
-    r->its_width = n - rank;
-    memcpy(r->its_free, svd.v + rank * n, (n - rank) * n * sizeof(double));
-    if (worst <= (with_equations ? LAG_HOLDS : CONSISTENT) * (1.0 + largest)) {
+    r->its.width = n - rank;
+    memcpy(r->its.free, svd.v + rank * n, (n - rank) * n * sizeof(double));
+    if (worst <= (with_equations ? LAG_HOLDS : LAG_RANK) * (1.0 + largest)) {
         return 1;
     }
     tell(r, (size_t)r->parts.row[first + place], worst);
@@ -196,68 +188,68 @@ static int satisfy(lag_rates *r, size_t which)
 static void impose(lag_rates *r, const double *column)
 {
     const lag_initialization *b = r->b;
-    const size_t n = r->columns;
+    const size_t n = r->its.columns;
     for (size_t j = 0; j < n; ++j) {
         const size_t place = b->motion->model->nq + (size_t)column[j];
         double length = 0.0;
-        if (b->written[place] == 0.0 || b->fixed[place] != 0.0) {
+        if (b->starts.written[place] == 0.0 || b->starts.fixed[place] != 0.0) {
             continue;
         }
-        for (size_t i = 0; i < r->its_width; ++i) {
-            r->part[i] = r->its_free[i * n + j];
+        for (size_t i = 0; i < r->its.width; ++i) {
+            r->part[i] = r->its.free[i * n + j];
             length += r->part[i] * r->part[i];
         }
-        if (!(sqrt(length) > INDEPENDENT)) {
+        if (!(sqrt(length) > LAG_FOLLOWS)) { /* the others decide it, as at dead centers */
             continue;
         }
-        const double missing = (r->its_wanted[j] - r->its_v[j]) / length;
-        for (size_t i = 0; i < r->its_width; ++i) {
-            lag_axpy(n, r->part[i] * missing, r->its_free + i * n, r->its_v);
+        const double missing = (r->its.wanted[j] - r->its.v[j]) / length;
+        for (size_t i = 0; i < r->its.width; ++i) {
+            lag_axpy(n, r->part[i] * missing, r->its.free + i * n, r->its.v);
         }
-        const lag_svd svd = lag_svd_of(1, r->its_width, r->part, r->svd);
-        for (size_t i = 0; i + 1 < r->its_width; ++i) {
-            lag_fill(n, 0.0, r->other + i * n);
-            for (size_t k = 0; k < r->its_width; ++k) {
-                lag_axpy(n, svd.v[(i + 1) * r->its_width + k], r->its_free + k * n, r->other + i * n);
+        const lag_svd svd = lag_svd_of(1, r->its.width, r->part, r->svd);
+        for (size_t i = 0; i + 1 < r->its.width; ++i) {
+            lag_fill(n, 0.0, r->its.other + i * n);
+            for (size_t k = 0; k < r->its.width; ++k) {
+                lag_axpy(n, svd.v[(i + 1) * r->its.width + k], r->its.free + k * n, r->its.other + i * n);
             }
         }
-        --r->its_width;
-        memcpy(r->its_free, r->other, r->its_width * n * sizeof(double));
+        --r->its.width;
+        memcpy(r->its.free, r->its.other, r->its.width * n * sizeof(double));
     }
 }
 
 /* The rest: nearest to the start values, then with the least kinetic energy of the change. */
 static void complete(lag_rates *r, const double *mass)
 {
-    const size_t n = r->columns;
-    const size_t width = r->its_width;
+    const size_t n = r->its.columns;
+    const size_t width = r->its.width;
     for (size_t j = 0; j < n; ++j) {
-        r->change[j] = r->its_wanted[j] - r->its_v[j];
+        r->change[j] = r->its.wanted[j] - r->its.v[j];
     }
     for (size_t i = 0; i < width; ++i) {
-        lag_axpy(n, lag_dot(n, r->its_free + i * n, r->change), r->its_free + i * n, r->its_v);
+        lag_axpy(n, lag_dot(n, r->its.free + i * n, r->change), r->its.free + i * n, r->its.v);
     }
     for (size_t j = 0; j < n; ++j) {
-        r->change[j] = r->its_wanted[j] - r->its_v[j];
+        r->change[j] = r->its.wanted[j] - r->its.v[j];
     }
     for (size_t i = 0; i < width; ++i) { /* free' M, then free' M free and free' M (wanted - v) */
-        lag_fill(n, 0.0, r->other + i * n);
+        lag_fill(n, 0.0, r->its.other + i * n);
         for (size_t k = 0; k < n; ++k) {
-            lag_axpy(n, r->its_free[i * n + k], mass + k * n, r->other + i * n);
+            lag_axpy(n, r->its.free[i * n + k], mass + k * n, r->its.other + i * n);
         }
     }
     for (size_t i = 0; i < width; ++i) {
         for (size_t k = 0; k < width; ++k) {
-            r->inner[i * width + k] = lag_dot(n, r->other + i * n, r->its_free + k * n);
+            r->inner[i * width + k] = lag_dot(n, r->its.other + i * n, r->its.free + k * n);
         }
-        r->part[i] = lag_dot(n, r->other + i * n, r->change);
+        r->part[i] = lag_dot(n, r->its.other + i * n, r->change);
     }
     if (width > 0) {
         const lag_svd svd = lag_svd_of(width, width, r->inner, r->svd);
-        lag_svd_solve(&svd, r->part, RANK, 0.0, r->force);
+        lag_svd_solve(&svd, r->part, LAG_RANK, 0.0, r->force);
     }
     for (size_t i = 0; i < width; ++i) {
-        lag_axpy(n, r->force[i], r->its_free + i * n, r->its_v);
+        lag_axpy(n, r->force[i], r->its.free + i * n, r->its.v);
     }
 }
 
@@ -265,13 +257,13 @@ static void complete(lag_rates *r, const double *mass)
 static size_t append(const lag_rates *r, const double *column, size_t width, double *all)
 {
     const size_t n = r->b->motion->model->nq;
-    for (size_t i = 0; i < r->its_width; ++i) {
+    for (size_t i = 0; i < r->its.width; ++i) {
         lag_fill(n, 0.0, all + (width + i) * n);
-        for (size_t j = 0; j < r->columns; ++j) {
-            all[(width + i) * n + (size_t)column[j]] = r->its_free[i * r->columns + j];
+        for (size_t j = 0; j < r->its.columns; ++j) {
+            all[(width + i) * n + (size_t)column[j]] = r->its.free[i * r->its.columns + j];
         }
     }
-    return width + r->its_width;
+    return width + r->its.width;
 }
 
 /* The rates of a part, as if it were alone; 0: there are none. */
@@ -279,32 +271,32 @@ static int settle(lag_rates *r, size_t which)
 {
     size_t first = 0;
     size_t row = 0;
-    r->columns = lag_parts_columns(&r->parts, which, &first);
-    const size_t conditions = lag_parts_rows(&r->parts, which, &row) - r->columns;
+    r->its.columns = lag_parts_columns(&r->parts, which, &first);
+    const size_t conditions = lag_parts_rows(&r->parts, which, &row) - r->its.columns;
     const double *column = r->parts.column + first;
-    for (size_t j = 0; j < r->columns; ++j) {
-        r->its_wanted[j] = r->wanted[(size_t)column[j]];
+    for (size_t j = 0; j < r->its.columns; ++j) {
+        r->its.wanted[j] = r->wanted[(size_t)column[j]];
     }
-    for (size_t i = 0; r->columns == 0 && i < conditions; ++i) { /* rows that no rate moves */
+    for (size_t i = 0; r->its.columns == 0 && i < conditions; ++i) { /* rows that no rate moves */
         const size_t its = (size_t)r->parts.row[row + i];
-        if (!(fabs(r->right[its]) <= CONSISTENT)) {
+        if (!(fabs(r->right[its]) <= LAG_RANK)) {
             tell(r, its, fabs(r->right[its]));
             return 0;
         }
     }
-    if (conditions == 0 || r->columns == 0) {
+    if (conditions == 0 || r->its.columns == 0) {
         return 1; /* as wanted */
     }
-    (void)lag_parts_block(&r->parts, which, r->b->motion->model->nq, r->table, r->block);
+    (void)lag_parts_block(&r->parts, which, r->b->motion->model->nq, r->table, r->its.block);
     if (!satisfy(r, which)) {
         return 0;
     }
     r->unbound_width = append(r, column, r->unbound_width, r->unbound);
     impose(r, column);
-    complete(r, r->block + conditions * r->columns);
+    complete(r, r->its.block + conditions * r->its.columns);
     r->width = append(r, column, r->width, r->free);
-    for (size_t j = 0; j < r->columns; ++j) {
-        r->v[(size_t)column[j]] = r->its_v[j];
+    for (size_t j = 0; j < r->its.columns; ++j) {
+        r->v[(size_t)column[j]] = r->its.v[j];
     }
     return 1;
 }
@@ -326,15 +318,15 @@ static void turn_rates(lag_initialization *b, const double *x)
     const unsigned char *told = b->start != NULL ? b->start->written : NULL;
     for (size_t j = 0; told != NULL && j + 4 <= n; ++j) {
         double turned[4];
-        const double *e = b->x + j;
+        const double *e = b->starts.x + j;
         if ((told[n + j] & LAG_QUATERNION) == 0 || lag_same(4, e, x + j)) {
             continue;
         }
         const double length = sqrt(lag_dot(4, e, e));
-        multiply(e, 1, b->x + n + j, turned);
-        multiply(x + j, 0, turned, b->x + n + j);
+        multiply(e, 1, b->starts.x + n + j, turned);
+        multiply(x + j, 0, turned, b->starts.x + n + j);
         for (size_t k = 0; k < 4; ++k) {
-            b->x[n + j + k] /= length;
+            b->starts.x[n + j + k] /= length;
         }
     }
 }
@@ -343,7 +335,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
 {
     const size_t n = b->motion->model->nq;
     lag_rates r;
-    if (b->motion->model->nc == 0 && b->slopes == NULL) {
+    if (b->motion->model->nc == 0 && b->equations.slopes == NULL) {
         return;
     }
     place(&r, b);
@@ -353,7 +345,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     lag_initialization_velocities(b);
     state_conditions(&r, x);
     if (are_as_wanted(&r)) {
-        memcpy(x + n, b->x + n, n * sizeof(double));
+        memcpy(x + n, b->starts.x + n, n * sizeof(double));
         return;
     }
     find_parts(&r);
@@ -366,7 +358,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     }
     for (size_t j = 0; j < n; ++j) {
         const double rate = r.v[j] * b->sizes[j];
-        const double wanted = b->x[n + j];
-        x[n + j] = possible && fabs(rate - wanted) <= EXACT * fmax(fabs(wanted), b->sizes[j]) ? wanted : rate;
+        const double wanted = b->starts.x[n + j]; /* what is met is kept exactly, not to within round-off */
+        x[n + j] = possible && fabs(rate - wanted) <= LAG_EXACT * fmax(fabs(wanted), b->sizes[j]) ? wanted : rate;
     }
 }

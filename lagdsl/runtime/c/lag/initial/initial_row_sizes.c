@@ -2,16 +2,11 @@
 #include "lag/equations/discretes.h"
 #include "lag/initial/initialization.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Rows that are smaller than this part of the largest are zero but for round-off. */
-static const double ROUNDING = 1e-12;
-/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
-static const double ABSENT = 1e-13;
-/* Rows of J that are shorter than this part of the longest beside them may be lost where ranks are found (lag/equations/system_scales.h). */
-static const double LOST = 1e-7;
 /* Errors of the numbers that enter, and the part by which round-off changes with them. */
 static const double ERROR = 0x1p-50;
 static const double CHANGED = 1e-3;
@@ -104,8 +99,8 @@ static void turn_discretes(lag_initialization *b, unsigned long long *seed)
     for (size_t i = 0; i < model->nw; ++i) {
         const int relation = i >= places.relation && i < places.relation + model->nindicator;
         const int timed = i >= places.timed && i < places.timed + model->ntimed;
-        const int truth = model->kinds[i] == LAG_KIND_VARIABLE && (b->w[i] == 0.0 || b->w[i] == 1.0);
-        b->motion->w[i] = relation || timed || truth ? (double)(lag_initialization_draw(seed) > 0.0) : b->w[i];
+        const int truth = model->kinds[i] == LAG_KIND_VARIABLE && (b->aside.w[i] == 0.0 || b->aside.w[i] == 1.0);
+        b->motion->w[i] = relation || timed || truth ? (double)(lag_initialization_draw(seed) > 0.0) : b->aside.w[i];
     }
 }
 
@@ -115,13 +110,13 @@ static void look_at_branches(lag_initialization *b, const double *q)
     const lag_model *model = b->motion->model;
     unsigned long long seed = 20021;
     memcpy(b->q, q, model->nq * sizeof(double));
-    memcpy(b->w, b->motion->w, model->nw * sizeof(double));
+    memcpy(b->aside.w, b->motion->w, model->nw * sizeof(double));
     for (size_t k = 0; k < SIZED_AT; ++k) {
         turn_discretes(b, &seed);
         lag_initialization_velocities(b);
         measure(b, k);
     }
-    memcpy(b->motion->w, b->w, model->nw * sizeof(double));
+    memcpy(b->motion->w, b->aside.w, model->nw * sizeof(double));
 }
 
 /* The component of the coordinate that enters a row most; all are one where nobody tells. */
@@ -184,17 +179,17 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     if (lag_initialization_has_defaults(b)) {
         return;
     }
-    find_most(b, length, b->widths);
+    find_most(b, length, b->starts.widths);
     for (size_t i = 0; i < model->nc; ++i) {
-        any = any || (length[i] > 0.0 && length[i] < LOST * b->widths[component_of(b, i)]);
+        any = any || (length[i] > 0.0 && length[i] < LAG_ROUGH_RANK * b->starts.widths[component_of(b, i)]);
     }
     if (!any) {
         return;
     }
     measure_changes(b, q);
     for (size_t i = 0; i < model->nc && b->told.fault == LAG_INITIAL_NONE; ++i) {
-        const double part = length[i] / b->widths[component_of(b, i)];
-        if (length[i] > 0.0 && part < LOST && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
+        const double part = length[i] / b->starts.widths[component_of(b, i)];
+        if (length[i] > 0.0 && part < LAG_ROUGH_RANK && usual(lengths_of(b, i)) <= CHANGED * length[i]) {
             b->told.fault = LAG_INITIAL_SIZES;
             b->told.which = i;
             b->told.residual = part;
@@ -207,13 +202,13 @@ static void leave_out_round_off(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
-    double *most = b->widths;
+    double *most = b->starts.widths;
     find_most(b, b->row_sizes, most);
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
         const size_t component = component_of(b, i);
-        const double round_off = ROUNDING * most[component];
+        const double round_off = LAG_NO_ROW * most[component];
         for (size_t j = 0; j < n; ++j) {
-            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(LAG_EXACT * b->row_sizes[i], round_off);
         }
         if (!(b->row_sizes[i] > round_off)) {
             b->row_sizes[i] = b->row_sizes[i] > 0.0 ? most[component] : 1.0;

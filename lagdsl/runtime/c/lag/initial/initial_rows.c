@@ -5,7 +5,6 @@
 #include "lag/initial/initialization_joint.h"
 #include "lag/linalg/arena.h"
 
-static const double DIFFERENCE = 1e-6;
 /* An entry that is smaller, as a part of its row, is none: derivatives are differences. */
 static const double ABSENT = 1e-8;
 /* Beside the start, rows are looked at in so many points. */
@@ -51,8 +50,8 @@ void lag_joint_place(lag_joint *joint, lag_initialization *b, double **memory)
     joint->y = lag_take(memory, joint->all);
     joint->qdd = lag_take(memory, model->nq);
     joint->lam = lag_take(memory, model->nc);
-    memcpy(joint->origin, b->x, size * sizeof(double));
-    memcpy(joint->width, b->widths, size * sizeof(double));
+    memcpy(joint->origin, b->starts.x, size * sizeof(double));
+    memcpy(joint->width, b->starts.widths, size * sizeof(double));
     for (size_t k = 0; k < joint->parameters; ++k) {
         const size_t i = (size_t)joint->parameter[k];
         const double value = b->told.p[i];
@@ -146,14 +145,14 @@ static void differentiate(const lag_joint *joint, const double *y, double *jacob
     memcpy(joint->y, y, joint->count * sizeof(double));
     for (size_t k = 0; k < joint->count; ++k) {
         const double here = joint->y[k];
-        joint->y[k] = here + DIFFERENCE;
+        joint->y[k] = here + LAG_DIFFERENCE;
         lag_joint_residuals(joint, joint->y, joint->one);
-        joint->y[k] = here - DIFFERENCE;
+        joint->y[k] = here - LAG_DIFFERENCE;
         lag_joint_residuals(joint, joint->y, joint->other);
         joint->y[k] = here;
         for (size_t i = 0; i < joint->rows; ++i) {
             const size_t row = (size_t)joint->row[i];
-            jacobian[i * joint->count + k] = (joint->one[row] - joint->other[row]) / (2.0 * DIFFERENCE);
+            jacobian[i * joint->count + k] = (joint->one[row] - joint->other[row]) / (2.0 * LAG_DIFFERENCE);
         }
     }
 }

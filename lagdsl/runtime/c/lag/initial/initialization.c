@@ -13,7 +13,6 @@
 
 /* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
-static const double RANK = 1e-9;
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
 enum { LOOKED_AT = 3 };
 
@@ -39,19 +38,19 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     memset(b, 0, sizeof *b);
     b->motion = motion;
     b->row = lag_take(&memory, model->nc);
-    b->x = lag_take(&memory, size);
+    b->starts.x = lag_take(&memory, size);
     b->sizes = lag_take(&memory, size);
     b->row_sizes = lag_take(&memory, model->nc);
-    b->widths = lag_take(&memory, size);
-    b->written = lag_take(&memory, size);
-    b->fixed = lag_take(&memory, size);
+    b->starts.widths = lag_take(&memory, size);
+    b->starts.written = lag_take(&memory, size);
+    b->starts.fixed = lag_take(&memory, size);
     b->phi = lag_take(&memory, model->nc);
     b->jacobian = lag_take(&memory, model->nc * model->nq);
     b->q = lag_take(&memory, model->nq);
     b->qd = lag_take(&memory, model->nq);
     b->z = lag_take(&memory, model->nz);
-    b->u = lag_take(&memory, model->nu);
-    b->w = lag_take(&memory, model->nw);
+    b->aside.u = lag_take(&memory, model->nu);
+    b->aside.w = lag_take(&memory, model->nw);
     b->still = lag_take(&memory, model->nq + model->nc);
     b->lengths = lag_take(&memory, lag_initialization_lengths(model));
     b->pattern = lag_take(&memory, model->nc * model->nq);
@@ -119,7 +118,7 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
         return 0;
     }
     const lag_svd svd = lag_svd_of(count, width, matrix, memory);
-    return lag_svd_rank(&svd, RANK);
+    return lag_svd_rank(&svd, LAG_RANK);
 }
 
 int lag_initialization_is_regular(lag_initialization *b, double *memory)
@@ -149,7 +148,7 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
-    const double *group = b->widths;
+    const double *group = b->starts.widths;
     unsigned long long seed = 20011;
     lag_fill(model->nc * n, 0.0, b->pattern);
     memcpy(b->q, q, n * sizeof(double));
@@ -168,7 +167,7 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
             const int alike = parts.column_part[k] == parts.column_part[j] && group[k] == group[j];
             most = alike && isfinite(q[k]) ? fmax(most, fabs(q[k])) : most;
         }
-        b->sizes[j] = isfinite(b->written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
+        b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
     }
 }
 
@@ -177,7 +176,7 @@ static void find_sizes(lag_initialization *b, const double *q)
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     const double *nominal = b->start != NULL ? b->start->nominal : NULL;
-    lag_accuracy_groups(model, q, b->widths, b->sizes, b->written); /* groups, sizes and caps */
+    lag_accuracy_groups(model, q, b->starts.widths, b->sizes, b->starts.written); /* groups, sizes and caps */
     if (model->nc > 0) {
         find_sizes_of_parts(b, q);
     }
@@ -198,9 +197,9 @@ static void find_widths(lag_initialization *b, const unsigned char *set)
     const lag_start *start = b->start;
     for (size_t i = 0; i < lag_motion_size(b->motion->model); ++i) {
         const int written = (start != NULL && start->written != NULL && (start->written[i] & LAG_WRITTEN) != 0) || (set != NULL && set[i]);
-        b->written[i] = written;
-        b->fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
-        b->widths[i] = written ? b->sizes[i] / SHARP : b->sizes[i];
+        b->starts.written[i] = written;
+        b->starts.fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
+        b->starts.widths[i] = written ? b->sizes[i] / SHARP : b->sizes[i];
     }
 }
 
@@ -223,11 +222,11 @@ static lag_status find_discretes(lag_initialization *b, const double *q, const d
     at.lam = b->still + model->nq;
     int settled = model->standing == NULL;
     for (size_t k = 0; k <= model->nindicator && status == LAG_OK && !settled; ++k) { /* relations may be between what others decide */
-        status = model->standing(&at, b->w);
+        status = model->standing(&at, b->aside.w);
         settled = 1;
         for (size_t i = 0; i < model->nw; ++i) {
-            settled = settled && motion->w[i] == b->w[i];
-            motion->w[i] = b->w[i];
+            settled = settled && motion->w[i] == b->aside.w[i];
+            motion->w[i] = b->aside.w[i];
         }
     }
     return status;
@@ -250,7 +249,7 @@ void lag_initialization_parameters(lag_initialization *b)
 {
     const size_t n = b->motion->model->nq;
     (void)lag_motion_parameters(b->motion, b->told.p);
-    (void)find_discretes(b, b->x, b->x + n, b->x + 2 * n);
+    (void)find_discretes(b, b->starts.x, b->starts.x + n, b->starts.x + 2 * n);
     close_contacts(b, 0.0);
 }
 
@@ -259,17 +258,17 @@ lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, 
     lag_motion *motion = b->motion;
     const lag_model *model = motion->model;
     const size_t n = model->nq;
-    double *own = b->widths; /* the start values of the model, */
+    double *own = b->starts.widths; /* the start values of the model, */
     b->start = start;
     b->t = t;
     lag_fill(n + model->nc, 0.0, b->still);
     lag_motion_look(motion, t, x); /* and the inputs of the motion, which stay */
-    memcpy(b->x, x, lag_motion_size(model) * sizeof(double));
-    lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->u);
+    memcpy(b->starts.x, x, lag_motion_size(model) * sizeof(double));
+    lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->aside.u);
     if (status != LAG_OK) {
         return status;
     }
-    memcpy(b->fixed, own, n * sizeof(double));
+    memcpy(b->starts.fixed, own, n * sizeof(double));
     memcpy(b->q, own, n * sizeof(double));
     memcpy(b->qd, own + n, n * sizeof(double));
     memcpy(b->z, own + 2 * n, model->nz * sizeof(double));
@@ -278,8 +277,8 @@ lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, 
         return status;
     }
     close_contacts(b, 1.0);
-    find_sizes(b, b->fixed);
-    lag_initialization_find_row_sizes(b, b->fixed);
+    find_sizes(b, b->starts.fixed);
+    lag_initialization_find_row_sizes(b, b->starts.fixed);
     close_contacts(b, 0.0);
     find_widths(b, set);
     memcpy(b->q, x, n * sizeof(double));

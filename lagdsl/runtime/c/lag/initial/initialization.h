@@ -7,6 +7,26 @@
 
 /* Residuals, as a part of the row's size, below which a constraint counts as met. */
 #define LAG_HOLDS 1e-7
+/* Rows of J that are shorter than this part of the largest are zero but for round-off. */
+static const double LAG_NO_ROW = 1e-12;
+
+/* (2 nq + nz) the start values x, with flags of them and what they weigh. */
+typedef struct lag_start_values {
+    double *x;
+    double *widths;          /* 1/sqrt(weight) */
+    double *written, *fixed; /* flags */
+} lag_start_values;
+
+/* Coordinates and rates that initial equations tie. */
+typedef struct lag_tied {
+    unsigned char *joined; /* (nq) or null: 1: they decide this coordinate, with what they tie to it */
+    const double *slopes;  /* (ne, nq) or null: how they change with rates, in natural sizes */
+} lag_tied;
+
+/* Inputs and discretes of the motion, set aside. */
+typedef struct lag_set_aside {
+    double *u, *w; /* (nu) (nw) */
+} lag_set_aside;
 
 typedef struct lag_initialization {
     lag_motion *motion;
@@ -14,18 +34,15 @@ typedef struct lag_initialization {
     double t;
     size_t rows;                 /* of position level */
     double *row;                 /* (rows) which they are */
-    double *x;                   /* (2 nq + nz) the start values */
+    lag_start_values starts;
     double *sizes, *row_sizes;   /* (2 nq + nz) (nc) natural ones */
-    double *widths;              /* (2 nq + nz) 1/sqrt(weight) */
-    double *written, *fixed;     /* (2 nq + nz) flags */
     double *phi, *jacobian;      /* (nc) (nc, nq) */
     double *q, *qd, *z;          /* (nq) (nq) (nz) where the functions are asked */
-    double *u, *w;               /* (nu) (nw) set aside */
+    lag_set_aside aside;
     double *still;               /* (nq + nc) zeros */
     double *lengths;             /* lag_initialization_lengths() of rows at several points */
     double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
-    unsigned char *joined;       /* (nq) or null: 1: initial equations decide this coordinate, with what they tie to it */
-    const double *slopes;        /* (ne, nq) or null: how initial equations change with rates, in natural sizes */
+    lag_tied equations;
     double *memory;              /* of each part in turn */
     lag_initial told;
 } lag_initialization;

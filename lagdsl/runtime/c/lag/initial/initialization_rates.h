@@ -4,6 +4,28 @@
 
 #include "lag/initial/initialization.h"
 
+/* Rates that conditions or M tie, as if they were alone. */
+typedef struct lag_rates_part {
+    size_t columns;      /* how many */
+    double *block;       /* (most + nq, nq) their `table` */
+    double *v, *wanted;  /* (nq) */
+    double *right;       /* (most) */
+    double *free;        /* (nq, nq) rows: what is free still, */
+    size_t width;        /* so many */
+    double *other;       /* (nq, nq) */
+} lag_rates_part;
+
+/* Combinations of rows that vanish in a singular position. */
+typedef struct lag_rates_branch {
+    size_t lost;         /* so many */
+    double *vanishing;   /* (nc, nc) */
+    double *turned;      /* (nq, nc) */
+    double *gamma;       /* (nc) */
+    const double *along; /* `free` or `unbound`, */
+    size_t width;        /* with so many rows */
+    double *minimizer;
+} lag_rates_branch;
+
 typedef struct lag_rates {
     lag_initialization *b;
     double *rows;              /* (nc, nq) J, natural sizes */
@@ -13,19 +35,12 @@ typedef struct lag_rates {
     double *v, *wanted;        /* (nq) rates in natural sizes */
     double *free, *unbound;    /* (nq, nq) rows: what is free still, and what constraints and fixed rates leave */
     size_t width, unbound_width;
-    lag_parts parts;           /* rates that conditions or M tie */
-    double *block;             /* (most + nq, nq) `table` of a part */
-    double *its_v, *its_wanted; /* (nq) of a part */
-    double *its_right;         /* (most) */
-    double *its_free, *other, *inner; /* (nq, nq) */
-    size_t its_width, columns; /* of a part */
-    double *part, *change;     /* (nq) */
-    double *force, *gamma;     /* (nq) (nc) */
-    double *turned, *vanishing; /* (nq, nc) (nc, nc) */
-    size_t lost;               /* combinations of rows that vanish */
-    const double *along;       /* free or unbound, */
-    size_t along_width;        /* with so many rows */
-    double *minimizer, *svd;
+    lag_parts parts;
+    lag_rates_part its;        /* of one of them after the other */
+    lag_rates_branch branch;
+    double *part, *change, *force; /* (nq) */
+    double *inner;             /* (nq, nq) */
+    double *svd;
 } lag_rates;
 
 /*

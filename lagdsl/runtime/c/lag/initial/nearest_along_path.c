@@ -9,18 +9,14 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-static const double DIFFERENCE = 1e-6;
 static const double STATIONARY = 1e-11;
-static const double RANK = 1e-9;
-static const double TARGET = 1e-13;
 /* The Hessian counts as at least so curved: steps stay within reach. */
 static const double LEAST_CURVED = 0.05;
 /* A saddle bends down by more than this; so far the way from it leads, as a part of the size of the point. */
 static const double SADDLE = 1e-6;
 static const double AWAY = 0.1;
-static const double SHORTEST = 1e-6;
 static const double BENT = 0.5;
-enum { ITERATIONS = 60, DESCENTS = 100 };
+enum { ITERATIONS = 60, HALVINGS = 20 };
 
 /* Columns of a part, and where its (columns, columns) numbers stand among those of all parts. */
 static size_t square_of(const lag_parts *parts, size_t which, size_t *first, size_t *place)
@@ -48,21 +44,21 @@ static void weigh(lag_nearest_configuration *s, size_t which, const double *poin
     size_t first = 0;
     const size_t rows = lag_parts_rows(s->parts, which, &first);
     gather(s->parts, which, point, s->part);
-    lag_svd_solve_transposed(svd, s->part, RANK, s->weight);
+    lag_svd_solve_transposed(svd, s->part, LAG_RANK, s->bend.weight);
     for (size_t i = 0; i < rows; ++i) {
-        s->weights[(size_t)s->parts->row[first + i]] = -s->weight[i];
+        s->bend.weights[(size_t)s->parts->row[first + i]] = -s->bend.weight[i];
     }
 }
 
-/* One step of size DIFFERENCE along direction number `index` of all parts that have so many, added to or taken from `point`. */
+/* One step of size LAG_DIFFERENCE along direction number `index` of all parts that have so many, added to or taken from `point`. */
 static void displace(const lag_nearest_configuration *s, size_t index, double sign, const double *point, double *x)
 {
     memcpy(x, point, s->parts->n * sizeof(double));
     for (size_t which = 0, place = 0; which < s->parts->count; ++which) {
         size_t first = 0;
         const size_t columns = lag_parts_columns(s->parts, which, &first);
-        for (size_t j = 0; j < columns && (double)index < s->widths[which]; ++j) {
-            x[(size_t)s->parts->column[first + j]] += sign * DIFFERENCE * s->directions[place + index * columns + j];
+        for (size_t j = 0; j < columns && (double)index < s->bend.widths[which]; ++j) {
+            x[(size_t)s->parts->column[first + j]] += sign * LAG_DIFFERENCE * s->bend.directions[place + index * columns + j];
         }
         place += columns * columns;
     }
@@ -75,26 +71,26 @@ static void bend(lag_nearest_configuration *s, const double *point)
     const lag_parts *parts = s->parts;
     double widest = 0.0;
     for (size_t which = 0; which < parts->count; ++which) {
-        widest = fmax(widest, s->widths[which]);
+        widest = fmax(widest, s->bend.widths[which]);
     }
     for (size_t index = 0; (double)index < widest; ++index) {
-        displace(s, index, -1.0, point, s->trial);
-        e->evaluate(e->context, s->trial, s->residual, s->before);
-        displace(s, index, 1.0, point, s->trial);
-        e->evaluate(e->context, s->trial, s->residual, s->jacobian);
+        displace(s, index, -1.0, point, s->path.trial);
+        e->evaluate(e->context, s->path.trial, s->residual, s->bend.before);
+        displace(s, index, 1.0, point, s->path.trial);
+        e->evaluate(e->context, s->path.trial, s->residual, s->jacobian);
         for (size_t which = 0, place = 0; which < parts->count; ++which) {
             size_t row = 0;
             size_t column = 0;
             const size_t rows = lag_parts_rows(parts, which, &row);
             const size_t columns = lag_parts_columns(parts, which, &column);
-            for (size_t j = 0; j < columns && (double)index < s->widths[which]; ++j) {
+            for (size_t j = 0; j < columns && (double)index < s->bend.widths[which]; ++j) {
                 double sum = 0.0;
                 for (size_t i = 0; i < rows; ++i) {
                     const size_t line = (size_t)parts->row[row + i];
                     const size_t entry = line * parts->n + (size_t)parts->column[column + j];
-                    sum += s->weights[line] * (s->jacobian[entry] - s->before[entry]);
+                    sum += s->bend.weights[line] * (s->jacobian[entry] - s->bend.before[entry]);
                 }
-                s->bends[place + index * columns + j] = sum / (2.0 * DIFFERENCE);
+                s->bend.bends[place + index * columns + j] = sum / (2.0 * LAG_DIFFERENCE);
             }
             place += columns * columns;
         }
@@ -110,12 +106,12 @@ static void find_tangents(lag_nearest_configuration *s, const double *point)
         size_t first = 0;
         const size_t rows = lag_parts_rows(parts, which, &first);
         const size_t columns = lag_parts_columns(parts, which, &first);
-        s->widths[which] = 0.0;
+        s->bend.widths[which] = 0.0;
         if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
             const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
-            const size_t rank = lag_svd_rank(&svd, RANK);
-            s->widths[which] = (double)(columns - rank);
-            memcpy(s->directions + place, svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
+            const size_t rank = lag_svd_rank(&svd, LAG_RANK);
+            s->bend.widths[which] = (double)(columns - rank);
+            memcpy(s->bend.directions + place, svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
             weigh(s, which, point, &svd);
         }
         place += columns * columns;
@@ -130,12 +126,12 @@ static size_t curve(lag_nearest_configuration *s, size_t width, size_t columns, 
         for (size_t j = 0; j < width; ++j) {
             const double one = lag_dot(columns, directions + i * columns, bends + j * columns);
             const double other = lag_dot(columns, directions + j * columns, bends + i * columns);
-            s->hessian[i * width + j] = 0.5 * (one + other) + (i == j ? 1.0 : 0.0);
+            s->bend.hessian[i * width + j] = 0.5 * (one + other) + (i == j ? 1.0 : 0.0);
         }
     }
-    lag_symmetric_eigen(width, s->hessian, s->eigen, s->vectors);
+    lag_symmetric_eigen(width, s->bend.hessian, s->bend.eigen, s->bend.vectors);
     for (size_t i = 1; i < width; ++i) {
-        least = s->eigen[i] < s->eigen[least] ? i : least;
+        least = s->bend.eigen[i] < s->bend.eigen[least] ? i : least;
     }
     return least;
 }
@@ -146,9 +142,9 @@ static void step_of(lag_nearest_configuration *s, size_t which, const double *po
     size_t first = 0;
     size_t place = 0;
     const size_t columns = square_of(s->parts, which, &first, &place);
-    const size_t width = (size_t)s->widths[which];
-    const double *directions = s->directions + place;
-    const size_t least = curve(s, width, columns, directions, s->bends + place);
+    const size_t width = (size_t)s->bend.widths[which];
+    const double *directions = s->bend.directions + place;
+    const size_t least = curve(s, width, columns, directions, s->bend.bends + place);
     double slope = 0.0;
     gather(s->parts, which, point, s->part);
     for (size_t i = 0; i < width; ++i) {
@@ -156,20 +152,20 @@ static void step_of(lag_nearest_configuration *s, size_t which, const double *po
         slope += along * along;
     }
     const int sloping = sqrt(slope) > STATIONARY * length;
-    if (!sloping && !(width > 0 && s->eigen[least] < -SADDLE)) {
+    if (!sloping && !(width > 0 && s->bend.eigen[least] < -SADDLE)) {
         s->moving[which] = 0.0;
         return;
     }
-    s->ways[which] = !sloping;
+    s->path.ways[which] = !sloping;
     for (size_t k = 0; k < width; ++k) {
         double along = 0.0;
         for (size_t i = 0; i < width; ++i) {
-            along += s->vectors[i * width + k] * lag_dot(columns, directions + i * columns, s->part);
+            along += s->bend.vectors[i * width + k] * lag_dot(columns, directions + i * columns, s->part);
         }
-        const double part = sloping ? -along / fmax(fabs(s->eigen[k]), LEAST_CURVED) : k == least ? AWAY * length : 0.0;
+        const double part = sloping ? -along / fmax(fabs(s->bend.eigen[k]), LEAST_CURVED) : k == least ? AWAY * length : 0.0;
         for (size_t i = 0; i < width; ++i) {
             for (size_t j = 0; j < columns; ++j) {
-                s->steps[(size_t)s->parts->column[first + j]] += part * s->vectors[i * width + k] * directions[i * columns + j];
+                s->path.steps[(size_t)s->parts->column[first + j]] += part * s->bend.vectors[i * width + k] * directions[i * columns + j];
             }
         }
     }
@@ -179,8 +175,8 @@ static void find_steps(lag_nearest_configuration *s, const double *point)
 {
     find_tangents(s, point);
     bend(s, point);
-    lag_fill(s->parts->n, 0.0, s->steps);
-    lag_fill(s->parts->count, 0.0, s->ways);
+    lag_fill(s->parts->n, 0.0, s->path.steps);
+    lag_fill(s->parts->count, 0.0, s->path.ways);
     lag_parts_norms(s->parts, 0, point, s->lengths);
     for (size_t which = 0; which < s->parts->count; ++which) {
         if (s->moving[which] != 0.0) {
@@ -198,22 +194,23 @@ static void shorten(lag_nearest_configuration *s, const double *point, double si
     memcpy(result, point, parts->n * sizeof(double));
     lag_fill(count, 0.0, done);
     lag_parts_norms(parts, 0, point, s->lengths);
-    for (double factor = 1.0; factor > SHORTEST && left; factor *= 0.5) {
+    double factor = 1.0;
+    for (int k = 0; k < HALVINGS && left; ++k, factor *= 0.5) {
         for (size_t j = 0; j < parts->n; ++j) {
             const size_t which = (size_t)parts->column_part[j];
             const int tried = moving[which] != 0.0 && done[which] == 0.0;
-            s->trial[j] = tried ? point[j] + sign * factor * s->steps[j] : result[j];
+            s->path.trial[j] = tried ? point[j] + sign * factor * s->path.steps[j] : result[j];
         }
-        lag_descend(&s->minimizer, s->equations, parts, TARGET, DESCENTS, s->trial);
-        lag_parts_norms(parts, 0, s->trial, s->distances);
+        lag_descend(&s->minimizer, s->equations, parts, LAG_EXACT, LAG_DESCENTS, s->path.trial);
+        lag_parts_norms(parts, 0, s->path.trial, s->path.distances);
         left = 0;
         for (size_t which = 0; which < count; ++which) {
             const int tried = moving[which] != 0.0 && done[which] == 0.0;
-            s->chosen[which] = tried && s->minimizer.sizes[which] <= s->limits[which] && s->distances[which] < s->lengths[which];
+            s->chosen[which] = tried && s->minimizer.sizes[which] <= s->path.limits[which] && s->path.distances[which] < s->lengths[which];
             done[which] = s->chosen[which] != 0.0 ? 1.0 : done[which];
             left = left || (tried && s->chosen[which] == 0.0);
         }
-        lag_parts_mix(parts, s->chosen, s->trial, result);
+        lag_parts_mix(parts, s->chosen, s->path.trial, result);
     }
 }
 
@@ -221,14 +218,14 @@ static void shorten(lag_nearest_configuration *s, const double *point, double si
 static void other_side(lag_nearest_configuration *s, const double *point)
 {
     const lag_parts *parts = s->parts;
-    shorten(s, point, -1.0, s->ways, s->opposite, s->also);
-    lag_parts_norms(parts, 0, s->opposite, s->distances);
-    lag_parts_norms(parts, 0, s->shorter, s->lengths);
+    shorten(s, point, -1.0, s->path.ways, s->path.opposite, s->path.also);
+    lag_parts_norms(parts, 0, s->path.opposite, s->path.distances);
+    lag_parts_norms(parts, 0, s->path.shorter, s->lengths);
     for (size_t which = 0; which < parts->count; ++which) {
-        s->chosen[which] = s->also[which] != 0.0 && (s->moved[which] == 0.0 || s->distances[which] < s->lengths[which]);
-        s->moved[which] = s->moved[which] != 0.0 || s->also[which] != 0.0;
+        s->chosen[which] = s->path.also[which] != 0.0 && (s->path.moved[which] == 0.0 || s->path.distances[which] < s->lengths[which]);
+        s->path.moved[which] = s->path.moved[which] != 0.0 || s->path.also[which] != 0.0;
     }
-    lag_parts_mix(parts, s->chosen, s->opposite, s->shorter);
+    lag_parts_mix(parts, s->chosen, s->path.opposite, s->path.shorter);
 }
 
 static void every_part_moves(lag_nearest_configuration *s)
@@ -248,12 +245,12 @@ void lag_nearest_configuration_along(lag_nearest_configuration *s, double *point
     }
     for (unsigned k = 0; k < ITERATIONS && lag_any(s->parts->count, s->moving); ++k) {
         find_steps(s, point);
-        shorten(s, point, 1.0, s->moving, s->shorter, s->moved);
-        if (lag_any(s->parts->count, s->ways)) {
+        shorten(s, point, 1.0, s->moving, s->path.shorter, s->path.moved);
+        if (lag_any(s->parts->count, s->path.ways)) {
             other_side(s, point);
         }
-        memcpy(point, s->shorter, n * sizeof(double));
-        memcpy(s->moving, s->moved, s->parts->count * sizeof(double));
+        memcpy(point, s->path.shorter, n * sizeof(double));
+        memcpy(s->moving, s->path.moved, s->parts->count * sizeof(double));
     }
 }
 
@@ -265,9 +262,9 @@ static void look_at_bends(lag_nearest_configuration *s, const double *place)
         size_t first = 0;
         size_t start = 0;
         const size_t columns = square_of(s->parts, which, &first, &start);
-        if (s->widths[which] > 0.0 && s->also[which] == 0.0) {
-            const double *bends = s->bends + start;
-            s->also[which] = !lag_finite(columns * columns, bends) || lag_svd_of(columns, columns, bends, s->svd).value[0] > BENT;
+        if (s->bend.widths[which] > 0.0 && s->path.also[which] == 0.0) {
+            const double *bends = s->bend.bends + start;
+            s->path.also[which] = !lag_finite(columns * columns, bends) || lag_svd_of(columns, columns, bends, s->svd).value[0] > BENT;
         }
     }
 }
@@ -281,23 +278,23 @@ int lag_nearest_configuration_bends(lag_nearest_configuration *s)
         size_t first = 0;
         const size_t rows = lag_parts_rows(parts, which, &first);
         const size_t columns = lag_parts_columns(parts, which, &first);
-        s->also[which] = s->widths[which] = 0.0;
+        s->path.also[which] = s->bend.widths[which] = 0.0;
         if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
             const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
             weigh(s, which, s->best.point, &svd);
-            s->widths[which] = (double)columns;
-            lag_fill(columns * columns, 0.0, s->directions + place);
+            s->bend.widths[which] = (double)columns;
+            lag_fill(columns * columns, 0.0, s->bend.directions + place);
             for (size_t j = 0; j < columns; ++j) {
-                s->directions[place + j * columns + j] = 1.0;
+                s->bend.directions[place + j * columns + j] = 1.0;
             }
         }
         place += columns * columns;
     }
-    lag_fill(parts->n, 0.0, s->point);
-    look_at_bends(s, s->point);
+    lag_fill(parts->n, 0.0, s->bend.point);
+    look_at_bends(s, s->bend.point);
     look_at_bends(s, s->best.point);
     for (size_t which = 0; which < parts->count; ++which) {
-        s->moving[which] = s->also[which] != 0.0 && s->best.distances[which] > 0.0;
+        s->moving[which] = s->path.also[which] != 0.0 && s->best.distances[which] > 0.0;
     }
     return lag_any(parts->count, s->moving);
 }

@@ -10,9 +10,8 @@
 static const double PENALTIES[] = {1.0, 0.3, 0.1, 0.03, 0.01, 1e-3};
 /* Distances that differ by less are the same; the point that is reached from the start then stays. */
 static const double TIE = 1e-9;
-static const double TARGET = 1e-13;
 static const double ROUNDED = 1e6;
-enum { ITERATIONS = 100, RELAXED = 20 };
+enum { RELAXED = 20 };
 
 size_t lag_nearest_configuration_memory(size_t m, size_t n)
 {
@@ -31,12 +30,12 @@ static void place_found(lag_found *found, size_t m, size_t n, double **memory)
 
 void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, size_t n, double *memory)
 {
-    double **const in_parts[] = {&s->moving, &s->moved, &s->ways, &s->also, &s->chosen, &s->lengths, &s->limits, &s->distances, &s->widths};
-    double **const points[] = {&s->point, &s->steps, &s->shorter, &s->opposite, &s->trial};
+    double **const in_parts[] = {&s->moving, &s->path.moved, &s->path.ways, &s->path.also, &s->chosen, &s->lengths, &s->path.limits, &s->path.distances, &s->bend.widths};
+    double **const points[] = {&s->bend.point, &s->path.steps, &s->path.shorter, &s->path.opposite, &s->path.trial};
     memset(s, 0, sizeof *s);
     lag_levenberg_marquardt_place(&s->minimizer, m, n, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
-    lag_levenberg_marquardt_place(&s->widened, m + n, n, lag_take(&memory, lag_levenberg_marquardt_memory(m + n, n)));
-    s->room = lag_take(&memory, lag_parts_memory(m + n, n));
+    lag_levenberg_marquardt_place(&s->relaxed.minimizer, m + n, n, lag_take(&memory, lag_levenberg_marquardt_memory(m + n, n)));
+    s->relaxed.memory = lag_take(&memory, lag_parts_memory(m + n, n));
     for (size_t i = 0; i < LAG_NEAREST_FOUND; ++i) {
         place_found(&s->found[i], m, n, &memory);
     }
@@ -46,22 +45,22 @@ void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, siz
     place_found(&s->best, m, n, &memory);
     s->residual = lag_take(&memory, m);
     s->jacobian = lag_take(&memory, m * n);
-    s->before = lag_take(&memory, m * n);
+    s->bend.before = lag_take(&memory, m * n);
     for (size_t i = 0; i < sizeof points / sizeof *points; ++i) {
         *points[i] = lag_take(&memory, n);
     }
     for (size_t i = 0; i < sizeof in_parts / sizeof *in_parts; ++i) {
         *in_parts[i] = lag_take(&memory, m + n);
     }
-    s->directions = lag_take(&memory, n * n);
-    s->bends = lag_take(&memory, n * n);
-    s->weights = lag_take(&memory, m);
+    s->bend.directions = lag_take(&memory, n * n);
+    s->bend.bends = lag_take(&memory, n * n);
+    s->bend.weights = lag_take(&memory, m);
     s->block = lag_take(&memory, lag_larger(m, n) * n);
     s->part = lag_take(&memory, n);
-    s->weight = lag_take(&memory, m);
-    s->hessian = lag_take(&memory, n * n);
-    s->vectors = lag_take(&memory, n * n);
-    s->eigen = lag_take(&memory, n);
+    s->bend.weight = lag_take(&memory, m);
+    s->bend.hessian = lag_take(&memory, n * n);
+    s->bend.vectors = lag_take(&memory, n * n);
+    s->bend.eigen = lag_take(&memory, n);
     s->svd = memory;
 }
 
@@ -87,7 +86,7 @@ static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_
 /* Descends from `found->point` to a solution. */
 static void descend(lag_nearest_configuration *s, lag_found *found)
 {
-    lag_descend(&s->minimizer, s->equations, s->parts, TARGET, ITERATIONS, found->point);
+    lag_descend(&s->minimizer, s->equations, s->parts, LAG_EXACT, LAG_DESCENTS, found->point);
     memcpy(found->sizes, s->minimizer.sizes, s->parts->count * sizeof(double));
     lag_parts_norms(s->parts, 0, found->point, found->distances);
 }
@@ -111,8 +110,8 @@ static void relaxed(void *context, const double *y, double *residual, double *ja
     s->equations->evaluate(s->equations->context, y, residual, jacobian);
     lag_fill(n * n, 0.0, jacobian + m * n);
     for (size_t j = 0; j < n; ++j) {
-        residual[m + j] = s->penalty * y[j];
-        jacobian[(m + j) * n + j] = s->penalty;
+        residual[m + j] = s->relaxed.penalty * y[j];
+        jacobian[(m + j) * n + j] = s->relaxed.penalty;
     }
 }
 
@@ -122,7 +121,7 @@ static void widen(lag_nearest_configuration *s, double *memory)
     const lag_parts *parts = s->parts;
     const size_t m = parts->m;
     const size_t n = parts->n;
-    lag_parts *wide = &s->wide;
+    lag_parts *wide = &s->relaxed.parts;
     wide->m = m + n;
     wide->n = n;
     wide->count = parts->count;
@@ -144,8 +143,8 @@ static void follow(lag_nearest_configuration *s, double *point)
     const lag_equations wider = {s->equations->m + s->equations->n, s->equations->n, relaxed, s};
     lag_fill(s->equations->n, 0.0, point);
     for (size_t i = 0; i < sizeof PENALTIES / sizeof *PENALTIES; ++i) {
-        s->penalty = PENALTIES[i];
-        lag_descend(&s->widened, &wider, &s->wide, TARGET, RELAXED, point);
+        s->relaxed.penalty = PENALTIES[i];
+        lag_descend(&s->relaxed.minimizer, &wider, &s->relaxed.parts, LAG_EXACT, RELAXED, point);
     }
 }
 
@@ -190,7 +189,7 @@ static int collect(lag_nearest_configuration *s, size_t rank, lag_found *to)
 static void refine(lag_nearest_configuration *s, lag_found *found)
 {
     for (size_t i = 0; i < s->parts->count; ++i) {
-        s->limits[i] = fmax(1e-12, found->sizes[i]);
+        s->path.limits[i] = fmax(1e-12, found->sizes[i]);
     }
     lag_nearest_configuration_along(s, found->point);
     s->equations->evaluate(s->equations->context, found->point, s->residual, s->jacobian);
@@ -289,7 +288,7 @@ double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_
     s->others = others;
     s->holds = holds;
     s->count = 2;
-    widen(s, s->room);
+    widen(s, s->relaxed.memory);
     lag_fill(n, 0.0, s->found[0].point);
     descend(s, &s->found[0]);
     follow(s, s->found[1].point);

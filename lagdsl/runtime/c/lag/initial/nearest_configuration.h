@@ -22,25 +22,47 @@ typedef struct lag_found {
     double *sizes, *distances; /* (m + n) */
 } lag_found;
 
+/* The equations with a row e y more for each column. */
+typedef struct lag_relaxed {
+    lag_levenberg_marquardt minimizer;
+    lag_parts parts;
+    double penalty;            /* e */
+    double *memory;            /* of the parts */
+} lag_relaxed;
+
+/* A step along the set. */
+typedef struct lag_nearest_path {
+    double *limits;            /* (m + n) of each part: residuals that are none, */
+    double *distances;         /* (m + n) distances from the origin, */
+    double *moved, *ways, *also; /* (m + n) flags */
+    double *steps, *shorter, *opposite, *trial; /* (n) */
+} lag_nearest_path;
+
+/* The bend of the set at a point. */
+typedef struct lag_nearest_bend {
+    double *point;             /* (n) */
+    double *before;            /* (m, n) */
+    double *directions, *bends; /* (n, n) of all parts, one after the other: rows of as many numbers as a part has columns */
+    double *widths;            /* (m + n) of each part: so many directions */
+    double *weights, *weight;  /* (m) */
+    double *hessian, *eigen, *vectors; /* (n, n) (n) (n, n) */
+} lag_nearest_bend;
+
 typedef struct lag_nearest_configuration {
     const lag_equations *equations;
     const lag_parts *parts;
     double holds;          /* residuals of a part that are as small as this are none */
     const double *others;  /* (LAG_NEAREST_OTHERS, n) further beginnings, used as directions once a point is known */
-    lag_levenberg_marquardt minimizer, widened;
-    lag_parts wide;        /* of the penalized equations */
+    lag_levenberg_marquardt minimizer;
+    lag_relaxed relaxed;
     lag_found found[LAG_NEAREST_FOUND], refined[LAG_NEAREST_REFINED], best;
     size_t count;          /* found */
-    double penalty;
-    double *residual, *jacobian, *before; /* (m) (m, n) (m, n) */
-    double *point, *steps, *shorter, *opposite, *trial; /* (n) */
-    double *moving, *moved, *ways, *also, *chosen, *lengths, *limits, *distances, *widths; /* (m + n) */
-    double *directions, *bends; /* (n, n) of all parts, one after the other: rows of as many numbers as a part has columns */
-    double *weights;            /* (m) */
-    double *block, *part, *weight; /* (m, n) or (n, n) (n) (m) */
-    double *hessian, *eigen, *vectors; /* (n, n) (n) (n, n) */
+    lag_nearest_path path;
+    lag_nearest_bend bend;
+    double *residual, *jacobian; /* (m) (m, n) */
+    double *moving, *chosen, *lengths; /* (m + n) of each part */
+    double *block, *part;        /* (m, n) or (n, n) (n) */
     double *svd;
-    double *room;               /* of `wide` */
 } lag_nearest_configuration;
 
 size_t lag_nearest_configuration_memory(size_t m, size_t n);

@@ -9,7 +9,6 @@
 
 static const double SMALLEST_DAMPING = 1e-3;
 static const double LARGEST_DAMPING = 1e8;
-static const double RANK = 1e-9;
 
 /* ---- parts ---- */
 
@@ -170,7 +169,7 @@ static void try_next(lag_levenberg_marquardt *d, const lag_parts *parts, const d
             d->right[i] = d->residual[(size_t)parts->row[row + i]];
         }
         const lag_svd svd = lag_svd_of(rows, columns, d->block, d->svd);
-        lag_svd_solve(&svd, d->right, RANK, d->damping[which], d->part);
+        lag_svd_solve(&svd, d->right, LAG_RANK, d->damping[which], d->part);
         for (size_t j = 0; j < columns; ++j) {
             d->trial[(size_t)parts->column[column + j]] -= d->part[j];
         }

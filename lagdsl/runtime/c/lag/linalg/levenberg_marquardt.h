@@ -10,6 +10,8 @@
 
 #include <stddef.h>
 
+#include "lag/linalg/linalg.h"
+
 /* Numbers of rows and columns are kept as doubles: a workspace is of one type. */
 typedef struct lag_parts {
     size_t m, n, count;                 /* rows, columns, parts */
@@ -17,6 +19,11 @@ typedef struct lag_parts {
     double *row, *column;               /* (m) (n) ordered by parts */
     double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
 } lag_parts;
+
+/* Iterations that descend to round-off. */
+enum { LAG_DESCENTS = 100 };
+/* A step for central differences of such equations. */
+static const double LAG_DIFFERENCE = 1e-6;
 
 /* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. */
 typedef struct lag_equations {

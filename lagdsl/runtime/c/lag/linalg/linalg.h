@@ -4,6 +4,12 @@
 
 #include <stddef.h>
 
+/* Sums of products are known to this part of their terms: a row that is smaller beside others is zero. */
+static const double LAG_ROUNDING = 1e-14;
+
+/* Residuals of equations of order one are round-off below this. */
+static const double LAG_EXACT = 1e-13;
+
 /* Cholesky factor L of the symmetric a (n, n), into its lower half. Returns the index of the first pivot that is not above
  * `tolerance` (the factor is complete before it), n if there is none. */
 size_t lag_cholesky(size_t n, double *a, double tolerance);

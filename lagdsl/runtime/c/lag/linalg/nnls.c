@@ -7,11 +7,6 @@
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/arena.h"
 
-/* Of A with a unit diagonal: what is below this part of the largest eigenvalue, or of a pivot, is none. */
-static const double RANK = 1e-13;
-/* Of the largest b: slopes below this part are round-off. */
-static const double FLAT = 1e-14;
-
 typedef struct problem {
     size_t n;
     size_t count;            /* unknowns that are free */
@@ -55,7 +50,7 @@ static void into_range(problem *p, double *copy, double *vectors)
     }
     for (size_t k = 0; k < n; ++k) {
         double part = 0.0;
-        for (size_t i = 0; i < n && p->trial[k] <= RANK * most; ++i) {
+        for (size_t i = 0; i < n && p->trial[k] <= LAG_EXACT * most; ++i) {
             part += vectors[i * n + k] * p->b[i];
         }
         for (size_t i = 0; i < n && part != 0.0; ++i) {
@@ -89,7 +84,7 @@ static size_t steepest(problem *p)
     for (size_t i = 0; i < n; ++i) {
         largest = fmax(largest, fabs(p->b[i]));
     }
-    double most = FLAT * (double)n * largest;
+    double most = LAG_ROUNDING * (double)n * largest;
     for (size_t i = 0; i < n; ++i) {
         double slope = p->b[i];
         for (size_t j = 0; j < n; ++j) {
@@ -114,7 +109,7 @@ static int solve(problem *p)
             p->factor[i * k + j] = p->a[row * p->n + (size_t)p->free[j]];
         }
     }
-    if (lag_cholesky(k, p->factor, RANK) < k) {
+    if (lag_cholesky(k, p->factor, LAG_EXACT) < k) {
         return 0;
     }
     lag_cholesky_solve(k, p->factor, p->trial);

@@ -9,6 +9,11 @@
 
 #include <stddef.h>
 
+/* Singular values below this part of the largest are round-off; residuals, too, of conditions that follow from others. */
+static const double LAG_RANK = 1e-9;
+/* The same of matrices that are known by and large: of differences, and in positions that are singular up to their residuals. */
+static const double LAG_ROUGH_RANK = 1e-7;
+
 /* A = sum of value[i] u[i] v[i]', values descending; vectors are rows here. */
 typedef struct lag_svd {
     size_t m, n, k; /* of A (m, n); k: the smaller of both */

@@ -290,17 +290,17 @@ static lag_status step(lag_stepper *s, double limit)
             status = lag_stepper_rates(s, t_new, at.x_new, end_slope);
         }
         if (error <= 1.0 && status == LAG_OK) {
-            const double factor = factor_of(error, s->error > 0.0 ? s->error : 1e-4);
+            const double factor = factor_of(error, s->last.error > 0.0 ? s->last.error : 1e-4);
             const double next = h * (rejected ? fmin(factor, 1.0) : factor);
-            s->urge = urge_of(s, &at, h);
+            s->last.urge = urge_of(s, &at, h);
             s->h = h < proposed && !rejected ? fmax(next, proposed) : next;
-            s->error = fmax(error, 1e-4);
-            s->h_of_error = h;
+            s->last.error = fmax(error, 1e-4);
+            s->last.h = h;
             lag_stepper_pass(s, LAG_PASSED_END, t_new);
             lag_stepper_accept(s, t_new, at.x_new, end_slope);
             return LAG_OK;
         }
-        ++s->rejections;
+        ++s->counts.rejections;
         if (h <= s->h_least) {
             return LAG_STEP_TOO_SMALL;
         }

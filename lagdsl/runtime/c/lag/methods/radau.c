@@ -155,7 +155,7 @@ static double factor_of(const lag_stepper *s, unsigned stages, double h, double 
     if (!(error > 0.0)) {
         return GROW;
     }
-    const double trend = s->error > 0.0 ? h / s->h_of_error * pow(s->error / error, exponent) : 1.0;
+    const double trend = s->last.error > 0.0 ? h / s->last.h * pow(s->last.error / error, exponent) : 1.0;
     return fmin(1.0, trend) * pow(error, -exponent);
 }
 
@@ -212,7 +212,7 @@ static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_r
     }
     memo->age = memo->decomposed = 0.0;
     memo->trust = 1.0;
-    s->error = 0.0;
+    s->last.error = 0.0;
 }
 
 /* Length of the next step, where `factor` is what the error of this one, of length h, allows for. */
@@ -242,15 +242,15 @@ static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h,
 static void go_on(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
 {
     s->h = next;
-    s->error = fmax(error, 1e-2);
-    s->h_of_error = h;
+    s->last.error = fmax(error, 1e-2);
+    s->last.h = h;
     choose_order(s, at, solved, next / h);
 }
 
 /* It is to be tried again, shorter. */
 static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double factor)
 {
-    ++s->rejections;
+    ++s->counts.rejections;
     s->h = fmax(h * fmax(SHRINK, fmin(factor, 0.9)), s->h_least);
     lag_radau_fail(at, solved);
     if (!solved->converged) {
@@ -283,7 +283,7 @@ static lag_status step(lag_stepper *s, double limit)
             return LAG_OK;
         }
         if (h <= s->h_least) {
-            ++s->rejections;
+            ++s->counts.rejections;
             return LAG_STEP_TOO_SMALL;
         }
         shorten(s, &at, &solved, h, factor);

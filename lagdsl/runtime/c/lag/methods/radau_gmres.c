@@ -8,14 +8,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/linalg.h"
 #include "lag/methods/radau.h"
 
 enum { MOST = LAG_RADAU_KRYLOV, STAGES = LAG_RADAU_STAGES };
 
 /* The iteration ends when this part of the residual is left. */
 static const double SMALL = 1e-6;
-/* A direction of which no more than this is left is none. */
-static const double ROUNDING = 1e-14;
 
 /* The Hessenberg matrix, column by column as it grows, made triangular by rotations, and the rotated right-hand side. */
 typedef struct least_squares {
@@ -117,7 +116,7 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {
         grow(s, at, m, system.column[m]);
-        const int last = !(system.column[m][m + 1] > ROUNDING);
+        const int last = !(system.column[m][m + 1] > LAG_ROUNDING);
         if (!rotate(&system, m)) {
             break;
         }

@@ -61,7 +61,7 @@ unsigned lag_radau_iterations(unsigned stages)
 
 static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, double t, const double *x, double *matrix)
 {
-    ++s->jacobians;
+    ++s->counts.jacobians;
     const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
     at->memo->decomposed = 0.0;
     if (status != LAG_OK) {
@@ -146,7 +146,7 @@ static lag_status decompose(lag_stepper *s, const lag_radau_places *at, double h
     if (at->memo->decomposed == h) {
         return LAG_OK;
     }
-    ++s->decompositions;
+    ++s->counts.decompositions;
     for (size_t i = 0; i < n * n; ++i) {
         at->real[i] = -entry(at, i);
     }

@@ -6,9 +6,6 @@
 
 #include "lag/linalg/finite.h"
 
-/* Steps that would leave less than this part of themselves before the limit are stretched to it. */
-static const double STRETCH = 1.01;
-
 size_t lag_stepper_memory(size_t size)
 {
     const size_t explicit_work = lag_dop853.memory(size);
@@ -35,7 +32,7 @@ void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
 
 lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd)
 {
-    ++s->evaluations;
+    ++s->counts.evaluations;
     lag_status status = s->ode->rates(s->ode->context, t, x, xd);
     if (status == LAG_OK && !lag_finite(s->ode->size, xd)) {
         status = LAG_NOT_FINITE;
@@ -50,8 +47,8 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
 
 void lag_stepper_pass(const lag_stepper *s, unsigned place, double t)
 {
-    if (s->pass != NULL) {
-        s->pass(s->context, place, t);
+    if (s->passing.pass != NULL) {
+        s->passing.pass(s->passing.context, place, t);
     }
 }
 
@@ -94,15 +91,14 @@ static double first_length(lag_stepper *s, double span)
 lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span)
 {
     s->method = method;
-    s->error = s->h_of_error = s->urge = 0.0;
-    s->dense_ready = 0;
+    s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
     }
     lag_stepper_pass(s, LAG_PASSED_BEGIN, s->t);
     if (!(s->h > 0.0)) {
-        s->h = method->error_order > 0 ? first_length(s, span) : s->length;
+        s->h = method->error_order > 0 ? first_length(s, span) : s->fixed.length;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
@@ -113,9 +109,9 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 
 lag_status lag_stepper_step(lag_stepper *s, double limit)
 {
-    s->dense_ready = 0;
+    s->last.dense_ready = 0;
     const lag_status status = s->method->step(s, limit);
-    s->steps += status == LAG_OK;
+    s->counts.steps += status == LAG_OK;
     return status;
 }
 
@@ -134,19 +130,19 @@ void lag_stepper_undo(lag_stepper *s, double h)
     memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
     memcpy(s->f, s->f_before, s->ode->size * sizeof(double));
     s->h = h;
-    s->error = s->h_of_error = 0.0;
-    s->dense_ready = 0;
+    s->last.error = s->last.h = 0.0;
+    s->last.dense_ready = 0;
     s->method->begin(s);
 }
 
 lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
 {
-    if (!s->dense_ready) {
+    if (!s->last.dense_ready) {
         const lag_status status = s->method->prepare_dense(s);
         if (status != LAG_OK) {
             return status;
         }
-        s->dense_ready = 1;
+        s->last.dense_ready = 1;
     }
     s->method->dense(s, t, x);
     return LAG_OK;
@@ -156,7 +152,7 @@ double lag_stepper_length(const lag_stepper *s, double limit)
 {
     const double rest = limit - s->t;
     const double h = fmin(s->h, s->h_most);
-    return h * STRETCH >= rest ? rest : h;
+    return h * LAG_STRETCH >= rest ? rest : h;
 }
 
 double lag_stepper_end(const lag_stepper *s, double h, double limit)

@@ -7,9 +7,6 @@
 #include "lag/stepper.h"
 #include "lag/linalg/vector.h"
 
-/* A last step that would leave less than this part of itself is stretched. */
-static const double STRETCH = 1.01;
-
 /* Origin of the count of steps: start time, length of the first, number of steps of this length after it. */
 typedef struct places {
     double *start, *first, *count;
@@ -39,7 +36,7 @@ static void begin(lag_stepper *s)
 {
     const places at = place(s);
     *at.start = s->t;
-    *at.first = s->h > 0.0 ? fmin(s->h, s->length) : s->length;
+    *at.first = s->h > 0.0 ? fmin(s->h, s->fixed.length) : s->fixed.length;
     *at.count = 0.0;
 }
 
@@ -57,7 +54,7 @@ static lag_status rates(void *context, double t, const double *x, double *xd)
 static lag_status jacobian(void *context, double t, const double *x, double *matrix)
 {
     lag_stepper *s = context;
-    ++s->jacobians;
+    ++s->counts.jacobians;
     const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
     if (status != LAG_OK) {
         s->trouble = status;
@@ -71,12 +68,12 @@ static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
     const lag_ode ode = {s->ode->size, s, rates, jacobian};
-    double end = *at.start + *at.first + *at.count * s->length;
-    if (limit - s->t <= STRETCH * (end - s->t)) {
+    double end = *at.start + *at.first + *at.count * s->fixed.length;
+    if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;
     }
     memcpy(at.x, s->x, s->ode->size * sizeof(double));
-    lag_status status = formula(&ode, s->nq, s->t, end - s->t, at.x, at.memory);
+    lag_status status = formula(&ode, s->fixed.nq, s->t, end - s->t, at.x, at.memory);
     if (status == LAG_OK) {
         status = lag_stepper_rates(s, end, at.x, at.f);
     }
@@ -84,7 +81,7 @@ static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
         return LAG_STEP_TOO_SMALL;
     }
     *at.count += 1.0;
-    s->h = s->length;
+    s->h = s->fixed.length;
     lag_stepper_accept(s, end, at.x, at.f);
     return LAG_OK;
 }

@@ -87,7 +87,7 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *
 /* h |lambda| of the exact Jacobian at the present state; 0 where it is not to be had. */
 static double exact_urge(lag_stiffness *stiffness, lag_stepper *s, double h, int *decays)
 {
-    ++s->jacobians;
+    ++s->counts.jacobians;
     *decays = 0;
     if (s->ode->jacobian(s->ode->context, s->t, s->x, stiffness->matrix) != LAG_OK) {
         return 0.0;
@@ -104,7 +104,7 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
         return s->method;
     }
     if (!s->method->implicit) {
-        stiffness->signs = s->urge > BORDER ? stiffness->signs + 1 : 0;
+        stiffness->signs = s->last.urge > BORDER ? stiffness->signs + 1 : 0;
         if (stiffness->signs < SIGNS) {
             return s->method;
         }

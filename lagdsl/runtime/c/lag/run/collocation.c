@@ -80,7 +80,7 @@ static int rates_at(lag_singular *s, double t, const double *x, double *values, 
     const lag_model *model = s->run->motion.model;
     const lag_ode *ode = &s->run->motion.ode;
     const double *found = s->rates + model->nq;
-    ++s->run->stepper.evaluations;
+    ++s->run->stepper.counts.evaluations;
     if (ode->rates(ode->context, t, x, s->rates) != LAG_OK || !lag_finite(ode->size, s->rates)) {
         return 0;
     }

@@ -238,7 +238,7 @@ static void search_outputs(lag_extremes *extremes, lag_run *run, double t)
                 const size_t first = k < 2 ? 0 : k + 2 > LAG_SAMPLES ? LAG_SAMPLES + 1 - LAG_WINDOW : k - 2;
                 const double reach = lag_course_reach(&c, k);
                 const lag_spread around = lag_spread_of(y + first, weight);
-                const int worth = extremes->searched < s->evaluations + SPARE && lag_spread_hides(&around);
+                const int worth = extremes->searched < s->counts.evaluations + SPARE && lag_spread_hides(&around);
                 if (reach > record_of(extremes, ny, i, sign) || worth) {
                     const double a = s->t_before + part * (double)(k > 0 ? k - 1 : 0);
                     const double b = k < LAG_SAMPLES ? s->t_before + part * (double)(k + 1) : t;

@@ -30,28 +30,23 @@ static size_t scratch(const lag_model *model, const lag_run_options *options)
     return initial + (lag_run_crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)) +
+    return lag_padded(sizeof(lag_run)) + lag_padded(model->nclock * sizeof(lag_clock)) +
            (lag_run_numbers(model) + scratch(model, options)) * sizeof(double);
 }
 
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
 {
-    const lag_run_options *options = &run->options;
+    const lag_run_invariants *invariants = &run->options.invariants;
     const size_t ni = model->ni;
     double *own = lag_take(memory, 3 * ni);
     run->watch.motion = &run->motion;
-    run->watch.begun = options->continued;
-    run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
-    run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
-    run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
-    run->watch.tolerance = options->invariant_tolerance;
+    run->watch.begun = invariants->continued;
+    run->watch.start = invariants->start != NULL ? invariants->start : own;
+    run->watch.size = invariants->size != NULL ? invariants->size : own + ni;
+    run->watch.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
+    run->watch.tolerance = invariants->tolerance;
     run->watch.value = lag_take(memory, lag_watch_memory(model));
     run->watch.scale = run->watch.value + ni;
     run->watch.held = run->watch.scale + ni;
@@ -61,12 +56,13 @@ static lag_status tell(void *context, const lag_event_notice *notice)
 {
     lag_run *run = context;
     lag_event_notice told = *notice;
+    const lag_run_callbacks *callbacks = &run->options.callbacks;
     lag_status status = LAG_OK;
     if (run->options.results != NULL) {
         status = lag_results_tell(run->options.results, run, notice);
     }
     told.row = run->counts.row;
-    return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
+    return status == LAG_OK && callbacks->tell != NULL ? callbacks->tell(callbacks->context, run, &told) : status;
 }
 
 static void place_instants(lag_run *run, const lag_model *model, double **memory)
@@ -86,8 +82,8 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
 void lag_run_depend(lag_run *run, const unsigned char *dependent)
 {
     const lag_model *model = run->motion.model;
-    const double *lasting = run->options.lasting;
-    run->ranks.look.most = lasting != NULL ? run->options.general : model->rank;
+    const double *lasting = run->options.lasting.rows;
+    run->ranks.look.most = lasting != NULL ? run->options.lasting.general : model->rank;
     for (size_t i = 0; i < model->nc; ++i) {
         const int lasts = lasting == NULL || lasting[i] != 0.0;
         const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
@@ -114,21 +110,20 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     }
     lag_run *run = block;
     run->options = *options;
-    run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
-    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) + padded(model->nclock * sizeof(lag_clock)));
+    run->clock = (lag_clock *)(void *)(bytes + lag_padded(sizeof(lag_run)));
+    double *memory = (double *)(void *)(bytes + lag_padded(sizeof(lag_run)) + lag_padded(model->nclock * sizeof(lag_clock)));
     run->block.memory = memory;
     run->block.numbers = lag_run_numbers(model);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
-    run->motion.inputs = options->inputs;
-    run->motion.context = options->context;
+    run->motion.inputs = options->callbacks.inputs;
+    run->motion.context = options->callbacks.context;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
-    run->stepper.length = options->h_fixed;
-    run->stepper.nq = model->nq;
-    run->stepper.pass = options->results != NULL && model->ny > 0 ? pass : NULL;
-    run->stepper.context = run;
+    run->stepper.fixed.length = options->h_fixed;
+    run->stepper.fixed.nq = model->nq;
+    run->stepper.passing = (lag_passing){options->results != NULL && model->ny > 0 ? pass : NULL, run};
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->sizes.group = lag_take(&memory, size);
     run->sizes.natural = lag_take(&memory, size);
@@ -170,11 +165,7 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .x = s->x,
         .row = run->counts.row,
         .steps = run->counts.steps,
-        .all_steps = s->steps,
-        .rejections = s->rejections,
-        .evaluations = s->evaluations,
-        .jacobians = s->jacobians,
-        .decompositions = s->decompositions,
+        .counts = s->counts,
         .projections = run->projection.count,
         .events = run->counts.events,
         .changes = run->methods.changes,

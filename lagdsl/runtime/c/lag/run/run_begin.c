@@ -13,12 +13,12 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     const size_t size = lag_motion_size(model);
     lag_status status = LAG_OK;
     lag_accuracy_groups(model, x, run->sizes.group, run->sizes.natural, run->sizes.cap);
-    if (options->group != NULL) {
-        memcpy(run->sizes.group, options->group, size * sizeof(double));
-        memcpy(run->sizes.natural, options->natural, size * sizeof(double));
-        memcpy(run->sizes.cap, options->cap, size * sizeof(double));
+    if (options->sizes.group != NULL) {
+        memcpy(run->sizes.group, options->sizes.group, size * sizeof(double));
+        memcpy(run->sizes.natural, options->sizes.natural, size * sizeof(double));
+        memcpy(run->sizes.cap, options->sizes.cap, size * sizeof(double));
     }
-    if (model->nc > 0 && options->row_sizes == NULL) {
+    if (model->nc > 0 && options->sizes.row_sizes == NULL) {
         lag_motion_look(&run->motion, t, x);
         status = model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
     }
@@ -28,7 +28,7 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
             const double entry = run->projection.jacobian[i * model->nq + j] * run->sizes.natural[j];
             sum += entry * entry;
         }
-        run->sizes.rows[i] = options->row_sizes != NULL ? options->row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
+        run->sizes.rows[i] = options->sizes.row_sizes != NULL ? options->sizes.row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
     }
     memcpy(run->projection.sizes, run->sizes.natural, model->nq * sizeof(double));
     lag_projection_limits(&run->projection, options->part * options->tolerance, run->sizes.rows);

@@ -7,8 +7,6 @@
 
 /* A step is cut into so many pieces at most. */
 enum { MOST_PIECES = 200 };
-/* Changes with time so near to the end of a step, as a part of it, happen there. */
-static const double SAME = 1e-9;
 
 /* The method that takes such steps and has states within them. */
 static const lag_method *method_of(lag_fixed_step *step)
@@ -41,7 +39,7 @@ static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_ste
     const lag_method *chosen = run->options.method;
     const lag_method *method = run->stepper.method;
     run->options.method = run->stepper.method = method_of(step);
-    run->stepper.length = run->stepper.h = h;
+    run->stepper.fixed.length = run->stepper.h = h;
     run->instants.contacts.flight = h;
     const lag_status status = lag_run_to(run, end, MOST_PIECES);
     run->instants.contacts.flight = 0.0;
@@ -70,7 +68,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
     }
     const double end = end_of_step(&run->pace, s->t, h);
     run->motion.until = end; /* inputs that jump there do so as the next step begins */
-    status = lag_instants_next(&run->instants) < end - SAME * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
+    status = lag_instants_next(&run->instants) < end - LAG_SAME_TICK * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
     if (status == LAG_EVENT_PENDING) {
         if (s->t == end) {
             s->t = s->t_before;

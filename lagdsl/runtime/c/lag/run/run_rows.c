@@ -28,7 +28,8 @@ static lag_status record(lag_run *run, double t, const double *x)
             return status;
         }
     }
-    return run->options.output != NULL ? run->options.output(run->options.context, run, t, x) : LAG_OK;
+    const lag_run_callbacks *callbacks = &run->options.callbacks;
+    return callbacks->output != NULL ? callbacks->output(callbacks->context, run, t, x) : LAG_OK;
 }
 
 lag_status lag_run_rows(lag_run *run, double t, int up_to)

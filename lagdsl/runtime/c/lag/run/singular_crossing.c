@@ -176,9 +176,9 @@ static lag_status take(lag_singular *s, double length, double limit)
     stepper->t = fmin(stepper->t + length, limit);
     lag_collocation.dense(stepper, stepper->t, stepper->x);
     lag_singular_project(s, stepper->t, stepper->x);
-    stepper->h = stepper->error = stepper->h_of_error = stepper->urge = 0.0;
-    stepper->dense_ready = 1;
-    ++stepper->steps;
+    stepper->h = 0.0;
+    stepper->last = (lag_last_step){0.0, 0.0, 0.0, 1};
+    ++stepper->counts.steps;
     return lag_stepper_correct(stepper);
 }
 

@@ -12,7 +12,6 @@ static const double SHORT = 1.0 / 6.0;
 static const double NEAR = 1.0 / 16.0;
 /* and where both rates lead as far, up to this part, over a piece of this part of the way. */
 static const double STEADY = 1.0 / 8.0;
-static const double PIECE = 1.0 / 8.0;
 /* A quaternion turns less than this in one piece. */
 static const double SMALL = 0.25;
 /* A piece is halved so often at most. */
@@ -99,7 +98,7 @@ static int is_continued(lag_turns *turns, size_t n, double h, double whole)
         turns->now[i] = nearest(turns->now[i], isfinite(expected) ? expected : turns->value[i], turn);
         const int brief = !(h * fmax(fabs(turns->rate[i]), fabs(turns->pace[i])) > SHORT * turn);
         const int steady = h * fabs(turns->rate[i] - turns->pace[i]) <= STEADY * turn && fabs(turns->now[i] - expected) <= NEAR * turn;
-        certain = certain && (brief || (steady && h <= PIECE * whole));
+        certain = certain && (brief || (steady && h <= STEADY * whole));
     }
     return certain;
 }

@@ -25,11 +25,6 @@ typedef struct bench {
     lag_note notes[NOTES];
 } bench;
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 /* Doubles beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
 static size_t own_memory(const lag_model *model)
 {
@@ -43,7 +38,7 @@ size_t lag_ensemble_width(const lag_model *model)
 
 size_t lag_ensemble_size(const lag_ensemble *ensemble)
 {
-    return padded(sizeof(bench)) + padded(own_memory(ensemble->model) * sizeof(double)) +
+    return lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double)) +
            lag_run_size(ensemble->model, ensemble->options);
 }
 
@@ -88,8 +83,8 @@ static lag_status find_start(const lag_ensemble *ensemble, size_t i, lag_run *ru
         return LAG_NOT_FINITE;
     }
     status = lag_run_find(run, ensemble->t, ensemble->set, x, told);
-    if (ensemble->found != NULL && model->np > 0) {
-        memcpy(ensemble->found + i * model->np, run->motion.at.p, model->np * sizeof(double));
+    if (ensemble->results.found != NULL && model->np > 0) {
+        memcpy(ensemble->results.found + i * model->np, run->motion.at.p, model->np * sizeof(double));
     }
     return status == LAG_OK && told->fault != LAG_INITIAL_NONE ? LAG_PROJECTION_FAILED : status;
 }
@@ -146,7 +141,7 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     lag_fill(model->nc, 1.0, row_sizes);
     own->kept = (keeper){
         .ensemble = ensemble, .width = lag_results_width(model),
-        .rows = ensemble->rows + i * ensemble->options->count * lag_ensemble_width(model)
+        .rows = ensemble->results.rows + i * ensemble->options->count * lag_ensemble_width(model)
     };
     own->results = (lag_results){
         .most_rows = ROWS, .most_notes = NOTES, .rows = rows, .notes = own->notes, .full = keep, .context = &own->kept
@@ -154,8 +149,8 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     own->options = *ensemble->options;
     own->options.p = ensemble->p + i * model->np;
     own->options.u = ensemble->u == NULL ? NULL : ensemble->u + i * model->nu;
-    own->options.natural = ensemble->natural + i * size;
-    own->options.row_sizes = row_sizes;
+    own->options.sizes.natural = ensemble->natural + i * size;
+    own->options.sizes.row_sizes = row_sizes;
     own->options.results = &own->results;
     lag_run *run = lag_run_place(block, model, &own->options);
     lag_status status = find_start(ensemble, i, run, starts, x, &told);
@@ -164,8 +159,8 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
         status = move(ensemble, run, x);
     }
     (void)keep(&own->kept, &own->results);
-    ensemble->kept[i] = own->kept.kept;
-    ensemble->ended[i] = own->results.any ? own->results.last : (double)NAN;
+    ensemble->results.kept[i] = own->kept.kept;
+    ensemble->results.ended[i] = own->results.any ? own->results.last : (double)NAN;
     if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED && !is_stopped(ensemble)) {
         ensemble->failed(ensemble->context, i, run, (int)status, starts, x, started ? NULL : &told);
     }
@@ -176,14 +171,14 @@ size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, 
 {
     char *bytes = block;
     bench *own = block;
-    double *memory = (double *)(void *)(bytes + padded(sizeof(bench)));
-    char *rest = bytes + padded(sizeof(bench)) + padded(own_memory(ensemble->model) * sizeof(double));
+    double *memory = (double *)(void *)(bytes + lag_padded(sizeof(bench)));
+    char *rest = bytes + lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double));
     for (size_t i = first; i < end; ++i) {
         const lag_status status = run_one(ensemble, i, own, memory, rest);
         if (is_stopped(ensemble)) {
             return i;
         }
-        ensemble->status[i] = (int)status;
+        ensemble->results.status[i] = (int)status;
     }
     return end;
 }

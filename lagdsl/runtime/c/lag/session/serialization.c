@@ -70,15 +70,15 @@ static void record_stepper(lag_stepper *s, lag_record *record)
     RECORD(s->h);
     RECORD(s->h_least);
     RECORD(s->h_most);
-    RECORD(s->error);
-    RECORD(s->h_of_error);
-    RECORD(s->urge);
-    RECORD(s->dense_ready);
-    RECORD(s->evaluations);
-    RECORD(s->jacobians);
-    RECORD(s->decompositions);
-    RECORD(s->steps);
-    RECORD(s->rejections);
+    RECORD(s->last.error);
+    RECORD(s->last.h);
+    RECORD(s->last.urge);
+    RECORD(s->last.dense_ready);
+    RECORD(s->counts.evaluations);
+    RECORD(s->counts.jacobians);
+    RECORD(s->counts.decompositions);
+    RECORD(s->counts.steps);
+    RECORD(s->counts.rejections);
     RECORD(s->trouble);
     RECORD(s->trouble_time);
 }

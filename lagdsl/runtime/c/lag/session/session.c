@@ -41,11 +41,9 @@ static lag_run_options plan(lag_session *session)
         .length = session->length,
         .start = session->start,
         .careful = 2,
-        .context = session,
-        .inputs = session->model->nu > 0 ? tell_inputs : NULL,
+        .callbacks = {.context = session, .inputs = session->model->nu > 0 ? tell_inputs : NULL},
         .p = session->p,
-        .lasting = session->lasting,
-        .general = session->lasting != NULL ? independent(session) : 0
+        .lasting = {session->lasting, session->lasting != NULL ? independent(session) : 0}
     };
 }
 
