@@ -150,7 +150,9 @@ def test_a_rocking_box_comes_to_rest() -> None:
     np.testing.assert_allclose(times[:6], landings, rtol=0, atol=1e-9)
     assert [event.name for event in motion.events if event.kind == "closed"][:4] == ["right", "left"] * 2
     assert times[-1] == pytest.approx(first + 2.0 * first * ratio / (1.0 - ratio), abs=1e-6)  # the sum of them all
-    assert len(times) <= 1 + math.ceil(math.log(3e-6 * (1.0 - ratio) / (2.0 * first)) / math.log(ratio))  # then they are held
+    assert len(times) <= 1 + math.ceil(
+        math.log(3e-6 * (1.0 - ratio) / (2.0 * first)) / math.log(ratio)
+    )  # then they are held
     assert abs(motion["a"][-1]) < 1e-12 and abs(motion["der(a)"][-1]) < 1e-12
 
 

@@ -11,7 +11,7 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 16 * model->ncontact + (3 + model->nq) * model->ngap + 6 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 16 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -71,7 +71,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     find_entries(contacts, model);
     contacts->blows.hit = lag_take(&memory, model->nq + model->nz);
     contacts->forces = lag_take(&memory, model->nq);
-    contacts->zero = lag_take(&memory, model->nq);
+    contacts->work = lag_take(&memory, 4 * model->nq);
     contacts->sizes.peak = lag_take(&memory, 2 * model->nq);
     contacts->sizes.least = lag_take(&memory, model->nq);
     memset(contacts->sizes.peak, 0, 2 * model->nq * sizeof(double));

@@ -3,7 +3,7 @@
  *
  * Each contact is judged by what enters its own gap. Its length is sum |dgap/dq_j| |q_j|, with the largest magnitudes so far: gaps are
  * zero to round-off of that; its speed is sum |dgap/dq_j| |qd_j|; its force is the one that would cancel the accelerations that the forces give
- * its own coordinates. So what does not enter a gap changes nothing, in whatever units and sizes.
+ * its own coordinates, with forces that act and those that would where positions change by as much as they are. So what does not enter a gap changes nothing, in whatever units and sizes.
  */
 #ifndef LAG_CONTACT_H
 #define LAG_CONTACT_H
@@ -49,7 +49,7 @@ typedef struct lag_contacts {
     double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state looked at last */
     double *restitution, *capture_speed, *zeno_time;   /* (ncontact) */
     double *forces;          /* (nq) magnitudes of generalized forces */
-    double *zero;            /* (nq) */
+    double *work;            /* (4 nq) */
 } lag_contacts;
 
 /* Doubles for them. */

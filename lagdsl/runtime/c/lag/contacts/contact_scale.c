@@ -15,6 +15,10 @@ static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
 /* Constraints satisfied to their limits let gaps be so many limits off. */
 static const double LIMITS = 4.0;
+/* Positions are moved by this part of their magnitudes to see how large forces are. */
+static const double CHANGE = 1e-4;
+/* Magnitudes of forces that differ by less than this factor are alike. */
+static const double ALIKE = 2.0;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
@@ -123,19 +127,70 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
     return compliance > 0.0 ? acceleration / compliance : 0.0;
 }
 
-/* Magnitudes of the generalized forces that act. */
-static lag_status find_forces(lag_contacts *contacts)
+/* Generalized forces (nq) that act where the positions are moved by this part of their magnitudes: all up, or every other one down. */
+static lag_status act(lag_contacts *contacts, const double *x, double part, int alternate, double *force)
 {
     lag_motion *motion = contacts->motion;
-    const size_t n = motion->model->nq;
-    lag_fill(n, 0.0, contacts->zero);
-    motion->at.qdd = contacts->zero;
-    const lag_status status = motion->model->inverse_dynamics(&motion->at, contacts->forces);
+    double *memory = contacts->work;
+    double *moved = lag_take(&memory, motion->model->nq);
+    double *zero = lag_take(&memory, motion->model->nq);
+    lag_fill(motion->model->nq, 0.0, zero);
+    for (size_t j = 0; j < motion->model->nq; ++j) {
+        const double by = part * fmax(contacts->sizes.peak[j], contacts->sizes.least[j]);
+        moved[j] = alternate && j % 2 != 0 ? x[j] - by : x[j] + by;
+    }
+    motion->at.q = moved;
+    motion->at.qdd = zero;
+    const lag_status status = motion->model->inverse_dynamics(&motion->at, force);
     motion->at.qdd = motion->qdd;
+    motion->at.q = x;
+    return status;
+}
+
+/* Magnitudes of the generalized forces: those that act, and those that would where positions change by as much as they are. */
+static lag_status find_forces(lag_contacts *contacts, const double *x)
+{
+    const size_t n = contacts->motion->model->nq;
+    double *tau = contacts->work + 2 * n;
+    double *other = contacts->work + 3 * n;
+    const lag_status status = act(contacts, x, 0.0, 0, tau);
     for (size_t j = 0; j < n; ++j) {
-        contacts->forces[j] = fabs(contacts->forces[j]);
+        contacts->forces[j] = fabs(tau[j]);
+    }
+    for (int k = 0; k < 2 && status == LAG_OK; ++k) {
+        if (act(contacts, x, CHANGE, k, other) == LAG_OK) {
+            for (size_t j = 0; j < n; ++j) {
+                const double by = fabs(other[j] - tau[j]) / CHANGE;
+                contacts->forces[j] = isfinite(by) ? fmax(contacts->forces[j], by) : contacts->forces[j];
+            }
+        }
     }
     return status;
+}
+
+/*
+ * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
+ * Contacts between bodies on which only their neighbours act then have a scale, too.
+ */
+static void hand_on(lag_contacts *contacts)
+{
+    const size_t n = contacts->motion->model->nq;
+    const size_t count = contacts->motion->model->ncontact;
+    int grew = 1;
+    for (size_t round = 0; round < count && grew; ++round) {
+        grew = 0;
+        for (size_t i = 0; i < count; ++i) {
+            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
+            const double force = touches ? force_of(contacts, i, 1) : 0.0;
+            for (size_t j = 0; j < n && force > 0.0; ++j) {
+                const double by = fabs(contacts->jacobian[i * n + j]) * force;
+                if (by > ALIKE * contacts->forces[j]) {
+                    contacts->forces[j] = by;
+                    grew = 1;
+                }
+            }
+        }
+    }
 }
 
 lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
@@ -143,9 +198,12 @@ lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
     lag_motion *motion = contacts->motion;
     const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    lag_status status = find_forces(contacts);
+    lag_status status = find_forces(contacts, x);
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, contacts->impulse->mass);
+    }
+    if (status == LAG_OK) {
+        hand_on(contacts);
     }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const double force = force_of(contacts, i, 1);
