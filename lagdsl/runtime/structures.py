@@ -101,7 +101,6 @@ class Arguments(Structure):
     _fields_ = [
         *_all(c_double, "t"),
         *_all(c_void_p, "q qd z u w p qdd lam dq dqd dz du dp dqdd dlam workspace times context kept"),
-        *_all(c_size_t, "kept_count"),
     ]
 
 

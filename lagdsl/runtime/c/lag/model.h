@@ -75,6 +75,12 @@ typedef enum lag_kind {
     LAG_KIND_LOAD       /* a load that depends on the accelerations and multipliers that it causes: load() tells what it has to be */
 } lag_kind;
 
+/* Memory for results with few entries, zero at first and written by the model alone: what it leaves out is zero. */
+typedef struct lag_kept {
+    double *first;
+    size_t count;
+} lag_kept;
+
 /* Arguments of functions; arrays that a function does not read may be null. */
 typedef struct lag_arguments {
     double t;          /* time [s] */
@@ -98,9 +104,7 @@ typedef struct lag_arguments {
     double *workspace;
     const double *times; /* (lanes) instead of t, for functions of several states at once */
     const void *context; /* that of the model */
-    /* (kept) for results with few entries, zero at first and written by the model alone: what it leaves out is zero; null: there is none */
-    double *kept;
-    size_t kept_count;
+    const lag_kept *kept; /* null: there is none */
 } lag_arguments;
 
 typedef struct lag_model {

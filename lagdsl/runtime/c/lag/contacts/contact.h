@@ -85,7 +85,7 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
 
-/* Which contacts are closed behind these impacts, and which are held, as their bounces accumulate. */
+/* Sets the contacts that are closed behind these impacts, and those that are held, as their bounces accumulate. */
 lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double *x);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */

@@ -32,7 +32,6 @@ static lag_arguments state(const lag_model *model, const lag_batch *batch, size_
     at.context = model->context;
     at.workspace = batch->workspace;
     at.kept = NULL;
-    at.kept_count = 0;
     return at;
 }
 

@@ -21,7 +21,7 @@ size_t lag_dynamics_kept(const lag_model *model)
     return model->nk * (2 * model->nq + model->nc);
 }
 
-/* `kept`: lag_arguments.kept, for what elimination gives; null: there is none. */
+/* `kept`: memory of lag_arguments.kept, for what elimination gives; null: there is none. */
 static places place(const lag_model *model, double *kept, double *memory)
 {
     const size_t n = model->nq;
@@ -254,7 +254,7 @@ lag_status lag_forward_dynamics_along(
     double *loads = lag_take(&memory, lag_feedback_memory(model));
     solver s; /* not set to zero: that takes as long as small systems do */
     s.model = model;
-    s.to = place(model, at->kept, memory);
+    s.to = place(model, at->kept != NULL ? at->kept->first : NULL, memory);
     s.coordinate = coordinate;
     if (model->nload > 0) {
         return lag_feedback_solve(model, at, solve_with_loads, &s, loads, chord, qdd, lam);

@@ -80,9 +80,9 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
-    motion->at.kept_count = lag_dynamics_kept(model);
-    motion->at.kept = motion->memory + lag_jacobian_memory(model, NULL);
-    motion->u = motion->at.kept + motion->at.kept_count;
+    motion->kept = (lag_kept){motion->memory + lag_jacobian_memory(model, NULL), lag_dynamics_kept(model)};
+    motion->at.kept = &motion->kept;
+    motion->u = motion->kept.first + motion->kept.count;
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
     motion->lam = motion->qdd + model->nq;

@@ -11,6 +11,7 @@ typedef void lag_inputs(void *context, double t, int before, double *u);
 typedef struct lag_motion {
     const lag_model *model;
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
+    lag_kept kept;       /* for results with few entries */
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */

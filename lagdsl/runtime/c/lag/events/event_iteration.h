@@ -15,7 +15,7 @@
 /* A relation moves clearly if it does so by this many round-offs. */
 static const double LAG_MOVES_CLEARLY = 16.0;
 
-/* What the clauses of a model ask for in one pass. */
+/* Acts of the clauses of a model in one pass. */
 typedef struct lag_clauses {
     double *reset, *value; /* (nreset) */
     double *collision, *restitution; /* (ncollision) */
@@ -25,12 +25,12 @@ typedef struct lag_clauses {
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
 } lag_clauses;
 
-/* Discretes of the passes, (nw) each. */
-typedef struct lag_passes {
+/* Discretes of the event iteration, (nw) each. */
+typedef struct lag_iterates {
     double *before, *next; /* those of one pass */
     double *settled;       /* those with which the rates were moved onto the constraints last */
     double *guilty;        /* LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
-} lag_passes;
+} lag_iterates;
 
 /* The instant. */
 typedef struct lag_instant {
@@ -64,7 +64,7 @@ typedef struct lag_leaving {
     double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
 } lag_leaving;
 
-/* Who hears of what happens. */
+/* The receiver of notices. */
 typedef struct lag_listener {
     lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody */
     void *context;
@@ -82,7 +82,7 @@ typedef struct lag_event_iteration {
     lag_position_maps maps;
     lag_places places;
     lag_instant instant;
-    lag_passes discretes;
+    lag_iterates discretes;
     lag_clauses clauses;
     lag_sides sides;
     lag_trial trial;

@@ -47,8 +47,8 @@ static void store(const uint32_t *word, const double *row, double *result)
 /* True if the result lies in what the model alone writes, at the same places whenever it does. */
 static int is_kept(const lag_arguments *at, const double *result)
 {
-    const uintptr_t place = (uintptr_t)result - (uintptr_t)at->kept;
-    return at->kept != NULL && place < at->kept_count * sizeof(double);
+    const uintptr_t place = (uintptr_t)result - (uintptr_t)(at->kept != NULL ? at->kept->first : NULL);
+    return at->kept != NULL && place < at->kept->count * sizeof(double);
 }
 
 static void scatter(const uint32_t *word, const lag_arguments *at, const double *row, double *result)
