@@ -48,7 +48,7 @@ void lag_event_iteration_place(
     iteration->trial.states = lag_take(&memory, model->nz);
     iteration->sides.now = lag_take(&memory, model->nindicator);
     iteration->sides.side = lag_take(&memory, model->nindicator);
-    iteration->sides.half = lag_take(&memory, model->nindicator);
+    iteration->sides.before = lag_take(&memory, model->nindicator);
     iteration->sides.truth = lag_take(&memory, model->nindicator);
     iteration->trial.x = lag_take(&memory, size);
     iteration->trial.truth = lag_take(&memory, model->nindicator);

@@ -42,7 +42,7 @@ typedef struct lag_instant {
 
 /* Sides of relations just behind it (event_relations.c), (nindicator) each. */
 typedef struct lag_sides {
-    double *now, *half;    /* their values now, and before the instant */
+    double *now, *before;  /* their values now, and before the instant */
     double *side;          /* 1 or -1; 0: they do not show it */
     double *truth;         /* before a pass turns them */
     const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */

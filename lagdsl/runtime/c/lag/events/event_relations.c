@@ -59,7 +59,7 @@ static int has_turned(const lag_event_iteration *iteration, const double *turned
 /* True if this instant has moved the value of relation i. */
 static int is_moved(const lag_event_iteration *iteration, size_t i)
 {
-    return fabs(iteration->noise->value[i] - iteration->sides.half[i]) > iteration->noise->sigma[i];
+    return fabs(iteration->noise->value[i] - iteration->sides.before[i]) > iteration->noise->sigma[i];
 }
 
 /*
@@ -90,11 +90,11 @@ static double side_of(const lag_event_iteration *iteration, size_t i, double win
     return side != 0.0 ? side : sign_of(noise->value[rate + count], LAG_MOVES_CLEARLY * noise->sigma[rate + count]);
 }
 
-/* Values of the relations before the event, into `half`. */
+/* Values of the relations before the event, into `before`. */
 static lag_status look_back(lag_event_iteration *iteration, double t)
 {
     iteration->motion->at.w = iteration->instant.stood;
-    const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.half);
+    const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.before);
     iteration->motion->at.w = iteration->motion->w;
     return status;
 }
@@ -123,7 +123,7 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
         lag_noise_find(noise, t, x);
     }
     lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->sides.now); /* there may be no accelerations */
-    memcpy(iteration->sides.half, noise->value, count * sizeof(double));
+    memcpy(iteration->sides.before, noise->value, count * sizeof(double));
     status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
         iteration->sides.now[i] = known ? noise->value[i] : iteration->sides.now[i];
