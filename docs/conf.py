@@ -25,6 +25,7 @@ extensions = [
     "mathml_renderer",
     "generated_pages",
     "notebook_pages",
+    "search_scope",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
 smartquotes = False  # commands can be copied
