@@ -9,6 +9,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE / "_extensions"), str(HERE / "notebooks")]
 
 from sphinx.application import Sphinx  # noqa: E402
+from sphinx.util.inspect import TypeAliasForwardRef  # noqa: E402
 
 import lagdsl  # noqa: E402
 from lagdsl.highlight.pygments_lexer import LagLexer  # noqa: E402
@@ -25,6 +26,7 @@ extensions = [
     "mathml_renderer",
     "generated_pages",
     "notebook_pages",
+    "search_scope",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
 smartquotes = False  # commands can be copied
@@ -40,6 +42,9 @@ autodoc_class_signature = "separated"  # users do not call constructors
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 autodoc_typehints_format = "short"
+# By their names: what they stand for takes two lines for each argument.
+autodoc_type_aliases = {name: name for name in ("ArrayLike", "Entries", "Floats", "Given", "Signal", "Value")}
+TypeAliasForwardRef.__repr__ = lambda alias: alias.name  # type: ignore[method-assign]  # Sphinx prints this in unions
 
 html_theme = "furo"
 html_title = "lagdsl"

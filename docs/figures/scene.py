@@ -1,7 +1,10 @@
-"""A small picture for each rule of the scene: `python docs/figures/scene.py` writes docs/images/scene."""
+"""A small picture for each rule of the scene: `python docs/figures/scene.py` writes docs/images/scene.
+
+It also draws the machines of the README and of the front page."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
@@ -68,18 +71,22 @@ def main() -> None:
     FOLDER.mkdir(exist_ok=True)
     for name, (statements, times) in RULES.items():
         text = f"model {name.title()}\n{statements}\nannotation(experiment(StopTime = 1));\nend {name.title()};\n"
-        sink = Sink()
-        flat = flatten_file(SourceFile(f"{name}.lag", text), sink)
-        if flat is None:
-            raise SystemExit("\n".join(f"{name}: {d.code} {d.message}" for d in sink.diagnostics))
-        write_picture(flat, Wishes(), FOLDER / f"{name}.png", times, pixels=PIXELS)
-    machine = read(MODELS / "double_pendulum.lag", Sink())
-    assert machine is not None
-    flat = flatten_file(machine, Sink())
-    assert flat is not None
-    write_picture(
-        flat, Wishes(), FOLDER.parent / "double_pendulum_machine.png", (0.0, 0.12, 0.24, 0.36, 0.48), pixels=480
-    )
+        draw(SourceFile(f"{name}.lag", text), FOLDER / f"{name}.png", times, PIXELS)
+    pendulum = read(MODELS / "double_pendulum.lag", Sink())
+    assert pendulum is not None
+    draw(pendulum, FOLDER.parent / "double_pendulum_machine.png", (0.0, 0.12, 0.24, 0.36, 0.48), 480)
+    front = (FOLDER.parents[1] / "index.md").read_text(encoding="utf-8")
+    (linkage,) = re.findall(r"```lag file=four_bar.lag\n(.*?)```", front, re.DOTALL)
+    draw(SourceFile("four_bar.lag", linkage), FOLDER.parent / "four_bar.png", (0.0, 0.2, 0.4, 0.6), 640)
+
+
+def draw(source: SourceFile, path: Path, times: tuple[float, ...], pixels: int) -> None:
+    """The machine of `source` at `times` [s]. Raises SystemExit with the errors of a text that is no model."""
+    sink = Sink()
+    flat = flatten_file(source, sink)
+    if flat is None:
+        raise SystemExit("\n".join(f"{source.name}: {d.code} {d.message}" for d in sink.diagnostics))
+    write_picture(flat, Wishes(), path, times, pixels=pixels)
 
 
 if __name__ == "__main__":

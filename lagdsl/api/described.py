@@ -39,6 +39,7 @@ class Described(Interface):
 
     @property
     def name(self) -> str:
+        """Name of the model."""
         return self._compilation.flat.name
 
     @property
@@ -48,19 +49,22 @@ class Described(Interface):
 
     @property
     def coordinates(self) -> list[str]:
+        """Names of the entries of `q` and `qd`."""
         return _names(self._layout.coordinates)
 
     @property
     def states(self) -> list[str]:
+        """Names of the entries of `z`."""
         return _names(self._layout.states)
 
     @property
     def parameters(self) -> list[str]:
-        """Independent parameters; those defined by others follow them."""
+        """Names of the entries of `p`, the independent parameters; those defined by others follow them."""
         return _names(self._layout.parameters)
 
     @property
     def inputs(self) -> list[str]:
+        """Names of the entries of `u`."""
         return _names(self._layout.inputs)
 
     @property
@@ -71,6 +75,7 @@ class Described(Interface):
 
     @property
     def outputs(self) -> list[str]:
+        """Names of the entries of the outputs."""
         return _names(self._layout.outputs)
 
     @property

@@ -125,6 +125,18 @@ def test_the_readme_tells_what_continuous_integration_runs(root: Path) -> None:
     assert script.splitlines()[-1] == commands[1].strip() == "make check"
 
 
+def test_the_front_page_begins_with_a_machine_that_runs(root: Path) -> None:
+    """After the title: the command that installs, as in the README; a model; the command that runs it; its picture."""
+    page = (root / "docs" / "index.md").read_text(encoding="utf-8")
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    install, model, run = re.findall(r"^```[^\n{]+\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    assert page.startswith(f"# lagdsl\n\n```sh\n{install}```\n")
+    assert f"```sh\n{install.strip()} && lag run " in readme
+    assert len(model.splitlines()) == 8
+    assert run.startswith("$ lag run four_bar.lag --png four_bar.png ")
+    assert page.index(run) < page.index("(images/four_bar.png)") < page.index("](tutorial/index.md)")
+
+
 def test_the_readme_shows_the_model_it_ships(root: Path) -> None:
     readme = (root / "README.md").read_text(encoding="utf-8")
     shown = re.search(r"```modelica\n(.*?)```", readme, re.DOTALL)

@@ -75,3 +75,12 @@ def test_the_index_of_a_folder_has_every_page(root: Path, folder: str) -> None:
     written, sidebar = (root / "docs" / folder / "index.md").read_text(encoding="utf-8").split("```{toctree}")
     assert pages <= set(re.findall(r"\]\((\w+)\.md\)", written))
     assert pages <= set(re.findall(r"^\w+$", sidebar, re.MULTILINE))
+
+
+@pytest.mark.parametrize("page", ["python", "command_line"])
+def test_a_page_that_is_split_by_task_has_every_part(root: Path, page: str) -> None:
+    """Both the table that people read and the sidebar."""
+    parts = {path.stem for path in (root / "docs" / "reference" / page).glob("*.md")}
+    written, sidebar = (root / "docs" / "reference" / f"{page}.md").read_text(encoding="utf-8").split("```{toctree}")
+    assert parts == set(re.findall(rf"^\| \[[^\]]+\]\({page}/(\w+)\.md\) \| .", written, re.MULTILINE))
+    assert parts == set(re.findall(rf"^{page}/(\w+)$", sidebar, re.MULTILINE))

@@ -10,6 +10,7 @@ from pathlib import Path
 import click
 import pytest
 
+import lagdsl
 from lagdsl.cli.main import lag
 from lagdsl.diagnostics.catalog import ROWS
 from lagdsl.manual.library import class_names
@@ -149,6 +150,26 @@ def test_every_class_has_a_doc_string(folder: Path) -> None:
     ]
     assert len(heads) >= len(list(folder.rglob("*.lag")))
     assert [found for found in heads if not re.search(r' "[^"]+"', found[1])] == []
+
+
+def directives(folder: str, pattern: str) -> list[str]:
+    """Names that the pages of a folder of the reference take from the code."""
+    texts = [page.read_text(encoding="utf-8") for page in sorted((ROOT / "docs" / "reference" / folder).glob("*.md"))]
+    return sorted(name for text in texts for name in re.findall(pattern, text, re.MULTILINE))
+
+
+def test_every_command_stands_on_one_page() -> None:
+    assert directives("command_line", r"^   :prog: lag (\w+)$") == sorted(commands())
+    modules = directives("command_line", r"^\.\. click:: lagdsl\.cli\.commands\.(\w+?)_?:command$")
+    assert modules == sorted(commands())
+
+
+def test_every_public_name_stands_on_one_page_with_a_doc_string() -> None:
+    members = sorted(name for name in dir(lagdsl.Model) if not name.startswith("_"))
+    assert directives("python", r"^\.\. auto(?:method|property):: lagdsl\.Model\.(\w+)$") == members
+    assert [name for name in members if not getattr(lagdsl.Model, name).__doc__] == []
+    own = directives("python", r"^\.\. auto(?:class|exception|function):: lagdsl\.(\w+)$")
+    assert own == sorted(lagdsl.__all__)
 
 
 def test_every_command_says_what_it_does() -> None:

@@ -85,7 +85,7 @@ def sources() -> dict[str, str]:
 
 
 def rows() -> list[list[str]]:
-    """The rows of all tables of terms, cell by cell."""
+    """The rows of the table of terms, cell by cell."""
     text = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8")
     lines = (line for line in text.splitlines() if line.startswith("|"))
     cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
@@ -93,7 +93,36 @@ def rows() -> list[list[str]]:
 
 
 def test_every_row_is_complete() -> None:
-    assert all(len(row) == 6 and all(row) for row in rows())
+    assert all(len(row) == 5 and all(row) for row in rows())
+
+
+def terms() -> list[str]:
+    """First words of the rows, without symbols, in small letters."""
+    return [re.sub(r"\$.*?\$", "", row[0]).casefold().strip() for row in rows()]
+
+
+def test_terms_stand_in_the_order_of_the_alphabet() -> None:
+    assert terms() == sorted(set(terms()))
+
+
+def test_every_row_leads_to_a_page_or_to_another_term() -> None:
+    known = {word.strip() for term in terms() for word in term.split(",")}
+    other = {row[0]: row[1].removeprefix("see ").casefold() for row in rows() if row[1].startswith("see ")}
+    assert {term: word for term, word in other.items() if word not in known} == {}
+    assert [row[0] for row in rows() if row[0] not in other and "](" not in row[2]] == []
+
+
+# Words of headers, doc strings and messages that the hybrid model defines.
+HYBRID = """accumulation, approach, armed guard, blow, clause, close, closed contact, corner, dead band, energy jump
+at a surface, event, event iteration, gap, guard, held contact, held relation, impact, impulse problem,
+instant, kink, mode (of a hybrid model), nonholonomic constraint, open, parting, penetration, position
+map, redundant rows, reserve, restitution, reverse, rheonomic constraint, rounding error, row, scan, side,
+slip, stick, tick, unilateral contact, wedging"""
+
+
+def test_the_words_of_the_hybrid_model_are_in_the_glossary() -> None:
+    known = {word.strip() for term in terms() for word in term.split(",")}
+    assert sorted({" ".join(word.split()) for word in HYBRID.split(",")} - known) == []
 
 
 def test_names_of_the_code_are_in_the_code() -> None:
