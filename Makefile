@@ -126,3 +126,4 @@ figures: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/bouncing_ball.lag --plot docs/images/bouncing_ball_phase.png --show h --xy h 'der(h)' -o /dev/null
 	$(BIN)/lag run models/stick_slip_belt.lag --plot docs/images/stick_slip_belt.png --show x --show 'der(x)' --show carried -o /dev/null
 	$(BIN)/python docs/figures/scene.py
+	$(BIN)/python docs/figures/problems.py
