@@ -147,7 +147,7 @@ def test_the_wheel_runs_a_model(site: Path, root: Path, tmp_path: Path) -> None:
     assert out.startswith("time,theta,der(theta)")
     compiled = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
     fmu = tmp_path / "pendulum.fmu"
-    # What the runtime of other FMUs in this run is compiled with, so that it is not compiled again.
+    # With the flags of other FMUs of this run the runtime is not compiled again.
     alike = f"from lagdsl.fmi.package import toolchain; toolchain.COMPILE = {toolchain.COMPILE!r}"
     run = [sys.executable, "-c", f"import sys; {alike}; from lagdsl.cli.main import main; main(sys.argv[1:])"]
     _run([*run, "fmu", str(model), "-o", str(fmu)], tmp_path, **environment, XDG_CACHE_HOME=compiled)
