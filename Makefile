@@ -46,8 +46,11 @@ ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL OPENBLAS_NUM_THREADS=1
 # A process that crashes ends the run: pytest-xdist would wait for the rest of its files for ever.
 SPREAD := -n auto --dist loadfile --no-loadscope-reorder --max-worker-restart=0
 
+# Assertions that tell their values take two thirds of the time in which a fresh checkout compiles its tests. Tests that fail run
+# again with them, and the run has failed whatever they do then.
 test: shell-objects  ## the tests, with one of each kind where they repeat a rule
-	$(ALONE) $(BIN)/python -m pytest $(SPREAD)
+	$(ALONE) $(BIN)/python -m pytest $(SPREAD) --assert=plain || \
+	{ $(ALONE) $(BIN)/python -m pytest --last-failed --last-failed-no-failures=none; false; }
 
 test-all: shell-objects  ## the tests, with every model
 	$(ALONE) LAGDSL_ALL=1 $(BIN)/python -m pytest $(SPREAD)

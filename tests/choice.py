@@ -44,17 +44,20 @@ def paired(*axes: Sequence[Any]) -> list[tuple[Any, ...]]:
     return [tuple(axis[i % len(axis)] for axis in axes) for i in range(max(map(len, axes)))]
 
 
-def together(name: str, items: Iterable[Any]) -> Callable[[Callable[[Any], None]], Callable[[], None]]:
-    """One test of a rule for all items, where the rule takes less than a millisecond: pytest takes three for each test.
-    A failure tells its item."""
+def together(names: str | tuple[str, ...], items: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[[], None]]:
+    """One test of a rule for all items, where the rule takes a few milliseconds at most: pytest takes three for each.
+    Of several names, each item is a tuple. A failure tells its item."""
 
-    def decorated(rule: Callable[[Any], None]) -> Callable[[], None]:
+    def decorated(rule: Callable[..., None]) -> Callable[[], None]:
         def test() -> None:
             for item in items:
                 try:
-                    rule(item)
+                    if isinstance(names, str):
+                        rule(item)
+                    else:
+                        rule(*item)
                 except BaseException as failure:
-                    failure.add_note(f"{name} = {item!r}")
+                    failure.add_note(f"{names} = {item!r}")
                     raise
 
         test.__name__, test.__doc__, test.__module__ = rule.__name__, rule.__doc__, rule.__module__

@@ -9,10 +9,12 @@ from pathlib import Path
 
 import pytest
 from _pytest.runner import runtestprotocol
-from choice import EXPLORE, examples
+from choice import ALL, EXPLORE, examples
 from costs import Costs
 from hypothesis import settings
 from shared_folder import make_shared_folder
+
+from lagdsl.fmi.package import toolchain
 
 # The same examples in every run, so that a failure belongs to the change at hand; LAGDSL_EXPLORE=1 looks for new ones.
 settings.register_profile("same", deadline=None, derandomize=True, max_examples=examples(100))
@@ -23,6 +25,12 @@ ROOT = Path(__file__).parents[1]
 OBJECTS_PER_COLLECTION = 1_000_000
 # Whole motions and random models execute what the tests of the floors execute, too: untraced, in a third of the time.
 UNTRACED = ("attack", "benchmarks", "fuzz", "models", "oracle", "packaging", "physics", "properties")
+
+
+if not ALL:
+    # ziglang compiles the runtime of FMUs in half of the time. Without optimization it looks for undefined behavior of
+    # C, which needs a library, unless it is told not to.
+    toolchain.COMPILE = (*toolchain.COMPILE, "-O0", "-fno-sanitize=undefined", "-fno-stack-protector")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

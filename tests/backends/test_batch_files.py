@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from choice import spread
 from made_modules import PLAIN, Made
 from sample_programs import chain, closed_chain
 
@@ -15,7 +16,7 @@ from lagdsl.program.program import Program
 _PROGRAM = Path(__file__).with_name("many_states.c")
 
 
-@pytest.mark.parametrize("program", [chain(3), closed_chain(2)], ids=lambda program: program.name)
+@pytest.mark.parametrize("program", spread([closed_chain(2), chain(3)], 1), ids=lambda program: program.name)
 def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, made: Made, program: Program) -> None:
     files = CBackend(batch=True).emit(program).files
     (stem,) = (name.removesuffix("_states.c") for name in files if name.endswith("_states.c"))

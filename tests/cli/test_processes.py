@@ -7,11 +7,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from choice import chosen, spread
 
 from lagdsl.cli import main as module
 from lagdsl.cli.main import main
 
 LAG = [sys.executable, "-m", "lagdsl"]
+NEVER_READ = ["--help", "explain E0401", "flat models/chain.lag"]
 
 
 def test_python_dash_m_is_the_command(pendulum: Path) -> None:
@@ -28,7 +30,7 @@ def test_a_reader_that_goes_away_is_no_fault(pendulum: Path) -> None:
     assert "Error" not in done.stderr
 
 
-@pytest.mark.parametrize("command", ["--help", "explain E0401", "flat models/chain.lag"])
+@pytest.mark.parametrize("command", chosen(NEVER_READ, NEVER_READ[2:]))
 def test_a_reader_that_never_reads_is_no_fault(root: Path, command: str) -> None:
     script = f"{sys.executable} -m lagdsl {command} | true; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False, cwd=root)
@@ -54,7 +56,7 @@ def test_a_standard_output_that_is_full_is_status_2(pendulum: Path) -> None:
     assert done.stderr == "cannot write standard output: No space left on device\n"
 
 
-@pytest.mark.parametrize("moment", [0.01, 0.03])
+@pytest.mark.parametrize("moment", spread([0.01, 0.03], 1))
 @pytest.mark.skipif(os.name != "posix", reason="signals of Unix")
 def test_an_interrupt_while_modules_are_loaded(tmp_path: Path, moment: float) -> None:
     """There was a traceback of the import machinery."""

@@ -5,6 +5,7 @@ import string
 from pathlib import Path
 
 import pytest
+from choice import together
 from click import Context
 
 from lagdsl.cli.main import lag
@@ -39,7 +40,7 @@ def fields(template):
     return {name for _, name, _, _ in string.Formatter().parse(template or "") if name is not None}
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@together("family", FAMILIES)
 def test_rows_stand_in_their_family_in_order(family):
     for module in FAMILIES[family]:
         codes = list(module.ROWS)

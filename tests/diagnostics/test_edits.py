@@ -4,7 +4,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from choice import spread
+from choice import spread, together
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.pipeline import flatten_file
@@ -32,7 +32,7 @@ def _facts(found: tuple[Diagnostic, ...]) -> Counter[tuple[str, str]]:
     return Counter((each.code, each.message) for each in found)
 
 
-@pytest.mark.parametrize("path", spread(TEXTS, 90), ids=lambda path: path.stem)
+@together("path", spread(TEXTS, 90))
 def test_an_edit_removes_what_it_is_for(path: Path) -> None:
     text = path.read_text(encoding="utf-8").removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     before = _found(str(path), text)

@@ -1,6 +1,7 @@
 """The nearest name."""
 
 import pytest
+from choice import together
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -42,7 +43,7 @@ def test_common_ends_do_not_count(prefix, middle, suffix):
     assert distance(prefix + middle + suffix, prefix + suffix) == len(middle)
 
 
-@pytest.mark.parametrize(
+@together(
     ("name", "candidates", "expected"),
     [
         ("thta", ["phi", "theta", "beta"], "theta"),

@@ -180,13 +180,15 @@ def test_the_same_model_gives_the_same_bytes_in_another_process(whole, tmp_path)
     script = (
         "import sys\nfrom pathlib import Path\n"
         "from lagdsl.diagnostics import Sink\nfrom lagdsl.fmi.export import export\n"
+        "from lagdsl.fmi.package import toolchain\n"
         "from lagdsl.pipeline import compile_flat, flatten_file\nfrom lagdsl.source import SourceFile\n"
+        "toolchain.COMPILE = tuple(sys.argv[3:])\n"
         "text = SourceFile('spring.lag', sys.argv[1])\n"
         "export(compile_flat(flatten_file(text, Sink()), Sink()), Path(sys.argv[2]), version=3, source=text)\n"
     )
     again = tmp_path / "again.fmu"
     subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", script, SPRING, str(again)],
+        [sys.executable, "-W", "ignore", "-c", script, SPRING, str(again), *toolchains.COMPILE],
         env={**os.environ, "PYTHONHASHSEED": "1", "PYTHONPATH": str(ROOT)},
         check=True,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from choice import together
 from flattening import output, run, said
 
 from lagdsl.flat import model as fm
@@ -40,7 +41,7 @@ def told(flat: fm.FlatModel) -> tuple[list[str], dict[str, str]]:
     return values, {each.name: text_of(each.value) for each in flat.events.feedbacks}
 
 
-@pytest.mark.parametrize(
+@together(
     ("load", "value", "feedbacks"),
     [
         ("force F = mu*multiplier(wire) on x;", "load(F)", {"load(F)": "mu*multiplier(wire)"}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from choice import together
 from flattening import run
 
 import lagdsl
@@ -23,7 +24,7 @@ def told(statements: str) -> dict[str, str]:
     return {each.code: each.message for each in sink.diagnostics}
 
 
-@pytest.mark.parametrize(
+@together(
     ("declarations", "message"),
     [
         ("parameter Real k = 0; parameter Real g = 1/k;", "`g` has no finite value with k = 0"),

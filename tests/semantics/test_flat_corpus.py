@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
-from choice import spread
+from choice import spread, together
 from flattening import run
 
 from lagdsl.diagnostics import Severity
@@ -29,7 +29,7 @@ def test_flat(path: Path) -> None:
     assert text == expectation.read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("path", spread(sorted(MODELS.glob("*.lag")), 30), ids=lambda path: path.stem)
+@together("path", spread(sorted(MODELS.glob("*.lag")), 30))
 def test_models_are_accepted(path: Path) -> None:
     flat, sink = run(path.read_text(encoding="utf-8"))
     assert flat is not None

@@ -1,6 +1,7 @@
 """Dependencies of flat expressions."""
 
 import pytest
+from choice import together
 from handmade import coordinate, definition, der, frame, model, num, op, plus, point, sin, square, var, vec
 
 from lagdsl.flat import expression as fx
@@ -23,7 +24,7 @@ FLAT = model(
 P = fx.PointReference("P")
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "orders"),
     [
         (num(1), {}),

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from choice import together
 from handmade import (
     call,
     coordinate,
@@ -39,7 +40,7 @@ def at(expression, q=0.7, qd=1.3, qdd=0.4, flat=EMPTY, **variables):
     return evaluate(flat, expression, values)
 
 
-@pytest.mark.parametrize(
+@together(
     ("name", "x", "value", "slope"),
     [
         ("sin", 0.7, math.sin(0.7), math.cos(0.7)),
@@ -76,7 +77,7 @@ def test_two_argument_functions(x):
     assert at(der(call("atan2", Q, num(b))), q=a) == pytest.approx(1.3 * slope)
 
 
-@pytest.mark.parametrize(
+@together(
     ("operator", "value"),
     list({"+": 5, "-": -1, "*": 6, "/": 2 / 3, "^": 8, "<": 1, "<=": 1, ">": 0, ">=": 0, "==": 0, "<>": 1}.items()),
 )
@@ -92,7 +93,7 @@ def test_choice_and_logic():
     assert at(fx.Unary("not", num(0))) == 1.0
 
 
-@pytest.mark.parametrize(
+@together(
     "expression",
     [
         op("/", num(1), num(0)),

@@ -3,7 +3,7 @@
 import re
 from fractions import Fraction
 
-import pytest
+from choice import together
 from handmade import call, cos, der, num, op, plus, square, times, var, vec
 from hypothesis import given
 from hypothesis import strategies as st
@@ -18,7 +18,7 @@ def neg(x):
     return fx.Unary("-", x)
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "text"),
     [
         (op("-", A, op("-", B, C)), "a - (b - c)"),

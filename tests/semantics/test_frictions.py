@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from choice import together
 from flattening import output, run, said
 
 from lagdsl.flat import events as fe
@@ -200,7 +201,7 @@ def test_friction_is_a_name_elsewhere() -> None:
 # ---- faults ----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@together(
     ("body", "code", "place"),
     [
         ("friction h: x with limit = r;", "E0387", "x"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from choice import together
 from flattening import run, said
 
 from lagdsl.flat import model as fm
@@ -28,7 +29,7 @@ def errors(text: str) -> list[tuple[str, str]]:
     return [(code, place) for code, place in said(sink) if code.startswith("E")]
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "kelvin"),
     [
         ("-5 degC", 268.15),
@@ -66,7 +67,7 @@ def test_starts_and_limits_of_temperatures() -> None:
     assert still.scalar(flat.states[0].derivative) == pytest.approx(268.15)
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "literal"),
     [
         ("output Temperature y = T + 5 degC;", "5 degC"),
@@ -103,7 +104,7 @@ def test_products_of_units_have_no_offset() -> None:
 # ---- zeros -----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "value"),
     [
         ("0*time/(1 s) + 1", 1.0),
@@ -144,7 +145,7 @@ def test_the_value_of_an_index_does_not_change_what_is_accepted(loop: str) -> No
 # ---- whole numbers ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "value"),
     [
         ("mod(7, 3)", 1),
@@ -186,7 +187,7 @@ def test_reals_are_no_integers(expression: str) -> None:
     assert [code for code, _ in found] == ["E0334"]
 
 
-@pytest.mark.parametrize(
+@together(
     ("expression", "place"),
     [
         ("sum({true, false})", "{true, false}"),

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from choice import together
 from flattening import accepted, output, pendulum, run, said, value_of
 
 from lagdsl.flat import expression as fx
@@ -15,7 +16,7 @@ from lagdsl.flat.evaluate import Values, evaluate
 X, Y = 0.7, -1.3
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "expected"),
     [
         ("-x^2", -(X**2)),
@@ -162,7 +163,7 @@ DRAWINGS = {
 }
 
 
-@pytest.mark.parametrize("drawing", DRAWINGS)
+@together("drawing", DRAWINGS)
 def test_arguments_and_places_of_shapes_that_have_no_effect(drawing: str) -> None:
     """A viewer drew something else, and nothing was said."""
     text = f"""model A

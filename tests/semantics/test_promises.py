@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 import pytest
-from choice import ALL, chosen
+from choice import ALL, chosen, together
 from flattening import run
 
 from lagdsl.diagnostics import Sink
@@ -140,7 +140,7 @@ model M
 """
 
 
-@pytest.mark.parametrize(
+@together(
     ("output", "expected"),
     [
         ("Real y[3] = wheel.k", [1, 2, 3]),

@@ -3,6 +3,7 @@
 import dataclasses
 
 import pytest
+from choice import together
 from handmade import (
     at_line,
     body,
@@ -85,7 +86,7 @@ def push(**more):
 R_TURNS = (frame("A", "world", fm.Rotate(2, R)),)
 
 
-@pytest.mark.parametrize(
+@together(
     "parts",
     [
         {"loads": (force(point=vec(R, num(0))),)},
@@ -190,7 +191,7 @@ P = fx.PointReference("P")
 SPEED = der(P)
 
 
-@pytest.mark.parametrize(
+@together(
     ("kind", "value", "expected"),
     [
         ("potential", times(Q, der(Q)), ["E0502"]),
@@ -301,7 +302,7 @@ HEIGHT = times(M, var("g"), L, cos(Q))
 SPRING = times(num(3), square(Q))
 
 
-@pytest.mark.parametrize(
+@together(
     ("potential", "twice"),
     [
         (fx.Unary("-", HEIGHT), True),

@@ -1,6 +1,7 @@
 """Every fault of the text is told once, at the right place, with a way out. Places stand between ⟦ and ⟧."""
 
 import pytest
+from choice import together
 from texts_of_syntax import parsed, places, unmarked
 
 from lagdsl.diagnostics import Sink
@@ -158,7 +159,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("code", "marked", "help_part"), CASES)
+@together(("code", "marked", "help_part"), CASES)
 def test_fault(code, marked, help_part):
     text, expected = unmarked(marked)
     unit, diagnostics = parsed(text)

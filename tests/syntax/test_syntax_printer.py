@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from choice import spread
+from choice import spread, together
 from texts_of_syntax import CORPUS, TEXTS, expression, tree
 
 from lagdsl.diagnostics import Sink
@@ -40,7 +40,7 @@ def check(text: str) -> str:
     return once
 
 
-@pytest.mark.parametrize("path", spread(TEXTS, 20), ids=lambda path: path.stem)
+@together("path", spread(TEXTS, 20))
 def test_corpus(path):
     once = check(path.read_text(encoding="utf-8"))
     assert all(len(line) <= WIDTH or re.match(" *(model|joint) ", line) for line in once.split("\n"))
@@ -55,7 +55,7 @@ def test_text_of(name):
     assert formatted(source) == (beside.read_text(encoding="utf-8") if beside.exists() else source)
 
 
-@pytest.mark.parametrize(
+@together(
     "text",
     [
         "1/2*m*(l*der(theta))^2",
@@ -90,7 +90,7 @@ def test_canonical_expressions_stay(text):
     assert print_expression(expression(text)) == text
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "canonical"),
     [
         ("1  +2 *3", "1 + 2*3"),

@@ -1,7 +1,7 @@
 """Random expressions survive printing and reading; random and mutilated texts get an answer."""
 
 import pytest
-from choice import examples, spread
+from choice import examples, spread, together
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from texts_of_syntax import TEXTS, expression, parsed
@@ -232,7 +232,7 @@ def test_one_token_left_out_is_told_as_few_faults(text, data):
     assert len(diagnostics) <= 3, [(d.code, d.labels[0].span.text) for d in diagnostics]
 
 
-@pytest.mark.parametrize("source", spread(range(len(SOURCES)), 40))
+@together("source", spread(range(len(SOURCES)), 40))
 def test_layout_does_not_matter(source):
     """Without any blank that is not needed the formatted text is the same, comments aside."""
     import re

@@ -86,7 +86,7 @@ def test_soft_keywords_are_names_in_expressions(word):
     assert parse_expression(SourceFile("t", f"{word}.{word} + f({word}, a = {word})"), Sink()) is not None
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "parts"),
     [
         ("5/s", ["5", "/", "s"]),

@@ -4,7 +4,7 @@ import os
 import re
 
 import pytest
-from choice import spread
+from choice import spread, together
 from lark import Lark, Tree
 from texts_of_syntax import CORPUS, TEXTS, dump, equation, expression, parsed, statement, tree
 
@@ -21,7 +21,7 @@ from lagdsl.syntax.walk import children, descendants
 from lagdsl.units.vocabulary import UNITS
 
 
-@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
+@together("path", TEXTS)
 def test_text_parses(path):
     unit, diagnostics = parsed(path.read_text(encoding="utf-8"))
     assert diagnostics == ()
@@ -39,7 +39,7 @@ def test_tree(name):
     assert found == expectation.read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("path", spread(TEXTS, 40), ids=lambda path: path.stem)
+@together("path", spread(TEXTS, 40))
 def test_spans_nest_and_cover_tokens(path):
     text = path.read_text(encoding="utf-8")
     tokens = list(plain_tokens(text))
@@ -81,7 +81,7 @@ def test_names_have_places_of_their_own():
     assert tree("package Planar end Planar;").items[0].name_span.text == "Planar"
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "grouped"),
     [
         ("-x^2", "(-(x^2))"),

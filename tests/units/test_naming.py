@@ -1,13 +1,14 @@
 """Words and texts of dimensions."""
 
 import pytest
+from choice import together
 
 from lagdsl.units.dimension import dimension
 from lagdsl.units.naming import base_text, describe, rate_text, to_display, unit_text
 from lagdsl.units.parse import parse_unit
 
 
-@pytest.mark.parametrize(
+@together(
     ("unit", "text", "words"),
     [
         ("N.m", "J", "an energy"),

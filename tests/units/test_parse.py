@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 import pytest
+from choice import together
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -12,7 +13,7 @@ from lagdsl.units.parse import UnknownUnit, parse_unit
 from lagdsl.units.vocabulary import UNITS
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "exponents"),
     [
         ("kg.m2", {"kg": 1, "m": 2}),
@@ -46,7 +47,7 @@ def test_factor_of_products():
     assert parse_unit("N.m/deg").pi_power == -1
 
 
-@pytest.mark.parametrize(
+@together(
     ("text", "fault", "name", "suggestion"),
     [
         ("Nm", "name", "Nm", "N.m"),

@@ -12,7 +12,7 @@ from lagdsl.runtime.building.platforms import Platform, this_machine
 
 _LONGEST_NOTE = 2000
 # The linker drops functions that nobody calls; all processors round alike.
-_COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
+COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
@@ -51,7 +51,7 @@ class Toolchain:
 
     @property
     def _flags(self) -> tuple[str, ...]:
-        return (*_COMPILE, _HIDING[self.platform.system])
+        return (*COMPILE, _HIDING[self.platform.system])
 
     @property
     def flags(self) -> tuple[str, ...]:
