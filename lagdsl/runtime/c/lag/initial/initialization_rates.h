@@ -21,7 +21,9 @@ typedef struct lag_rates {
     size_t its_width, columns; /* of a part */
     double *part, *change;     /* (nq) */
     double *force, *gamma;     /* (nq) (nc) */
-    double *turned, *vanishing; /* (nq, nc) (nc, nc) */
+    double *act;               /* (nc) rows that act, */
+    size_t acting;             /* so many */
+    double *turned, *vanishing; /* (nq, acting) (lost, acting) */
     size_t lost;               /* combinations of rows that vanish */
     const double *along;       /* free or unbound, */
     size_t along_width;        /* with so many rows */
