@@ -64,7 +64,7 @@ int main(void)
     const double rates[N] = {0.3, 0.2, 0.1}, accelerations[N] = {9.0, 9.0, 9.0}, multipliers[ROWS] = {9.0};
     lag_arguments at = {0};
     lag_model model = {0};
-    double memory[2 * N + ROWS], mass[N * N], force[N], jacobian[ROWS * N], gamma[ROWS];
+    double memory[5 * N + ROWS], mass[N * N], force[N], jacobian[ROWS * N], gamma[ROWS];
     at.qd = rates;
     at.qdd = accelerations; /* not those of the caller count, but zeros */
     at.lam = multipliers;

@@ -4,10 +4,10 @@
 
 #include "lag/model.h"
 
-/* M (nq, nq); `memory` has room for 2 nq numbers. */
+/* M (nq, nq); `memory` has room for 5 nq numbers. */
 lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *memory, double *mass);
 
-/* M (nq, nq), f (nq), J (nc, nq), gamma (nc); `memory` has room for 2 nq + nc numbers. */
+/* M (nq, nq), f (nq), J (nc, nq), gamma (nc); `memory` has room for 5 nq + nc numbers. */
 lag_status lag_dynamics_by_columns(
     const lag_model *model,
     const lag_arguments *at,

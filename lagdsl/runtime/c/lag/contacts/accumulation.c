@@ -66,8 +66,10 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     motion->at.w = motion->w;
     for (size_t i = 0; i < model->ncontact; ++i) {
         const size_t row = model->contact_rows[i];
-        const double acceleration = lag_dot(model->nq, impulse->jacobian + row * model->nq, motion->qdd) - impulse->residual[row];
-        contacts->blows.back[i] = status == LAG_OK ? acceleration : 0.0;
+        contacts->blows.back[i] = 0.0;
+        if (status == LAG_OK && contacts->blows.closing[i] != 0.0) {
+            contacts->blows.back[i] = lag_dot(model->nq, impulse->jacobian + row * model->nq, motion->qdd) - impulse->residual[row];
+        }
     }
 }
 

@@ -11,14 +11,14 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 16 * model->ncontact + (3 + model->nq) * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 16 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
 {
     contacts->gap = lag_take(memory, model->ngap);
     contacts->speed = lag_take(memory, model->ngap);
-    contacts->jacobian = lag_take(memory, model->ngap * model->nq);
+    contacts->jacobian = contacts->motion->gradients;
     contacts->blows.part = lag_take(memory, model->ngap);
     lag_inequalities_place(&contacts->blows.rows, model, lag_take(memory, lag_inequalities_memory(model)));
 }

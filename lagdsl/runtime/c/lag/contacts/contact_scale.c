@@ -113,11 +113,15 @@ void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
 /* The multiplier of one contact that would cancel the accelerations that the forces give its coordinates, each by itself. */
 static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 {
+    const lag_pattern *entries = contacts->motion->model->jacobian_pattern;
     const size_t n = contacts->motion->model->nq;
+    const size_t first = (size_t)contacts->sizes.first[i];
+    const size_t end = first + (size_t)contacts->sizes.entries[i];
     const double *row = contacts->jacobian + i * n;
     double acceleration = 0.0;
     double compliance = 0.0;
-    for (size_t j = 0; j < n; ++j) {
+    for (size_t k = first; k < end; ++k) {
+        const size_t j = entries != NULL ? entries->column[k] : k;
         const double mass = weighted ? contacts->impulse->mass[j * n + j] : 1.0;
         if (mass > 0.0) {
             acceleration += fabs(row[j]) * contacts->forces[j] / mass;

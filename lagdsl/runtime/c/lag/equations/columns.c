@@ -14,27 +14,42 @@ static void negate(size_t count, double *x)
     }
 }
 
-/* Number of each coordinate within its component, into `place` (nq); the most that there are in one. */
-static size_t number(const lag_model *model, double *place)
+/* Coordinates of each component, one behind another. */
+typedef struct chains {
+    double *place;  /* (nq) number of each coordinate within its component */
+    double *before; /* (nq) the coordinate before it in the same, plus one; zero: there is none */
+    double *last;   /* (nq) by component: its last coordinate, plus one; zero: it has none */
+    size_t most;    /* the most that there are in one */
+} chains;
+
+/* Components have numbers below nq; coordinates of others share the first chain. */
+static size_t chain_of(const lag_model *model, size_t coordinate)
 {
-    const size_t *component = model->components;
-    size_t most = 0;
-    for (size_t i = 0; i < model->nq; ++i) {
-        size_t before = i;
-        while (before > 0 && component != NULL && component[before - 1] != component[i]) {
-            --before;
-        }
-        place[i] = before > 0 ? place[before - 1] + 1.0 : 0.0;
-        most = place[i] + 1.0 > (double)most ? (size_t)place[i] + 1 : most;
-    }
-    return most;
+    const size_t component = model->components != NULL ? model->components[coordinate] : 0;
+    return component < model->nq ? component : 0;
 }
 
-/* Row i of M, from a row that is the sum of rows of several components; both may be one. */
-static void take_own(const lag_model *model, size_t i, const double *sum, double *row)
+static chains link(const lag_model *model, double *memory)
 {
-    for (size_t j = 0; j < model->nq; ++j) {
-        row[j] = model->components == NULL || model->components[j] == model->components[i] ? sum[j] : 0.0;
+    const size_t n = model->nq;
+    chains c = {.place = memory, .before = memory + n, .last = memory + 2 * n};
+    clear(n, c.last);
+    for (size_t i = 0; i < n; ++i) {
+        double *last = c.last + chain_of(model, i);
+        c.before[i] = *last;
+        c.place[i] = *last > 0.0 ? c.place[(size_t)*last - 1] + 1.0 : 0.0;
+        c.most = c.place[i] + 1.0 > (double)c.most ? (size_t)c.place[i] + 1 : c.most;
+        *last = (double)(i + 1);
+    }
+    return c;
+}
+
+/* Row i of M, from the sum of rows of several components. */
+static void take_own(const lag_model *model, const chains *c, size_t i, const double *sum, double *row)
+{
+    clear(model->nq, row);
+    for (size_t j = (size_t)c->last[chain_of(model, i)]; j > 0; j = (size_t)c->before[j - 1]) {
+        row[j - 1] = model->components == NULL || model->components[j - 1] == model->components[i] ? sum[j - 1] : 0.0;
     }
 }
 
@@ -42,21 +57,19 @@ static void take_own(const lag_model *model, size_t i, const double *sum, double
 lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *memory, double *mass)
 {
     const size_t n = model->nq;
-    const double *place = memory + n;
-    const size_t most = number(model, memory + n);
+    double *sum = memory + n;
+    const chains c = link(model, memory + 2 * n);
     lag_arguments along = *at;
     lag_status status = LAG_OK;
     along.dqd = memory;
-    for (size_t k = 0; k < most && status == LAG_OK; ++k) {
-        size_t last = 0;
+    for (size_t k = 0; k < c.most && status == LAG_OK; ++k) {
         for (size_t i = 0; i < n; ++i) {
-            memory[i] = place[i] == (double)k ? 1.0 : 0.0;
-            last = memory[i] != 0.0 ? i : last;
+            memory[i] = c.place[i] == (double)k ? 1.0 : 0.0;
         }
-        status = model->momentum_tangent(&along, mass + last * n);
-        for (size_t i = 0; i <= last && status == LAG_OK; ++i) { /* the row of the last is the sum until then */
+        status = model->momentum_tangent(&along, sum);
+        for (size_t i = 0; i < n && status == LAG_OK; ++i) {
             if (memory[i] != 0.0) {
-                take_own(model, i, mass + last * n, mass + i * n);
+                take_own(model, &c, i, sum, mass + i * n);
             }
         }
     }
@@ -74,7 +87,7 @@ lag_status lag_dynamics_by_columns(
 {
     const size_t n = model->nq;
     lag_arguments still = *at;
-    double *const unused = memory + n + model->nc;
+    double *const unused = memory + n + model->nc; /* (nq) */
     lag_status status = lag_mass_by_columns(model, at, memory, mass);
     clear(n + model->nc, memory);
     still.qdd = memory;

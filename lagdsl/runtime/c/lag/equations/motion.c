@@ -15,10 +15,16 @@ static size_t loads_memory(const lag_model *model)
     return model->nload > 0 ? model->nload * (model->nq + model->nc) + states + lag_feedback_chord_memory(model) : 0;
 }
 
+/* Results with few entries: those of the dynamics, then the gradients of gaps. */
+static size_t kept_memory(const lag_model *model)
+{
+    return lag_dynamics_kept(model) + model->ngap * model->nq;
+}
+
 size_t lag_motion_memory(const lag_model *model)
 {
     const size_t values = model->nu + model->nw + model->nq + model->nc + 1;
-    return model->workspace + lag_jacobian_memory(model, NULL) + lag_dynamics_kept(model) + values + loads_memory(model);
+    return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model);
 }
 
 /* Of a state, for a difference. */
@@ -80,8 +86,9 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
-    motion->kept = (lag_kept){motion->memory + lag_jacobian_memory(model, NULL), lag_dynamics_kept(model)};
+    motion->kept = (lag_kept){motion->memory + lag_jacobian_memory(model, NULL), kept_memory(model)};
     motion->at.kept = &motion->kept;
+    motion->gradients = motion->kept.first + lag_dynamics_kept(model);
     motion->u = motion->kept.first + motion->kept.count;
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;

@@ -15,6 +15,7 @@ typedef struct lag_motion {
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */
+    double *gradients;   /* (ngap, nq) for those of gaps, in what the model alone writes (lag_arguments.kept) */
     double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */

@@ -23,8 +23,9 @@ static void bias(lag_rates *r, const double *y, size_t moved, double by, double 
     const lag_status status = model->dynamics(&b->motion->at, r->inner, r->force, r->branch.turned, r->branch.gamma);
     for (size_t i = 0; i < r->branch.lost; ++i) {
         result[i] = status == LAG_OK ? 0.0 : (double)NAN;
-        for (size_t k = 0; k < model->nc; ++k) {
-            result[i] += r->branch.vanishing[i * model->nc + k] * r->branch.gamma[k] / b->row_sizes[k];
+        for (size_t k = 0; k < r->branch.acting; ++k) {
+            const size_t row = (size_t)r->branch.act[k];
+            result[i] += r->branch.vanishing[i * r->branch.acting + k] * r->branch.gamma[row] / b->row_sizes[row];
         }
     }
 }
@@ -67,19 +68,40 @@ static int descend_along(lag_rates *r, const double *along, size_t width)
     return 1;
 }
 
+/* Rows that act: those of open contacts and of friction that slides are zero, and say nothing of branches. */
+static void find_acting(lag_rates *r)
+{
+    const lag_model *model = r->b->motion->model;
+    double *lasts = r->branch.act; /* read ahead of what is written */
+    lag_fill(model->nc, 1.0, lasts);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        lasts[model->contact_rows[i]] = 0.0;
+    }
+    for (size_t i = 0; i < model->nslip; ++i) {
+        lasts[model->friction_rows[i]] = 0.0;
+    }
+    r->branch.acting = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (lasts[i] != 0.0 || lag_any(model->nq, r->rows + i * model->nq)) {
+            r->branch.act[r->branch.acting++] = (double)i;
+        }
+    }
+}
+
 void lag_initialization_branch(lag_rates *r)
 {
     const lag_model *model = r->b->motion->model;
     const size_t n = model->nq;
-    const size_t m = model->nc;
+    find_acting(r);
+    const size_t m = r->branch.acting;
     for (size_t i = 0; i < m; ++i) {
         for (size_t j = 0; j < n; ++j) {
-            r->branch.turned[j * m + i] = r->rows[i * n + j];
+            r->branch.turned[j * m + i] = r->rows[(size_t)r->branch.act[i] * n + j];
         }
     }
     const lag_svd svd = lag_svd_of(n, m, r->branch.turned, r->svd);
     const size_t rank = lag_svd_rank(&svd, LAG_ROUGH_RANK);
-    if (rank >= model->rank) {
+    if (rank >= model->rank || rank == m) {
         return;
     }
     r->branch.lost = m - rank;

@@ -19,7 +19,7 @@ size_t lag_initialization_qd_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t all = most(model) + n;
-    return m * n + 3 * all * n + 2 * most(model) + 4 * n + 5 * n * n + 3 * n + m + n * m + m * m + lag_parts_memory(all, n) +
+    return m * n + 3 * all * n + 2 * most(model) + 4 * n + 5 * n * n + 3 * n + 2 * m + n * m + m * m + lag_parts_memory(all, n) +
            lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n) + lag_svd_memory(all, n) + lag_svd_memory(n, m);
 }
 
@@ -51,6 +51,7 @@ static void place(lag_rates *r, lag_initialization *b)
     r->change = lag_take(&memory, n);
     r->force = lag_take(&memory, n);
     r->branch.gamma = lag_take(&memory, m);
+    r->branch.act = lag_take(&memory, m);
     r->branch.turned = lag_take(&memory, n * m);
     r->branch.vanishing = lag_take(&memory, m * m);
     r->parts = lag_parts_of(0, 0, NULL, lag_take(&memory, lag_parts_memory(all, n)));

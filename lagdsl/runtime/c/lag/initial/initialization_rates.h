@@ -17,9 +17,11 @@ typedef struct lag_rates_part {
 
 /* Combinations of rows that vanish in a singular position. */
 typedef struct lag_rates_branch {
-    size_t lost;         /* so many */
-    double *vanishing;   /* (nc, nc) */
-    double *turned;      /* (nq, nc) */
+    double *act;         /* (nc) rows that act, */
+    size_t acting;       /* so many; */
+    size_t lost;         /* so many combinations of them vanish */
+    double *vanishing;   /* (lost, acting) */
+    double *turned;      /* (nq, acting) */
     double *gamma;       /* (nc) */
     const double *along; /* `free` or `unbound`, */
     size_t width;        /* with so many rows */

@@ -271,7 +271,7 @@ static uint64_t needed(const lag_tape_parts *parts)
 
 uint64_t lag_tape_workspace(const uint32_t *size)
 {
-    return (uint64_t)size[LAG_TAPE_ROW] + 2 * (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NC];
+    return (uint64_t)size[LAG_TAPE_ROW] + 5 * (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NC];
 }
 
 /* More than any workspace has. */
