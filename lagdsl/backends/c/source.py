@@ -214,7 +214,7 @@ def _array(kind: str, name: str, rows: Sequence[str]) -> str:
 def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
     layout = program.layout
     formed = [name for name in WRITTEN_OUT if not program.has(name)]
-    beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
+    beyond = 5 * len(layout.coordinates) + len(layout.constraints) if formed else 0
     counts: dict[str, object] = {
         **sizes(layout),
         "rank": len(layout.constraints) - sum(layout.redundant),

@@ -4,7 +4,7 @@
 
 #include "lag/model.h"
 
-/* M (nq, nq); `memory` has room for 5 nq numbers. */
+/* M (nq, nq); `memory` has room for 5 nq numbers (tapes and generated C reserve them). */
 lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *memory, double *mass);
 
 /* M (nq, nq), f (nq), J (nc, nq), gamma (nc); `memory` has room for 5 nq + nc numbers. */
