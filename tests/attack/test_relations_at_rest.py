@@ -118,12 +118,15 @@ HELD = [
     ),
     *(
         Attack(
-            f"crank_that_turns_back_by_{rate[4:-1]}",
+            f"crank_that_turns_back_by_{rate[4:-1]}_{solver}",
             model(CRANK_BACK + LOCK.format(rate=rate), f"when {condition} then " + UNTIL.format(opened=10)),
             10.5,
             Later(lambda: {"main.q": _turning_crank(), "n": 1.0}),
+            solver=solver,
+            **within,
         )
         for rate, condition in (("der(guide.s)", "der(main.q) < 0"), ("der(main.q)", "der(guide.s) > 0"))
+        for solver, within in (("auto", {}), ("radau", {"tolerance": 1e-6, "near": 1e-4}))
     ),
     Attack(  # a spring without force holds it where it is opened
         "held_without_a_force",

@@ -146,8 +146,8 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
-        } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i)) {
-            truth[i] = holds(model, i, 0.0); /* a clause has put it there */
+        } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i) && fabs(iteration->sides.before[i]) > lag_noise_known(iteration->noise, i)) {
+            truth[i] = holds(model, i, 0.0); /* a clause has put it there, no projection */
         }
     }
     return status;
