@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.analysis.point import Flow, System
+from lagdsl.flat.events import Friction
 from lagdsl.flat.listing import force_unit
 from lagdsl.numerics.connected_blocks import Flags, connected_blocks
 from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, null_space
@@ -48,6 +49,33 @@ class FrictionForce:
     def margin(self) -> float:
         """1 - force/limit: one without a force, zero at the limit, negative beyond it."""
         return 1.0 - self.size / self.limit if self.limit > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedFriction:
+    """A friction with the places of its `slips` among all slips and all `friction_rows`, and those of its entries in w.
+    It acts if it stands under no contact that is open."""
+
+    friction: Friction
+    slips: slice
+    sticks: int
+    directions: tuple[int, ...]
+    acts: bool
+
+
+def placed_frictions(system: System, w: Floats) -> Iterator[PlacedFriction]:
+    """All frictions in the order of the model, with the discretes w (nw,)."""
+    places = {slot.name: place for place, slot in enumerate(system.engine.layout.discretes)}
+    end = 0
+    for friction in system.flat.events.frictions:
+        start, end = end, end + len(friction.slips)
+        yield PlacedFriction(
+            friction=friction,
+            slips=slice(start, end),
+            sticks=places[friction.sticks],
+            directions=tuple(places[name] for name in friction.directions),
+            acts=friction.contact is None or w[places[f"closed({friction.contact})"]] != 0.0,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,30 +126,26 @@ def friction_forces(system: System, here: Flow) -> tuple[FrictionForce, ...]:
 
 def _laws(system: System, here: Flow) -> list[_Law]:
     """Of frictions that act."""
-    frictions, layout = system.flat.events.frictions, system.engine.layout
-    if not frictions:
+    if not system.flat.events.frictions:
         return []
     slip, _, limit, sticking, _, gain = system.engine.evaluate("friction", *here.point.arguments, here.qdd, here.lam)
-    w = dict(zip((slot.name for slot in layout.discretes), here.point.w.tolist(), strict=True))
+    w, rows = here.point.w, system.engine.layout.instants.friction_rows
     factors = {each.name: each.factors[0] for each in system.flat.constraints if each.friction and each.factors}
-    ends = np.cumsum(layout.instants.friction_slips).tolist()
-    found = []
-    for k, friction in enumerate(frictions):
-        own = slice(ends[k] - len(friction.slips), ends[k])
-        law = _Law(
-            name=friction.name,
-            rows=layout.instants.friction_rows[own],
-            sticks=w[friction.sticks] != 0.0,
-            slip=slip[own],
-            way=np.array([w[name] for name in friction.directions]),
+    return [
+        _Law(
+            name=each.friction.name,
+            rows=rows[each.slips],
+            sticks=bool(w[each.sticks] != 0.0),
+            slip=slip[each.slips],
+            way=w[list(each.directions)],
             limit=float(limit[k]),
             sticking=float(sticking[k]),
             gain=gain[k],
-            factor=factors.get(friction.name, 1.0),
+            factor=factors.get(each.friction.name, 1.0),
         )
-        if friction.contact is None or w[f"closed({friction.contact})"] != 0.0:
-            found.append(law)
-    return found
+        for k, each in enumerate(placed_frictions(system, w))
+        if each.acts
+    ]
 
 
 # ---- shared forces ---------------------------------------------------------------------------------------------------

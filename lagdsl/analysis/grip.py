@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.analysis.friction import friction_forces
+from lagdsl.analysis.friction import friction_forces, placed_frictions
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.point import Point, System, coordinate_sizes, flow
 from lagdsl.diagnostics import Sink
@@ -90,26 +90,18 @@ def unheld(system: System, point: Point) -> list[str]:
 
 def _holding(system: System, point: Point) -> Floats:
     """The discretes with each friction sticking that acts and has no slip at rest."""
-    layout, w = system.engine.layout, point.w.copy()
-    places = {slot.name: place for place, slot in enumerate(layout.discretes)}
-    nothing = (np.zeros_like(point.q), np.zeros(len(layout.constraints)))
+    w = point.w.copy()
+    nothing = (np.zeros_like(point.q), np.zeros(len(system.engine.layout.constraints)))
     slips, jacobian, *_ = system.engine.evaluate("friction", *point.arguments, *nothing)
     fast = np.abs(slips) > _NONE * np.abs(jacobian) @ coordinate_sizes(system, point.p)
-    ends = np.cumsum(layout.instants.friction_slips).tolist()
-    for friction, end in zip(system.flat.events.frictions, ends, strict=True):
-        acts = friction.contact is None or w[places[f"closed({friction.contact})"]] != 0.0
-        if acts and not np.any(fast[end - len(friction.slips) : end]):
-            w[places[friction.sticks]] = 1.0
-            w[[places[name] for name in friction.directions]] = 0.0
+    for each in placed_frictions(system, point.w):
+        if each.acts and not np.any(fast[each.slips]):
+            w[each.sticks] = 1.0
+            w[list(each.directions)] = 0.0
     return w
 
 
 def _sticking_rows(system: System, point: Point) -> set[int]:
-    layout = system.engine.layout
-    w = dict(zip((slot.name for slot in layout.discretes), point.w.tolist(), strict=True))
-    rows = list(layout.instants.friction_rows)
-    found: set[int] = set()
-    for friction in system.flat.events.frictions:
-        own, rows = rows[: len(friction.slips)], rows[len(friction.slips) :]
-        found |= set(own) if w[friction.sticks] != 0.0 else set()
-    return found
+    rows = system.engine.layout.instants.friction_rows
+    sticking = (each for each in placed_frictions(system, point.w) if point.w[each.sticks] != 0.0)
+    return {row for each in sticking for row in rows[each.slips]}

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.analysis.friction import friction_forces
+from lagdsl.analysis.friction import friction_forces, placed_frictions
 from lagdsl.analysis.point import Flow, Point, System
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
@@ -99,10 +99,10 @@ class _Motion:
         here, instants = self._flow(0), self.system.engine.layout.instants
         sizes = coordinate_sizes(self.system.flat, self.system.program, self.p)
         jacobian = self.system.engine.evaluate("friction", *here.point.arguments, here.qdd, here.lam)[1]
-        first, count = sum(instants.friction_slips[:index]), instants.friction_slips[index]
         row = next(each for each in self.system.flat.constraints if each.name == instants.frictions[index])
         factor = row.factors[0] if row.factors else 1.0
-        slips = np.abs(jacobian[first : first + count]) @ sizes / factor
+        own = list(placed_frictions(self.system, here.point.w))[index].slips
+        slips = np.abs(jacobian[own]) @ sizes / factor
         return float(np.max(slips)) / (float(np.ptp(self.rows.time)) or 1.0)
 
     def _flow(self, row: int) -> Flow:

@@ -73,12 +73,6 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     }
 }
 
-/* The time for which contact i is open; infinite if it does not come back. */
-static double flight_of(const lag_contacts *contacts, size_t i)
-{
-    return contacts->blows.back[i] < 0.0 ? 2.0 * contacts->speed[i] / -contacts->blows.back[i] : (double)INFINITY;
-}
-
 /* True if a flight does not get clear of the round-off of its gap, or of a step, or if what is left of them, each `ratio` of the one before, is brief. */
 static int is_brief(const lag_contacts *contacts, size_t i, double flight, double ratio)
 {
@@ -101,7 +95,8 @@ static series series_of(const lag_contacts *contacts, size_t component)
     const double ratio = all.approach > 0.0 ? all.parting / all.approach : 1.0;
     for (size_t i = 0; i < count && all.brief; ++i) {
         if (contacts->blows.closing[i] != 0.0 && lag_contacts_component(contacts, i) == component) {
-            const double flight = flight_of(contacts, i);
+            const double back = contacts->blows.back[i];
+            const double flight = back < 0.0 ? 2.0 * contacts->speed[i] / -back : (double)INFINITY; /* it may not come back */
             all.brief = is_brief(contacts, i, flight, ratio);
             all.left = fmax(all.left, fmin(ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY, flight / NEXT));
         }

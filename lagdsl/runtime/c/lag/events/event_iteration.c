@@ -87,10 +87,11 @@ void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
 
 static lag_status look(lag_event_iteration *iteration, double t, const double *x)
 {
-    const lag_model *model = iteration->motion->model;
-    lag_event_iteration_solve(iteration->motion, t, x);
-    return model->event(&iteration->motion->at, iteration->discretes.next, iteration->clauses.reset, iteration->clauses.value, iteration->clauses.collision, iteration->clauses.restitution,
-        iteration->clauses.stop, iteration->clauses.fail);
+    lag_motion *motion = iteration->motion;
+    const lag_clauses *c = &iteration->clauses;
+    lag_event_iteration_solve(motion, t, x);
+    return motion->model->event(
+        &motion->at, iteration->discretes.next, c->reset, c->value, c->collision, c->restitution, c->stop, c->fail);
 }
 
 lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x)

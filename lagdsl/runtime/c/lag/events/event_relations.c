@@ -122,12 +122,15 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    lag_status status = known ? LAG_OK : indicate(iteration, t, x, iteration->sides.now); /* there may be no accelerations */
-    memcpy(iteration->sides.before, noise->value, count * sizeof(double));
+    double *now = iteration->sides.now;
+    lag_status status = known ? LAG_OK : indicate(iteration, t, x, now); /* there may be no accelerations */
+    if (known) {
+        memcpy(now, noise->value, count * sizeof(double));
+    }
+    memcpy(iteration->sides.before, now, count * sizeof(double));
     status = known && !clear ? look_back(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
-        iteration->sides.now[i] = known ? noise->value[i] : iteration->sides.now[i];
-        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(iteration->sides.now[i], 0.0);
+        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(now[i], 0.0);
     }
     return status;
 }
@@ -146,8 +149,8 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
         const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
-        } else if (!has_turned(iteration, turned, i) && is_moved(iteration, i) && fabs(iteration->sides.before[i]) > lag_noise_known(iteration->noise, i)) {
-            truth[i] = holds(model, i, 0.0); /* a clause has put it there, no projection */
+        } else if (!has_turned(iteration, turned, i) && fabs(iteration->sides.before[i]) > lag_noise_known(iteration->noise, i)) {
+            truth[i] = holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
         }
     }
     return status;

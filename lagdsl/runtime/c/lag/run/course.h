@@ -23,6 +23,7 @@ typedef struct lag_spread {
  * so far by less, a step is not worth its dense output. (Of an oscillation, with a step of three radians.)
  */
 static const double LAG_DOUBT = 0.7;
+
 /* Distances by which the cubic with values a, b and slopes fa, fb (of the whole step) exceeds its ends: up and down. */
 void lag_bulge_find(double a, double fa, double b, double fb, double *up, double *down);
 
