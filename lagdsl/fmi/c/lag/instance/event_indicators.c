@@ -54,7 +54,7 @@ static int changes_at_zero(const lag_instance *instance, size_t i)
 /* Guards that are off are infinite; FMI wants numbers. */
 static double value_of(const lag_instance *instance, size_t i)
 {
-    const double value = lag_zero_crossing_value(&instance->run->crossings, i);
+    const double value = instance->run->crossings.value[i];
     return isinf(value) ? 1.0 : value;
 }
 

@@ -29,7 +29,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
     lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const int leaves = exchanged ? lag_instance_leaves(instance, i) : crossings->changed[i] != 0.0;
-        const double behind = i < relations ? fmax(0.0, -lag_zero_crossing_value(crossings, i)) : 0.0;
+        const double behind = i < relations ? fmax(0.0, -crossings->value[i]) : 0.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && lag_instance_is_armed(instance, i));
         crossings->depth[i] = !exchanged ? crossings->depth[i] : left[i] != 0.0 ? 0.0 : behind;

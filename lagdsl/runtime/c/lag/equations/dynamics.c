@@ -49,7 +49,7 @@ size_t lag_dynamics_memory(const lag_model *model)
     return n * n + n + m * n + m + kept + lag_system_memory(n, m) + lag_feedback_memory(model);
 }
 
-static int solved(const lag_model *model, const double *qdd, const double *lam)
+static inline int solved(const lag_model *model, const double *qdd, const double *lam)
 {
     return lag_finite(model->nq, qdd) && lag_finite(model->nc, lam);
 }
@@ -244,13 +244,10 @@ lag_status lag_forward_dynamics(
     return lag_forward_dynamics_along(model, at, memory, NULL, qdd, lam, coordinate);
 }
 
-lag_status lag_forward_dynamics_along(
-    const lag_model *model, const lag_arguments *at, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate)
+/* Where elimination is not the `whole` solution, or did not find it. */
+static lag_status solve_rest(
+    const lag_model *model, const lag_arguments *at, int whole, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate)
 {
-    const int whole = model->elimination != NULL && model->nk == 0 && model->nload == 0;
-    if (whole && eliminate_all(model, at, qdd, lam) == LAG_OK) {
-        return LAG_OK;
-    }
     double *loads = lag_take(&memory, lag_feedback_memory(model));
     solver s; /* not set to zero: that takes as long as small systems do */
     s.model = model;
@@ -260,4 +257,12 @@ lag_status lag_forward_dynamics_along(
         return lag_feedback_solve(model, at, solve_with_loads, &s, loads, chord, qdd, lam);
     }
     return whole ? solve_system(&s, at, 0, qdd, lam) : solve_with_loads(&s, at, 0, qdd, lam);
+}
+
+lag_status lag_forward_dynamics_along(
+    const lag_model *model, const lag_arguments *at, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate)
+{
+    const int whole = model->elimination != NULL && model->nk == 0 && model->nload == 0;
+    const int done = whole && eliminate_all(model, at, qdd, lam) == LAG_OK;
+    return done ? LAG_OK : solve_rest(model, at, whole, memory, chord, qdd, lam, coordinate);
 }

@@ -13,8 +13,9 @@ static const double CHANGE = 16.0 * DBL_EPSILON;
 static const double HELD = 1e-9;
 /* Places are changed by this part of themselves to look at them. */
 static const double NUDGE = 1e-11;
-/* Multiples of it are irregular. */
-static const double GOLDEN = 0.6180339887498949;
+/* Multiples of these are irregular. */
+static const double IRRATIONAL[] = {0.6180339887498949, 0.4142135623730951};
+enum { CHANGES = sizeof IRRATIONAL / sizeof IRRATIONAL[0] };
 
 static size_t count_of(const lag_model *model)
 {
@@ -78,10 +79,12 @@ void lag_noise_follow(lag_noise *noise, const double *x)
     }
 }
 
-/* Bit k of the number of an entry tells its sign in change k. */
-static int same_sign(size_t entry, unsigned k)
+/* An irregular part of number i in change k: 0.5 to 1, of either sign. */
+static double part_of(size_t i, unsigned k)
 {
-    return ((entry >> k) & 1u) == 0;
+    const double multiple = IRRATIONAL[k] * (double)(i + 1);
+    const double fraction = multiple - (double)(size_t)multiple;
+    return fraction < 0.5 ? fraction - 1.0 : fraction;
 }
 
 /* Indicators, distances of corners, rates and accelerations of indicators, with accelerations and multipliers of x at time t. */
@@ -124,8 +127,7 @@ static double least_of(const lag_noise *noise, size_t i)
 /* Number i after change k, or after the opposite one (`sign` -1). */
 static double changed(const lag_noise *noise, size_t i, double number, unsigned k, double sign)
 {
-    const double by = sign * CHANGE * noise->peak[i];
-    return same_sign(i, k) ? number + by : number - by;
+    return number + 2.0 * sign * CHANGE * part_of(i, k) * noise->peak[i];
 }
 
 /* Changes the inputs, but for whole ones. */
@@ -161,7 +163,6 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
 void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
-    unsigned changes = 1;
     const lag_status status = lag_noise_look(noise, t, x);
     lag_noise_follow(noise, x);
     if (status != LAG_OK) {
@@ -170,10 +171,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
     for (size_t i = 0; i < all_of(model); ++i) {
         noise->sigma[i] = least_of(noise, i);
     }
-    while (changes < 32 && ((lag_motion_size(model) + model->nu) >> changes) > 0) {
-        ++changes;
-    }
-    for (unsigned k = 0; k < changes; ++k) {
+    for (unsigned k = 0; k < CHANGES; ++k) {
         if (change(noise, t, x, k, 1.0, noise->other) != LAG_OK || change(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
             continue;
         }
@@ -211,9 +209,7 @@ static void turn_aside(const lag_noise *noise, const double *x, double *point)
 {
     const lag_model *model = noise->motion->model;
     for (size_t j = 0; j < lag_motion_size(model); ++j) {
-        const double irregular = 2.0 * fmod(GOLDEN * (double)(j + 1), 1.0) - 1.0;
-        const double by = (irregular < 0.0 ? -0.5 : 0.5) + 0.5 * irregular;
-        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * by * lag_noise_extent(noise, x, j);
+        point[j] = x[j] + (j < model->nq ? NUDGE : 1.0) * part_of(j, 0) * lag_noise_extent(noise, x, j);
     }
 }
 

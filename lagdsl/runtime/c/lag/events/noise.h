@@ -1,7 +1,7 @@
 /*
  * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error
  * of the unit round-off eps, so g is known to about eps |dg/dx x|: only what enters g counts, in its own units. Numbers are states, inputs and the
- * time. The derivatives are differences along changes of all numbers at once, with signs such that no two numbers change alike in all of them.
+ * time. The derivatives are differences along two changes of all numbers at once, each by its own irregular part: what two numbers do does not cancel.
  * Gradients, where a step needs them, take a difference for each number.
  */
 #ifndef LAG_NOISE_H

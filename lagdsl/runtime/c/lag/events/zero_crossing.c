@@ -120,12 +120,6 @@ size_t lag_zero_crossing_count(const lag_zero_crossing *crossings)
     return lag_guards(crossings->motion->model) + crossings->corners.count;
 }
 
-double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which)
-{
-    const int k = kind_of(crossings, &which);
-    return KIND[k].value(crossings, which);
-}
-
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which)
 {
     const int k = kind_of(crossings, &which);
@@ -167,7 +161,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = lag_guards(model) + model->ncorner;
-    return 5 * model->nindicator + 2 * model->ncorner + (6 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + 2 * model->ncorner + (7 + LAG_LOOKS) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -180,6 +174,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->frictions = reserve->frictions;
     crossings->reserve = reserve;
     crossings->noise = noise;
+    crossings->value = lag_take(&memory, count);
     crossings->changed = lag_take(&memory, count);
     crossings->depth = lag_take(&memory, count);
     crossings->band = lag_take(&memory, count);
@@ -229,8 +224,13 @@ static lag_status evaluate(lag_zero_crossing *crossings, double t, const double 
     } else {
         lag_motion_look(crossings->motion, t, x);
     }
+    double *value = crossings->value;
     for (int k = 0; k < KINDS && status == LAG_OK; ++k) {
-        status = count_of(crossings, k) > 0 ? KIND[k].look(crossings) : LAG_OK;
+        const size_t count = count_of(crossings, k);
+        status = count > 0 ? KIND[k].look(crossings) : LAG_OK;
+        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+            *value++ = KIND[k].value(crossings, i);
+        }
     }
     return status;
 }
@@ -239,7 +239,7 @@ static lag_status evaluate(lag_zero_crossing *crossings, double t, const double 
 static int ends_at_zero(const lag_zero_crossing *crossings, size_t i)
 {
     const lag_model *model = crossings->motion->model;
-    return i < model->nindicator && lag_zero_crossing_value(crossings, i) == 0.0 &&
+    return i < model->nindicator && crossings->value[i] == 0.0 &&
         (crossings->motion->w[crossings->places.relation + i] != 0.0) == (model->strict[i] != 0);
 }
 
@@ -249,7 +249,7 @@ static int is_unclear(const lag_zero_crossing *crossings, size_t i)
     if (crossings->band[i] != 0.0 || !lag_zero_crossing_has_noise(crossings, i)) {
         return 0;
     }
-    const double value = lag_zero_crossing_value(crossings, i);
+    const double value = crossings->value[i];
     if (value > 0.0) {
         return 0;
     }
@@ -283,7 +283,7 @@ static int find_bands(lag_zero_crossing *crossings, double t, const double *x)
 /* True if guard i has left its mode: it is below its dead band. One that began below zero and has left did so where it fell below its beginning. */
 static int has_left(const lag_zero_crossing *crossings, size_t i)
 {
-    const double value = lag_zero_crossing_value(crossings, i);
+    const double value = crossings->value[i];
     if (value > 0.0) {
         return 0;
     }
@@ -323,7 +323,7 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
         lag_frictions_begin(crossings->frictions); /* guards of slips in a plane begin with it */
     }
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double value = lag_zero_crossing_value(crossings, i);
+        const double value = crossings->value[i];
         crossings->depth[i] = fmax(-value, 0.0);
         crossings->band[i] = 0.0;
         crossings->top[i] = value;

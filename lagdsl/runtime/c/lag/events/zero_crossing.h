@@ -39,7 +39,8 @@ typedef struct lag_zero_crossing {
     double *g;                     /* (nindicator) */
     lag_corners corners;
     lag_pieces pieces;
-    double *changed;               /* (nindicator + ncontact + nfriction + ncorner) 1: this one, at the state looked at last */
+    double *value;                 /* (nindicator + ncontact + nfriction + ncorner) of guards at the state looked at last; 1 where one is held */
+    double *changed;               /* the same: 1: this one has left its mode there */
     double *depth;                 /* the same: how far below zero values were where the step began */
     double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
     double *top;                   /* the same: the largest values since then */
@@ -62,9 +63,6 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
 
 /* So many guards are looked at: relations, contacts, friction, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
-
-/* Value of guard `which`, that of the last look; 1 where it is held. */
-double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
 
 /* True if that value hardly gets behind zero, as that of a slip in a plane, which turns round there. */
 int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which);

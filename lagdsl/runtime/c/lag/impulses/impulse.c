@@ -157,10 +157,10 @@ int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part)
 /* ---- one step of Newton's method ---- */
 
 /*
- * 1: the part of the step that was taken overshoots: momenta behind it are no numbers, or far beyond the aim as seen from where the
- * step began. A convex T has no rates that a whole step of Newton's method must miss twice as far, so half of it is nearer.
+ * 1: the part of the step that was taken, to rates qd, overshoots: momenta behind it are no numbers, or far beyond the aim as seen from where the
+ * step began, by more than round-off. A convex T has no rates that a whole step of Newton's method must miss twice as far, so half of it is nearer.
  */
-static int overshoots(const lag_impulse *impulse)
+static int overshoots(lag_impulse *impulse, const double *qd)
 {
     double start = 0.0;
     double rest = 0.0;
@@ -169,7 +169,11 @@ static int overshoots(const lag_impulse *impulse)
         start += impulse->change[i] * (impulse->aim[i] - impulse->from[i]);
         rest += impulse->change[i] * (impulse->aim[i] - impulse->now[i]);
     }
-    return !isfinite(rest) || (start > 0.0 && rest < -BEYOND * start);
+    if (isfinite(rest) && !(start > 0.0 && rest < -BEYOND * start)) {
+        return 0;
+    }
+    find_sizes(impulse, qd);
+    return !isfinite(rest) || differs(impulse, ROUNDING);
 }
 
 /*
@@ -213,7 +217,7 @@ static lag_status step(lag_impulse *impulse, double t, double *x)
     }
     lag_axpy(n, impulse->part, impulse->change, x + n);
     lag_status status = lag_impulse_look(impulse, t, x);
-    for (int k = 0; k < MOST_HALVES && status == LAG_OK && overshoots(impulse); ++k) {
+    for (int k = 0; k < MOST_HALVES && status == LAG_OK && overshoots(impulse, x + n); ++k) {
         impulse->part *= 0.5;
         lag_axpy(n, -impulse->part, impulse->change, x + n);
         status = lag_impulse_look(impulse, t, x);

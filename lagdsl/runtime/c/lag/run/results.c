@@ -8,9 +8,15 @@
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
 
+/* Of a row with so many discretes. */
+static size_t width_of(const lag_model *model, size_t variables)
+{
+    return 1 + lag_motion_size(model) + variables + model->ny + 3;
+}
+
 size_t lag_results_width(const lag_model *model)
 {
-    return 1 + lag_motion_size(model) + lag_places_of(model).contact + model->ny + 3;
+    return width_of(model, lag_places_of(model).contact);
 }
 
 static double largest(size_t count, const double *x)
@@ -81,9 +87,9 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
 {
     const lag_model *model = run->motion.model;
     const size_t size = lag_motion_size(model);
-    const size_t variables = lag_places_of(model).contact;
+    const size_t variables = run->instants.places.contact;
     const lag_status status = make_room(results);
-    double *row = results->rows + results->row * lag_results_width(model);
+    double *row = results->rows + results->row * width_of(model, variables);
     if (status != LAG_OK) {
         return status;
     }

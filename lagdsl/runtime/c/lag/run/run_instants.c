@@ -34,11 +34,9 @@ static void doubt(lag_run *run, const double *changed)
     lag_zero_crossing *crossings = &run->crossings;
     const lag_stepper *s = &run->stepper;
     const size_t count = run->motion.model->nindicator;
-    if (lag_any(count, changed)) {
-        lag_noise_find(crossings->noise, s->t, s->x);
-    }
+    const int known = lag_any(count, changed) && lag_noise_look(crossings->noise, s->t, s->x) == LAG_OK; /* rounding errors are: it was located */
     for (size_t i = 0; i < count; ++i) {
-        crossings->doubted[i] = changed[i] != 0.0 && is_doubtful(run, i) ? fmin(crossings->doubted[i], s->t) : crossings->doubted[i];
+        crossings->doubted[i] = known && changed[i] != 0.0 && is_doubtful(run, i) ? fmin(crossings->doubted[i], s->t) : crossings->doubted[i];
     }
 }
 

@@ -43,7 +43,7 @@ static size_t count_of(const lag_run *run)
 static void remember(lag_run *run, int k)
 {
     for (size_t i = 0; i < count_of(run); ++i) {
-        const double value = lag_zero_crossing_value(&run->crossings, i);
+        const double value = run->crossings.value[i];
         run->crossings.pieces.seen[k][i] = value;
         run->crossings.top[i] = fmax(run->crossings.top[i], value);
     }
@@ -67,7 +67,7 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
             return LAG_OK;
         }
         const lag_status status = lag_scan_look(run, *t);
-        const double value = lag_zero_crossing_value(&run->crossings, i);
+        const double value = run->crossings.value[i];
         if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
             return status;
         }

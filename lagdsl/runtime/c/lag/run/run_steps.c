@@ -193,7 +193,7 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
     for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
-        const double value = lag_zero_crossing_value(crossings, i);
+        const double value = crossings->value[i];
         const int comes = crossings->top[i] > noise && value <= noise;
         const int leaves = -value >= crossings->depth[i] + 0.5 * noise;
         crossings->changed[i] = located[i] != 0.0 && (comes || leaves);

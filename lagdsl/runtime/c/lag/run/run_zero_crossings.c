@@ -33,7 +33,7 @@ static double value_of(void *context, double t)
 {
     const change *one = context;
     const lag_status status = lag_scan_look(one->run, t);
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? lag_zero_crossing_value(&one->run->crossings, one->which) : (double)NAN;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? one->run->crossings.value[one->which] : (double)NAN;
 }
 
 /*
@@ -114,7 +114,7 @@ static double value_on_constraints(change *one, double t)
     lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
     status = status == LAG_OK ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
     status = status == LAG_OK ? lag_zero_crossing_look(&run->crossings, t, run->point) : status;
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? lag_zero_crossing_value(&run->crossings, one->which) : (double)NAN;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? run->crossings.value[one->which] : (double)NAN;
 }
 
 /* The located value that constraints move away from its zero at t; the number of all where none is. */
