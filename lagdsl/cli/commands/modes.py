@@ -45,7 +45,7 @@ def command(options: Options, assignment: str | None, picture: Path | None, page
     require_page(page)
     if picture is not None:
         require_figure(picture)
-    asked = request(options, trim=options.trim)
+    asked = request(options)
     found_over: Variation | None = None
     if assignment is None:
         found = asked.ask(modes)
@@ -59,7 +59,7 @@ def command(options: Options, assignment: str | None, picture: Path | None, page
         )
     if page is not None:
         about = found if assignment is None else asked.ask(modes)
-        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.style)
+        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.subject.style)
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 
