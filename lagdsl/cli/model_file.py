@@ -39,7 +39,7 @@ takes_format: Decorator = click.option(
 
 
 @record(kw_only=True)
-class Subject:
+class ModelFile:
     """The file, the name of the model in it (None: the last complete one), and the form of diagnostics."""
 
     file: Path
@@ -48,8 +48,8 @@ class Subject:
 
 
 takes_model: Decorator = group(
-    "subject",
-    Subject,
+    "model_file",
+    ModelFile,
     click.argument("file", type=PATH),
     click.option(
         "-m", "--model", metavar="MODEL", help="Name of the model in the file; default: the last complete one."
@@ -68,7 +68,7 @@ def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> Sour
     return source
 
 
-def flat_or_leave(subject: Subject, assignments: Sequence[str] = ()) -> FlatModel:
+def flat_or_leave(model_file: ModelFile, assignments: Sequence[str] = ()) -> FlatModel:
     """The flat model of FILE with the values of `--set`, its warnings told; leaves where it is wrong.
 
     Raises SettingError.
@@ -76,11 +76,11 @@ def flat_or_leave(subject: Subject, assignments: Sequence[str] = ()) -> FlatMode
     from lagdsl.pipeline import flatten_set, parse_file
     from lagdsl.settings.settings import split
 
-    style = subject.style
-    source = read_or_leave(subject.file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
     unit = parse_file(source, sink)
-    flat = flatten_set(unit, sink, model=subject.model, pairs=split(assignments)) if unit is not None else None
+    flat = flatten_set(unit, sink, model=model_file.model, pairs=split(assignments)) if unit is not None else None
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

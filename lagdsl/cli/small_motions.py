@@ -15,7 +15,7 @@ from lagdsl.analysis.point import System
 from lagdsl.analysis.where import Where
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, Decorator, InputOptions, group, takes_engine, takes_inputs, takes_settings
 from lagdsl.cli.output import Forms, draft_of, form_of, require_writable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
@@ -48,7 +48,7 @@ class EquilibriumOptions:
 class Options:
     """Options that all three commands have: they choose a state and the form of the result."""
 
-    subject: Subject
+    model_file: ModelFile
     assignments: tuple[str, ...]
     inputs: InputOptions
     time: str | None
@@ -107,20 +107,20 @@ class Request:
         try:
             answer = question(self.system, self.where, self.sink)
         except CompilationFailed as failure:
-            leave_with_errors(findings(self.sink, failure), self.options.subject.style)
+            leave_with_errors(findings(self.sink, failure), self.options.model_file.style)
         return answer
 
 
 def request(options: Options, *, trim: bool = False) -> Request:
     """Compile FILE; leaves where it is wrong. With `trim` the state is an equilibrium without `--trim`, too. Raises
     SettingError."""
-    subject, sink = options.subject, Sink()
-    style, equilibrium = subject.style, options.equilibrium
+    model_file, sink = options.model_file, Sink()
+    style, equilibrium = model_file.style, options.equilibrium
     trim = trim or equilibrium.trim
     _require_sound(options, trim)
-    source = read_or_leave(subject.file, style)
+    source = read_or_leave(model_file.file, style)
     given = inputs_or_leave(options.inputs, style)
-    compilation, chosen = compile_or_leave(subject, source, sink, split(options.assignments))
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(options.assignments))
     flat = compilation.flat
     inputs = given.of(flat, sink, style)
     try:
@@ -168,10 +168,10 @@ def finish(asked: Request, text: str, data: dict[str, Any], table: list[list[Any
     options, sink = asked.options, asked.sink
     output = options.output
     form = form_of(output, options.form, _ENDINGS, "text")
-    if options.form is None and output is None and options.subject.style == "json":
+    if options.form is None and output is None and options.model_file.style == "json":
         form = "json"
         sink.report("N0877", None, old="--format json", new="--to json", why="--format is for diagnostics")
-    tell(sink.diagnostics, options.subject.style)
+    tell(sink.diagnostics, options.model_file.style)
     match form:
         case "json":
             write_text(_json(data) + "\n", output)

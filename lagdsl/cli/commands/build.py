@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from lagdsl.cli.command import Command
-from lagdsl.cli.model_file import Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, group, takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
@@ -72,7 +72,7 @@ _takes_functions = group(
 @_takes_functions
 @click.option("--batch", is_flag=True, help="With C: add functions of many states and many directions at once.")
 def command(
-    subject: Subject,
+    model_file: ModelFile,
     target: str,
     folder: Path,
     derivation: Route,
@@ -88,10 +88,10 @@ def command(
         raise click.UsageError("--terms, --frame and --point need the derivation `graph`")
     if target == "modelica" and (derivation == "textbook" or functions.wanted):
         raise click.UsageError("--target modelica takes neither --derivation textbook nor --terms, --frame and --point")
-    style = subject.style
-    source = read_or_leave(subject.file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
-    flat = flatten_file(source, sink, model=subject.model)
+    flat = flatten_file(source, sink, model=model_file.model)
     if flat is not None and fixed:
         flat = _with_fixed(flat, fixed, sink)
     compilation = compile_flat(flat, sink, derivation) if flat is not None else None

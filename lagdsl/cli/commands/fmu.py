@@ -8,7 +8,7 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.model_file import Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, group, takes_engine, takes_settings
 from lagdsl.cli.output import Unwritable, require_ending, require_writable
 from lagdsl.cli.progress import progress
@@ -104,7 +104,7 @@ _takes_credits = group(
 @click.option("--with-source", is_flag=True, help="Put the text of the model into the FMU.")
 @click.option("-o", "path", type=PATH, metavar="F.fmu", help="Name of the file; default: MODEL.fmu in this folder.")
 def command(
-    subject: Subject,
+    model_file: ModelFile,
     target: Target,
     assignments: tuple[str, ...],
     variables: Variables,
@@ -125,10 +125,10 @@ def command(
     if both := next((name for name in variables.outputs if name in variables.hide), None):
         raise click.UsageError(f"`{both}` is asked for by --output and left out by --hide; leave one of them out")
     require_writable(path)
-    style = subject.style
-    source = read_or_leave(subject.file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
-    compilation, chosen = compile_or_leave(subject, source, sink, split(assignments))
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(assignments))
     path = Path(f"{compilation.flat.name}.fmu") if path is None else path
     require_writable(path)
 

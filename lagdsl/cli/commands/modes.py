@@ -59,7 +59,7 @@ def command(options: Options, assignment: str | None, picture: Path | None, page
         )
     if page is not None:
         about = found if assignment is None else asked.ask(modes)
-        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.subject.style)
+        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.model_file.style)
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 

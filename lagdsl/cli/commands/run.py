@@ -13,7 +13,7 @@ from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Format, Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import (
     PATH,
     InputOptions,
@@ -58,7 +58,7 @@ from lagdsl.simulate.failure import SimulationFailed
 @takes_plot
 @takes_pictures
 def command(
-    subject: Subject,
+    model_file: ModelFile,
     span: Span,
     assignments: tuple[str, ...],
     inputs: InputOptions,
@@ -70,7 +70,7 @@ def command(
     pictures: Pictures,
 ) -> None:
     """Simulate the model in FILE; without -o, show a summary of the motion."""
-    style = subject.style
+    style = model_file.style
     for path in (table.output, events):
         require_writable(path)
     _require_table(table.output, style)
@@ -78,10 +78,10 @@ def command(
     require_pictures(pictures)
     require_ending(events, "events are", ".csv")
     require_units(table.output, table.units)
-    source = read_or_leave(subject.file, style)
+    source = read_or_leave(model_file.file, style)
     given = inputs_or_leave(inputs, style)
     sink = Sink()
-    compilation, chosen = compile_or_leave(subject, source, sink, split(assignments), derivation)
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(assignments), derivation)
     kept = columns_of(table.columns, [compilation.flat])
     require_names(plot, [compilation.flat])
     signals = given.of(compilation.flat, sink, style)

@@ -8,7 +8,7 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.model_file import Format, Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, Span, takes_end, takes_settings
 from lagdsl.cli.output import require_writable, write_text
 from lagdsl.cli.pages import open_page, require_page
@@ -33,7 +33,7 @@ from lagdsl.source import SourceFile
 )
 @click.option("--no-open", is_flag=True, help="Write the page, and do not open it.")
 def command(
-    subject: Subject,
+    model_file: ModelFile,
     span: Span,
     assignments: tuple[str, ...],
     output: Path | None,
@@ -48,10 +48,10 @@ def command(
     require_page(output)
     require_pictures(pictures)
     _require_alone(rows, pictures, span)
-    style = subject.style
-    source = read_or_leave(subject.file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
-    compilation, chosen = compile_or_leave(subject, source, sink, split(assignments))
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(assignments))
     wishes = Wishes(stop=span.end, tolerance=span.tolerance, parameters=chosen.parameters, start=chosen.start)
     if pictures.wanted:
         draw_pictures(pictures, compilation.flat, wishes, sink if output is None else Sink())

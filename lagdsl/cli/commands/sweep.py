@@ -11,7 +11,7 @@ import click
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Subject, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import (
     PATH,
     InputOptions,
@@ -104,7 +104,7 @@ _takes_machines = group(
 @click.option("--page", type=PATH, metavar="F.html", help="Write a page with a slider over the runs.")
 @_takes_machines
 def command(
-    subject: Subject,
+    model_file: ModelFile,
     values: Values,
     span: Span,
     inputs: InputOptions,
@@ -119,7 +119,7 @@ def command(
     from lagdsl.sweep.run import Options
     from lagdsl.sweep.sweep import Work, options_of
 
-    style = subject.style
+    style = model_file.style
     require_writable(table.output)
     if machines.resume and table.output is None:
         raise click.UsageError("--resume continues a sweep to a file: give the file with -o")
@@ -127,18 +127,18 @@ def command(
     require_units(table.output, table.units)
     require_sound(plot)
     require_page(page)
-    source = read_or_leave(subject.file, style)
+    source = read_or_leave(model_file.file, style)
     given = inputs_or_leave(inputs, style)
     sink = Sink()
     pairs = split(values.assignments)
-    flat, known = _front(source, subject, pairs, sink)
+    flat, known = _front(source, model_file, pairs, sink)
     signals = given.of(flat, sink, style)
     report_missing(flat, signals, sink)
-    subjects = _subjects(source, subject, known)
+    subjects = _subjects(source, model_file, known)
     the_plan = _plan(subjects, pairs, values, sink)
     if variants(the_plan) != known:  # a setting brings structural parameters that the first one has not
         known = variants(the_plan)
-        subjects = _subjects(source, subject, known)
+        subjects = _subjects(source, model_file, known)
     tell(sink.diagnostics, style)
     end, step = options_of(flat, stop=span.end, interval=span.step)
     models = [swept.flat for swept in subjects if swept.flat is not None]
@@ -231,7 +231,7 @@ def _plan(subjects: list[SweptModel], pairs: dict[str, str], values: Values, sin
 
 
 def _front(
-    source: SourceFile, subject: Subject, pairs: dict[str, str], sink: Sink
+    source: SourceFile, model_file: ModelFile, pairs: dict[str, str], sink: Sink
 ) -> tuple[FlatModel, list[dict[str, float]]]:
     """A flat model, and all structural settings. It is that of the first one, or of none where the first one is wrong,
     which then is a run that fails; leaves where both are wrong."""
@@ -240,21 +240,21 @@ def _front(
     found = Sink()
     try:
         flat = flatten_for_runs(
-            source, found, model=subject.model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
+            source, found, model=model_file.model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
         )
         if flat is not None:
             for diagnostic in found.diagnostics:
                 sink.add(diagnostic)
         else:
-            flat = flatten_file(source, sink, model=subject.model)
+            flat = flatten_file(source, sink, model=model_file.model)
         if flat is None:
-            leave_with_errors(found.diagnostics, subject.style)
+            leave_with_errors(found.diagnostics, model_file.style)
         return flat, structures(flat, pairs)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
 
 
-def _subjects(source: SourceFile, subject: Subject, known: list[dict[str, float]]) -> list[SweptModel]:
+def _subjects(source: SourceFile, model_file: ModelFile, known: list[dict[str, float]]) -> list[SweptModel]:
     """A compiled model for every structural setting; where all are wrong, leaves with what is."""
     from lagdsl.sweep.run import SweptModel
 
@@ -262,7 +262,7 @@ def _subjects(source: SourceFile, subject: Subject, known: list[dict[str, float]
     found: tuple[Diagnostic, ...] = ()
     for structural in known:
         sink = Sink()
-        compilation = _compiled(source, subject.model, structural, sink)
+        compilation = _compiled(source, model_file.model, structural, sink)
         if compilation is None:
             found = found or sink.diagnostics
             first = next(d for d in sink.diagnostics if d.severity is Severity.ERROR)
@@ -270,7 +270,7 @@ def _subjects(source: SourceFile, subject: Subject, known: list[dict[str, float]
         else:
             subjects.append(SweptModel(flat=compilation.flat, program=compilation.program))
     if all(swept.flat is None for swept in subjects):
-        leave_with_errors(found, subject.style)
+        leave_with_errors(found, model_file.style)
     return subjects
 
 
