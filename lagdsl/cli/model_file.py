@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal, NoReturn, TypeAlias
 
 import click
 
-from lagdsl.cli.options import PATH, Decorator, group
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.status import ERRORS, USAGE
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.record import record

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.columns import way_to_column
-from lagdsl.cli.options import PATH, Decorator, group
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.flat.model import FlatModel
 from lagdsl.plot.names import ENERGY, UnknownColumn, panels_of, paths_of

@@ -14,9 +14,10 @@ import numpy as np
 from lagdsl.analysis.point import System
 from lagdsl.analysis.where import Where
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, Decorator, InputOptions, group, takes_engine, takes_inputs, takes_settings
+from lagdsl.cli.options import InputOptions, takes_engine, takes_inputs, takes_settings
 from lagdsl.cli.output import Forms, draft_of, form_of, require_writable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel

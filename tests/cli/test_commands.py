@@ -28,7 +28,7 @@ class TestGroup:
             assert "Usage" in result.stdout
 
     def test_functions_of_commands_take_groups_of_options(self) -> None:
-        """At most ten arguments: options that belong together are one record (`lagdsl.cli.options.group`)."""
+        """At most ten arguments: options that belong together are one record (`lagdsl.cli.groups.group`)."""
         context = click.Context(lag)
         found = {name: lag.get_command(context, name) for name in lag.list_commands(context)}
         taken = {name: len(inspect.signature(made.callback).parameters) for name, made in found.items() if made}

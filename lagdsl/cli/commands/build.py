@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import click
 
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH, group
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, group, takes_derivation
+from lagdsl.cli.options import takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing

@@ -8,8 +8,9 @@ import click
 
 from lagdsl.api.derivation import ENDINGS, Derivation, Form
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.model_file import ModelFile, flat_or_leave, takes_model
-from lagdsl.cli.options import PATH, takes_settings
+from lagdsl.cli.options import takes_settings
 from lagdsl.cli.output import Forms, form_of, require_writable, write_text
 
 

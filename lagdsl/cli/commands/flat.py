@@ -7,8 +7,9 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.model_file import ModelFile, flat_or_leave, takes_model
-from lagdsl.cli.options import PATH, takes_settings
+from lagdsl.cli.options import takes_settings
 from lagdsl.cli.output import require_ending, require_writable, write_text
 from lagdsl.flat.text import flat_text
 

@@ -8,8 +8,9 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH, group
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, group, takes_engine, takes_settings
+from lagdsl.cli.options import takes_engine, takes_settings
 from lagdsl.cli.output import Unwritable, require_ending, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink

@@ -12,8 +12,8 @@ from lagdsl.analysis.modes import Modes
 from lagdsl.analysis.variation import Variation
 from lagdsl.analysis.where import modes, vary
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.modes_text import modes_text, variation_text
-from lagdsl.cli.options import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.small_motions import Options, Request, finish, request, takes_state

@@ -12,10 +12,10 @@ from lagdsl.api.model import Model
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import (
-    PATH,
     InputOptions,
     Method,
     Span,

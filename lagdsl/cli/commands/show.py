@@ -8,8 +8,9 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, Span, takes_end, takes_settings
+from lagdsl.cli.options import Span, takes_end, takes_settings
 from lagdsl.cli.output import require_writable, write_text
 from lagdsl.cli.pages import open_page, require_page
 from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures

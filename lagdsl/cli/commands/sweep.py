@@ -10,20 +10,10 @@ import click
 
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH, group
 from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import (
-    PATH,
-    InputOptions,
-    Method,
-    Span,
-    Table,
-    group,
-    takes_method,
-    takes_signals,
-    takes_span,
-    takes_table,
-)
+from lagdsl.cli.options import InputOptions, Method, Span, Table, takes_method, takes_signals, takes_span, takes_table
 from lagdsl.cli.output import Unwritable, require_units, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.plots import Plot, require_sound, takes_plot
