@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.cli.model_file import Format, leave_with_errors
+from lagdsl.cli.model_file import ModelFile, leave_with_errors
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Compilation, Route, compile_flat, findings, flatten_for_runs
 from lagdsl.settings.settings import Settings, settings
@@ -10,21 +10,16 @@ from lagdsl.source import SourceFile
 
 
 def compile_or_leave(
-    source: SourceFile,
-    sink: Sink,
-    style: Format,
-    name: str | None,
-    derivation: Route,
-    pairs: dict[str, str],
+    model_file: ModelFile, source: SourceFile, sink: Sink, pairs: dict[str, str], derivation: Route = "graph"
 ) -> tuple[Compilation, Settings]:
     """The model with structural parameters as set, and what else was set; leaves where it is wrong. Warnings and notes
     go to `sink`. Raises SettingError."""
     try:
-        flat = flatten_for_runs(source, sink, model=name, pairs=pairs)
+        flat = flatten_for_runs(source, sink, model=model_file.model, pairs=pairs)
         chosen = settings(flat, pairs, sink) if flat is not None else Settings()
         compilation = compile_flat(flat, sink, derivation) if flat is not None else None
         if compilation is None:
-            leave_with_errors(sink.diagnostics, style)
+            leave_with_errors(sink.diagnostics, model_file.style)
     except CompilationFailed as failure:
-        leave_with_errors(findings(sink, failure), style)
+        leave_with_errors(findings(sink, failure), model_file.style)
     return compilation, chosen

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.model_file import Format, leave_with_errors, tell
+from lagdsl.cli.options import InputOptions
 from lagdsl.cli.status import USAGE
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -38,11 +39,11 @@ class Inputs:
 _WAY = "check the name of the file; the value of an input is written NAME=VALUE"
 
 
-def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False) -> Inputs:
+def inputs_or_leave(options: InputOptions, style: Format) -> Inputs:
     """Assignments and files of `--input`; leaves with status 2 where a file cannot be read. Raises SettingError."""
     tables: Tables = {}
-    values = split([text for text in given if _is_assignment(text)])
-    for text in given:
+    values = split([text for text in options.given if _is_assignment(text)])
+    for text in options.given:
         if _is_assignment(text):
             continue
         sink = Sink()
@@ -54,7 +55,7 @@ def inputs_or_leave(given: tuple[str, ...], style: Format, *, hold: bool = False
         if twice:
             raise SettingError(f"--input {text}: `{twice[0]}` is given twice")
         tables |= found
-    return Inputs(tables, values, hold)
+    return Inputs(tables, values, options.held)
 
 
 def _is_assignment(text: str) -> bool:

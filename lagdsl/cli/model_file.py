@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, NoReturn, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Literal, NoReturn, TypeAlias
 
 import click
 
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.status import ERRORS, USAGE
 from lagdsl.diagnostics import Diagnostic, Sink
+from lagdsl.record import record
 from lagdsl.semantics.classes.library import read_source
 from lagdsl.source import SourceFile
 
@@ -21,35 +23,39 @@ if TYPE_CHECKING:
 # Facts of a model that nobody needs with every run.
 _TOLD_BY_CHECK = frozenset({"N0513", "N0515", "N0701"})
 Format: TypeAlias = Literal["text", "json"]
-_Command = TypeVar("_Command", bound=Callable[..., Any])
 
 # Files beside the model that cannot be read: tables, files of robots.
 _UNREADABLE = frozenset({"E0820", "E1000"})
 
 
-def takes_format(command: _Command) -> _Command:
-    """Add `--format`."""
-    return click.option(
-        "--format",
-        "style",
-        type=click.Choice(["text", "json"]),
-        default="text",
-        show_default=True,
-        help="Format of the diagnostics.",
-    )(command)
+takes_format: Decorator = click.option(
+    "--format",
+    "style",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Format of the diagnostics.",
+)
 
 
-def takes_model(command: _Command) -> _Command:
-    """Add FILE, `-m` and `--format`."""
-    for decorate in (
-        takes_format,
-        click.option(
-            "-m", "--model", metavar="MODEL", help="Name of the model in the file; default: the last complete one."
-        ),
-        click.argument("file", type=click.Path(path_type=Path)),
-    ):
-        command = decorate(command)
-    return command
+@record(kw_only=True)
+class ModelFile:
+    """The file, the name of the model in it (None: the last complete one), and the form of diagnostics."""
+
+    file: Path
+    model: str | None
+    style: Format
+
+
+takes_model: Decorator = group(
+    "model_file",
+    ModelFile,
+    click.argument("file", type=PATH),
+    click.option(
+        "-m", "--model", metavar="MODEL", help="Name of the model in the file; default: the last complete one."
+    ),
+    takes_format,
+)
 
 
 def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> SourceFile:
@@ -62,7 +68,7 @@ def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> Sour
     return source
 
 
-def flat_or_leave(file: Path, model: str | None, style: Format, assignments: Sequence[str] = ()) -> FlatModel:
+def flat_or_leave(model_file: ModelFile, assignments: Sequence[str] = ()) -> FlatModel:
     """The flat model of FILE with the values of `--set`, its warnings told; leaves where it is wrong.
 
     Raises SettingError.
@@ -70,10 +76,11 @@ def flat_or_leave(file: Path, model: str | None, style: Format, assignments: Seq
     from lagdsl.pipeline import flatten_set, parse_file
     from lagdsl.settings.settings import split
 
-    source = read_or_leave(file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
     unit = parse_file(source, sink)
-    flat = flatten_set(unit, sink, model=model, pairs=split(assignments)) if unit is not None else None
+    flat = flatten_set(unit, sink, model=model_file.model, pairs=split(assignments)) if unit is not None else None
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from lagdsl.cli.options import PATH, Command, combined
+from lagdsl.cli.groups import PATH, Command, combined
 from lagdsl.cli.output import draft_of, require_ending, require_figure, require_writable
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from functools import wraps
 from pathlib import Path
-from typing import Any
 
 import click
 
 from lagdsl.cli.columns import way_to_column
-from lagdsl.cli.options import PATH, Command, combined
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.flat.model import FlatModel
 from lagdsl.plot.names import ENERGY, UnknownColumn, panels_of, paths_of
@@ -28,29 +26,24 @@ class Plot:
     xy: tuple[tuple[str, str], ...]
 
 
-def takes_plot(command: Command) -> Command:
-    """Add `--plot`, `--show` and `--xy`; the command gets them as `plot`."""
-
-    @wraps(command)
-    def called(*, picture: Path | None, show: tuple[str, ...], xy: tuple[tuple[str, str], ...], **given: Any) -> None:
-        command(plot=Plot(path=picture, show=show, xy=xy), **given)
-
-    return combined(
-        click.option("--plot", "picture", type=PATH, help="Write a figure of the motion: .png, .svg, .pdf."),
-        click.option(
-            "--show",
-            multiple=True,
-            metavar="NAMES",
-            help="Columns of the figure: 'theta, der(theta)'; two units have two axes. Once for each panel.",
-        ),
-        click.option(
-            "--xy",
-            multiple=True,
-            nargs=2,
-            metavar="NAMES NAMES",
-            help="Columns against each other: --xy theta 'der(theta)'. Once for each panel.",
-        ),
-    )(called)
+takes_plot: Decorator = group(
+    "plot",
+    Plot,
+    click.option("--plot", "path", type=PATH, help="Write a figure of the motion: .png, .svg, .pdf."),
+    click.option(
+        "--show",
+        multiple=True,
+        metavar="NAMES",
+        help="Columns of the figure: 'theta, der(theta)'; two units have two axes. Once for each panel.",
+    ),
+    click.option(
+        "--xy",
+        multiple=True,
+        nargs=2,
+        metavar="NAMES NAMES",
+        help="Columns against each other: --xy theta 'der(theta)'. Once for each panel.",
+    ),
+)
 
 
 def require_sound(plot: Plot) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import wraps
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, TypeVar
 
@@ -15,9 +14,10 @@ import numpy as np
 from lagdsl.analysis.point import System
 from lagdsl.analysis.where import Where
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH, Decorator, group
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, combined, takes_engine, takes_inputs, takes_settings
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.options import InputOptions, takes_engine, takes_inputs, takes_settings
 from lagdsl.cli.output import Forms, draft_of, form_of, require_writable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
@@ -32,64 +32,65 @@ from lagdsl.source import SourceFile
 
 _Result = TypeVar("_Result")
 Form: TypeAlias = Literal["text", "json", "csv"]
-Command: TypeAlias = Callable[..., Any]
 _ENDINGS: dict[str, Form | Literal["npz"]] = {".json": "json", ".npz": "npz", ".csv": "csv"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Options:
-    """Arguments of the options that all three commands have."""
+class EquilibriumOptions:
+    """True for an equilibrium, names of its unknowns and of none, and True for a steady motion."""
 
-    file: Path
-    model: str | None
-    style: Format
-    time: str | None
-    inputs: tuple[str, ...]
-    assignments: tuple[str, ...]
     trim: bool
     free: tuple[str, ...]
     hold: tuple[str, ...]
     steady: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Options:
+    """Options that all three commands have: they choose a state and the form of the result."""
+
+    model_file: ModelFile
+    assignments: tuple[str, ...]
+    inputs: InputOptions
+    time: str | None
+    equilibrium: EquilibriumOptions
     engine: EngineName
     form: Form | None
     output: Path | None
 
 
-def takes_state(command: Command) -> Command:
-    """Add FILE and the options that choose a state and the form of the result; the command gets them as `options`."""
-
-    @wraps(command)
-    def called(**given: Any) -> None:
-        shared = {name: given.pop(name) for name in Options.__dataclass_fields__}
-        command(Options(**shared), **given)
-
-    return combined(
-        takes_model,
-        takes_settings,
-        takes_inputs,
-        click.option("--time", metavar="T", help="Time of the state [s]; default: start of the experiment."),
-        click.option("--trim", is_flag=True, help="Take the equilibrium nearest to this state."),
-        click.option(
-            "--free",
-            multiple=True,
-            metavar="NAME",
-            help="With --trim: add an unknown: an input, a rate der(x), a fixed coordinate.",
-        ),
-        click.option(
-            "--hold", multiple=True, metavar="NAME", help="With --trim: remove an unknown; it keeps its start value."
-        ),
-        click.option(
-            "--steady", is_flag=True, help="With --trim: keep the rates of the start and find a steady motion."
-        ),
-        takes_engine,
-        click.option(
-            "--to",
-            "form",
-            type=Forms(["text", "json", "csv"], {".txt": "text"}),
-            help="Form of the result on standard output; default: text.",
-        ),
-        click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
-    )(called)
+_takes_equilibrium = group(
+    "equilibrium",
+    EquilibriumOptions,
+    click.option("--trim", is_flag=True, help="Take the equilibrium nearest to this state."),
+    click.option(
+        "--free",
+        multiple=True,
+        metavar="NAME",
+        help="With --trim: add an unknown: an input, a rate der(x), a fixed coordinate.",
+    ),
+    click.option(
+        "--hold", multiple=True, metavar="NAME", help="With --trim: remove an unknown; it keeps its start value."
+    ),
+    click.option("--steady", is_flag=True, help="With --trim: keep the rates of the start and find a steady motion."),
+)
+takes_state: Decorator = group(
+    "options",
+    Options,
+    takes_model,
+    takes_settings,
+    takes_inputs,
+    click.option("--time", metavar="T", help="Time of the state [s]; default: start of the experiment."),
+    _takes_equilibrium,
+    takes_engine,
+    click.option(
+        "--to",
+        "form",
+        type=Forms(["text", "json", "csv"], {".txt": "text"}),
+        help="Form of the result on standard output; default: text.",
+    ),
+    click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,17 +108,20 @@ class Request:
         try:
             answer = question(self.system, self.where, self.sink)
         except CompilationFailed as failure:
-            leave_with_errors(findings(self.sink, failure), self.options.style)
+            leave_with_errors(findings(self.sink, failure), self.options.model_file.style)
         return answer
 
 
-def request(options: Options, *, trim: bool) -> Request:
-    """Compile FILE; leaves where it is wrong. With `trim` the state is an equilibrium. Raises SettingError."""
+def request(options: Options, *, trim: bool = False) -> Request:
+    """Compile FILE; leaves where it is wrong. With `trim` the state is an equilibrium without `--trim`, too. Raises
+    SettingError."""
+    model_file, sink = options.model_file, Sink()
+    style, equilibrium = model_file.style, options.equilibrium
+    trim = trim or equilibrium.trim
     _require_sound(options, trim)
-    style, sink = options.style, Sink()
-    source = read_or_leave(options.file, style)
+    source = read_or_leave(model_file.file, style)
     given = inputs_or_leave(options.inputs, style)
-    compilation, chosen = compile_or_leave(source, sink, style, options.model, "graph", split(options.assignments))
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(options.assignments))
     flat = compilation.flat
     inputs = given.of(flat, sink, style)
     try:
@@ -133,9 +137,9 @@ def request(options: Options, *, trim: bool) -> Request:
         start=chosen.start,
         inputs=_values_at(flat, inputs, flat.experiment.start_time if time is None else time, sink),
         trim=trim,
-        free=options.free,
-        hold=options.hold,
-        steady=options.steady,
+        free=equilibrium.free,
+        hold=equilibrium.hold,
+        steady=equilibrium.steady,
     )
     if sink.has_errors:
         leave_with_errors(sink.diagnostics, style)
@@ -146,7 +150,8 @@ def request(options: Options, *, trim: bool) -> Request:
 
 def _require_sound(options: Options, trim: bool) -> None:
     """Leave with status 2, before the work is done, where options contradict each other."""
-    if not trim and (options.free or options.hold or options.steady):
+    equilibrium = options.equilibrium
+    if not trim and (equilibrium.free or equilibrium.hold or equilibrium.steady):
         raise click.UsageError("--free, --hold and --steady choose an equilibrium: give --trim, too")
     form_of(options.output, options.form, _ENDINGS, "text")
     require_writable(options.output)
@@ -164,10 +169,10 @@ def finish(asked: Request, text: str, data: dict[str, Any], table: list[list[Any
     options, sink = asked.options, asked.sink
     output = options.output
     form = form_of(output, options.form, _ENDINGS, "text")
-    if options.form is None and output is None and options.style == "json":
+    if options.form is None and output is None and options.model_file.style == "json":
         form = "json"
         sink.report("N0877", None, old="--format json", new="--to json", why="--format is for diagnostics")
-    tell(sink.diagnostics, options.style)
+    tell(sink.diagnostics, options.model_file.style)
     match form:
         case "json":
             write_text(_json(data) + "\n", output)

@@ -1,4 +1,4 @@
-"""N0519: loads that do no work on any admissible motion, the lecture's non-contributing forces.
+"""Loads that do no work on any admissible motion, the lecture's non-contributing forces (N0519).
 
 A load is idle if its generalized forces are identically zero: what it pushes does not move that way, whatever the
 coordinates do.

@@ -5,29 +5,7 @@ from __future__ import annotations
 from string import ascii_letters
 from typing import Literal, assert_never
 
-from lagdsl.report.boxes import (
-    Box,
-    Bracket,
-    Call,
-    Cases,
-    Column,
-    Derivative,
-    Dotted,
-    Fraction,
-    Joined,
-    Marked,
-    Matrix,
-    Name,
-    Number,
-    Operator,
-    Power,
-    Root,
-    Row,
-    Subscript,
-    Sum,
-    Unit,
-    Upright,
-)
+from lagdsl.report import boxes
 from lagdsl.report.notation import GREEK
 from lagdsl.report.unit_text import readable_unit
 
@@ -72,56 +50,56 @@ def _named(character: str) -> str:
     return " " if character.isspace() else f"[U+{ord(character):04X}]"
 
 
-def tex(box: Box) -> str:  # noqa: C901, PLR0912
+def tex(box: boxes.Box) -> str:  # noqa: C901, PLR0912
     """The box for math mode."""
     match box:
-        case Name(text):
+        case boxes.Name(text):
             return _SYMBOLS.get(text) or (text if len(text) == 1 and text in ascii_letters else _word(text, "it"))
-        case Upright(text):
+        case boxes.Upright(text):
             return _SYMBOLS.get(text) or (f"\\{text}" if text in _FUNCTIONS else _word(text, "rm"))
-        case Number(text):
+        case boxes.Number(text):
             return text.replace("·", r" \cdot ")
-        case Operator(text):
+        case boxes.Operator(text):
             return f" {_OPERATORS[text]} "
-        case Row(items):
+        case boxes.Row(items):
             return _row(items)
-        case Sum(terms):
+        case boxes.Sum(terms):
             first, *others = terms
             head = f"-{_term(first[1])}" if first[0] == "-" else tex(first[1])
             return head + "".join(f" {sign} {_term(term)}" for sign, term in others)
-        case Fraction(above, below):
-            small = isinstance(above, Number) and isinstance(below, Number)
+        case boxes.Fraction(above, below):
+            small = isinstance(above, boxes.Number) and isinstance(below, boxes.Number)
             return rf"\{'t' if small else ''}frac{{{tex(above)}}}{{{tex(below)}}}"
-        case Power(base, exponent):
+        case boxes.Power(base, exponent):
             return f"{_base(base)}^{{{tex(exponent)}}}"
-        case Subscript(base, index):
+        case boxes.Subscript(base, index):
             return f"{_base(base)}_{{{tex(index)}}}"
-        case Root(inside):
+        case boxes.Root(inside):
             return rf"\sqrt{{{tex(inside)}}}"
-        case Dotted(base, dots):
+        case boxes.Dotted(base, dots):
             return rf"\{'d' * dots}ot{{{tex(base)}}}"
-        case Derivative(letter, of, by):
+        case boxes.Derivative(letter, of, by):
             d = r"\partial " if letter == "∂" else r"\mathrm{d}"
             return rf"\frac{{{d}{'' if of is None else tex(of)}}}{{{d}{tex(by)}}}"
-        case Call(function, arguments):
+        case boxes.Call(function, arguments):
             listed = ", ".join(tex(argument) for argument in arguments)
-            simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
+            simple = len(arguments) == 1 and isinstance(arguments[0], boxes.Name | boxes.Subscript)
             return f"{_function(function)} {listed}" if simple else rf"{_function(function)}\left({listed}\right)"
-        case Bracket(inside, left, right):
+        case boxes.Bracket(inside, left, right):
             return rf"\left{'(' if left else '.'}{tex(inside)}\right{')' if right else '.'}"
-        case Marked(inside):
+        case boxes.Marked(inside):
             return tex(inside)
-        case Cases(value, condition, otherwise):
+        case boxes.Cases(value, condition, otherwise):
             rows = rf"{tex(value)} & \text{{if }} {tex(condition)} \\ {tex(otherwise)} & \text{{otherwise}}"
             return rf"\begin{{cases}} {rows} \end{{cases}}"
-        case Column(components):
+        case boxes.Column(components):
             lines = r" \\ ".join(tex(x) for x in components)
             return rf"\begin{{pmatrix}} {lines} \end{{pmatrix}}"
-        case Unit(text):
+        case boxes.Unit(text):
             return rf"\quad[{_unit(text)}]"
-        case Joined(items):
+        case boxes.Joined(items):
             return " ".join(tex(item) for item in items)
-        case Matrix(rows):
+        case boxes.Matrix(rows):
             lines = r" \\ ".join(" & ".join(tex(x) for x in row) for row in rows)
             return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
         case _:
@@ -139,24 +117,26 @@ def _unit(text: str) -> str:
     return rf"\mathrm{{{''.join(_IN_UNITS.get(c) or escape(c) for c in readable_unit(text))}}}"
 
 
-def _base(box: Box) -> str:
+def _base(box: boxes.Box) -> str:
     """Base of an exponent or an index."""
-    return tex(box) if isinstance(box, Name | Dotted | Bracket | Number) else f"{{{tex(box)}}}"
+    return tex(box) if isinstance(box, boxes.Name | boxes.Dotted | boxes.Bracket | boxes.Number) else f"{{{tex(box)}}}"
 
 
-def _function(box: Box) -> str:
-    return rf"\operatorname{{{box.text}}}" if isinstance(box, Upright) and box.text not in _FUNCTIONS else tex(box)
+def _function(box: boxes.Box) -> str:
+    return (
+        rf"\operatorname{{{box.text}}}" if isinstance(box, boxes.Upright) and box.text not in _FUNCTIONS else tex(box)
+    )
 
 
-def _row(items: tuple[Box, ...]) -> str:
+def _row(items: tuple[boxes.Box, ...]) -> str:
     """Factors with a thin space, where words of several letters would run together."""
     pieces: list[str] = []
     for previous, item in zip((None, *items), items, strict=False):
-        if previous is not None and not isinstance(item, Operator) and not isinstance(previous, Operator):
+        if previous is not None and not isinstance(item, boxes.Operator) and not isinstance(previous, boxes.Operator):
             pieces.append(r"\, ")
         pieces.append(tex(item))
     return "".join(pieces)
 
 
-def _term(box: Box) -> str:
-    return rf"\left({tex(box)}\right)" if isinstance(box, Sum) else tex(box)
+def _term(box: boxes.Box) -> str:
+    return rf"\left({tex(box)}\right)" if isinstance(box, boxes.Sum) else tex(box)

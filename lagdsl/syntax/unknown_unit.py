@@ -1,4 +1,4 @@
-"""E0105: what stands after a number is no unit."""
+"""Words after a number that are no unit (E0105)."""
 
 from __future__ import annotations
 

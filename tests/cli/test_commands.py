@@ -1,11 +1,15 @@
 """fmt, flat, derive, build, explain, new, and the group itself."""
 
+import inspect
 import json
 from collections.abc import Callable
 from pathlib import Path
 
+import click
 import pytest
 from click.testing import Result
+
+from lagdsl.cli.main import lag
 
 Invoke = Callable[..., Result]
 
@@ -22,6 +26,14 @@ class TestGroup:
             result = invoke(name, "--help")
             assert result.exit_code == 0
             assert "Usage" in result.stdout
+
+    def test_functions_of_commands_take_groups_of_options(self) -> None:
+        """At most ten arguments: options that belong together are one record (`lagdsl.cli.groups.group`)."""
+        context = click.Context(lag)
+        found = {name: lag.get_command(context, name) for name in lag.list_commands(context)}
+        taken = {name: len(inspect.signature(made.callback).parameters) for name, made in found.items() if made}
+        assert len(taken) == 17
+        assert {name: count for name, count in taken.items() if count > 10} == {}
 
     def test_an_unknown_command_is_answered_with_the_nearest(self, invoke: Invoke) -> None:
         result = invoke("chekc", "x.lag")

@@ -39,6 +39,13 @@ def test_no_sentence_of_the_code_opens_with_a_clause() -> None:
     assert found == []
 
 
+def test_no_file_begins_with_the_code_of_a_diagnostic() -> None:
+    """The head of a file names its subject; codes stand behind it: `Negative dampings (W0522)`."""
+    files = sorted((ROOT / "lagdsl").rglob("*.py"))
+    heads = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8")[:9] for path in files}
+    assert [path for path, head in heads.items() if re.match(r'"""[EWN]\d{4}', head)] == []
+
+
 def test_headings_in_headers_name_sources() -> None:
     """`---- turning.c ----` stands above declarations of that file beside the header."""
     headers = _files(".h")

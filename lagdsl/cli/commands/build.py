@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING
 import click
 
 from lagdsl.cli.command import Command
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, takes_derivation
+from lagdsl.cli.groups import PATH, group
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.options import takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.listing import frame_names, point_names
 from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
+from lagdsl.record import record
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.settings import settings, split
 
@@ -26,6 +28,34 @@ if TYPE_CHECKING:
     from lagdsl.program.program import Program
 
 _TARGETS = ("numpy", "c", "casadi", "jax", "modelica")
+
+
+@record(kw_only=True)
+class Functions:
+    """Functions that a module has in addition: terms of the equations, kinematics of frames and points."""
+
+    terms: bool
+    frames: tuple[str, ...]
+    points: tuple[str, ...]
+
+    @property
+    def wanted(self) -> bool:
+        return bool(self.terms or self.frames or self.points)
+
+
+_takes_functions = group(
+    "functions",
+    Functions,
+    click.option("--terms", is_flag=True, help="Add the Coriolis matrix, gravity and bias forces, and the regressor."),
+    click.option(
+        "--frame",
+        "frames",
+        multiple=True,
+        metavar="NAME",
+        help="Add the kinematics of this frame: pose, Jacobian, velocity.",
+    ),
+    click.option("--point", "points", multiple=True, metavar="NAME", help="Add the kinematics of this point."),
+)
 
 
 @click.command("build", cls=Command)
@@ -40,47 +70,36 @@ _TARGETS = ("numpy", "c", "casadi", "jax", "modelica")
     metavar="NAME[=VALUE]",
     help="Make a parameter a number of the module: 'm', 'm=2 kg', 'arm.*' or '*'. The equations become shorter.",
 )
-@click.option("--terms", is_flag=True, help="Add the Coriolis matrix, gravity and bias forces, and the regressor.")
-@click.option(
-    "--frame",
-    "frames",
-    multiple=True,
-    metavar="NAME",
-    help="Add the kinematics of this frame: pose, Jacobian, velocity.",
-)
-@click.option("--point", "points", multiple=True, metavar="NAME", help="Add the kinematics of this point.")
+@_takes_functions
 @click.option("--batch", is_flag=True, help="With C: add functions of many states and many directions at once.")
 def command(
-    file: Path,
-    model: str | None,
-    style: Format,
+    model_file: ModelFile,
     target: str,
     folder: Path,
     derivation: Route,
     fixed: tuple[str, ...],
-    terms: bool,
-    frames: tuple[str, ...],
-    points: tuple[str, ...],
+    functions: Functions,
     batch: bool,
 ) -> None:
     """Write the equations of motion of FILE as one file for NumPy, CasADi, JAX or a Modelica tool, or as C sources with
     header, Makefile and examples."""
     if batch and target != "c":
         raise click.UsageError("--batch is for --target c: the NumPy module takes many states at once in every case")
-    if derivation == "textbook" and (terms or frames or points):
+    if derivation == "textbook" and functions.wanted:
         raise click.UsageError("--terms, --frame and --point need the derivation `graph`")
-    if target == "modelica" and (derivation == "textbook" or terms or frames or points):
+    if target == "modelica" and (derivation == "textbook" or functions.wanted):
         raise click.UsageError("--target modelica takes neither --derivation textbook nor --terms, --frame and --point")
-    source = read_or_leave(file, style)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
-    flat = flatten_file(source, sink, model=model)
+    flat = flatten_file(source, sink, model=model_file.model)
     if flat is not None and fixed:
         flat = _with_fixed(flat, fixed, sink)
     compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
     try:
-        program = _with_functions(compilation, terms, frames, points)
+        program = _with_functions(compilation, functions)
     except CompilationFailed as failure:
         leave_with_errors(failure.diagnostics, style)
     from lagdsl.backends.reserved import Language, report_renamed
@@ -121,23 +140,25 @@ def _backend(target: str, compilation: Compilation, batch: bool, sink: Sink) -> 
     return ModelicaBackend(compilation.equations, compilation.structure, _start(compilation))
 
 
-def _with_functions(compilation: Compilation, terms: bool, frames: tuple[str, ...], points: tuple[str, ...]) -> Program:
+def _with_functions(compilation: Compilation, functions: Functions) -> Program:
     """The program with what `--terms`, `--frame` and `--point` add. Raises UsageError for a name that the model does
     not have."""
     from lagdsl.mechanics.by_name import with_equation_terms, with_kinematics, with_regressor
 
     program = compilation.program
     for option, given, known in (
-        ("--frame", frames, frame_names(compilation.flat)),
-        ("--point", points, point_names(compilation.flat)),
+        ("--frame", functions.frames, frame_names(compilation.flat)),
+        ("--point", functions.points, point_names(compilation.flat)),
     ):
         for name in given:
             if name not in known:
                 hint = did_you_mean(name, known, f"there are {listing(name, known)}")
                 raise click.UsageError(f"{option}: the model has no `{name}`: {hint}")
-    if terms:
+    if functions.terms:
         program = with_regressor(compilation.equations, with_equation_terms(compilation.equations, program))
-    return with_kinematics(compilation.equations, program, frames, points) if frames or points else program
+    if not functions.frames and not functions.points:
+        return program
+    return with_kinematics(compilation.equations, program, functions.frames, functions.points)
 
 
 def _with_fixed(flat: FlatModel, fixed: tuple[str, ...], sink: Sink) -> FlatModel:

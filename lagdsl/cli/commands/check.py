@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import click
 
 from lagdsl.cli.command import Command
-from lagdsl.cli.model_file import Format, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import ModelFile, read_or_leave, takes_model, tell
 from lagdsl.cli.options import takes_settings
 from lagdsl.cli.status import ERRORS, SUCCESS
 from lagdsl.diagnostics import Severity
@@ -22,10 +20,11 @@ _MOST_NAMED = 8
 @click.command("check", cls=Command)
 @takes_model
 @takes_settings
-def command(file: Path, model: str | None, style: Format, assignments: tuple[str, ...]) -> None:
+def command(model_file: ModelFile, assignments: tuple[str, ...]) -> None:
     """Find all errors of the model in FILE, and show its degrees of freedom."""
-    source = read_or_leave(file, style, to_output=True)
-    diagnostics, compilation = check(source, model=model, pairs=split(assignments))
+    style = model_file.style
+    source = read_or_leave(model_file.file, style, to_output=True)
+    diagnostics, compilation = check(source, model=model_file.model, pairs=split(assignments))
     tell(diagnostics, style, to_output=True)
     wrong = any(d.severity is Severity.ERROR for d in diagnostics)
     if compilation is not None and style == "text":

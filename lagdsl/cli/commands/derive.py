@@ -8,8 +8,9 @@ import click
 
 from lagdsl.api.derivation import ENDINGS, Derivation, Form
 from lagdsl.cli.command import Command
-from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
-from lagdsl.cli.options import PATH, takes_settings
+from lagdsl.cli.groups import PATH
+from lagdsl.cli.model_file import ModelFile, flat_or_leave, takes_model
+from lagdsl.cli.options import takes_settings
 from lagdsl.cli.output import Forms, form_of, require_writable, write_text
 
 
@@ -25,18 +26,12 @@ from lagdsl.cli.output import Forms, form_of, require_writable, write_text
 @click.option("--units", is_flag=True, help="Show the units of all symbols and equations.")
 @click.option("-o", "--output", type=PATH, help="Write to this .txt, .md, .tex, .html or .json instead.")
 def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    assignments: tuple[str, ...],
-    form: Form | None,
-    units: bool,
-    output: Path | None,
+    model_file: ModelFile, assignments: tuple[str, ...], form: Form | None, units: bool, output: Path | None
 ) -> None:
     """Show the derivation of the equations of motion of FILE, step by step."""
     chosen = form_of(output, form, ENDINGS, "text")
     require_writable(output)
-    flat = flat_or_leave(file, model, style, assignments)
+    flat = flat_or_leave(model_file, assignments)
 
     from lagdsl.textbook.recipe import recipe
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.command import Command
-from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
-from lagdsl.cli.options import PATH, takes_settings
+from lagdsl.cli.groups import PATH
+from lagdsl.cli.model_file import ModelFile, flat_or_leave, takes_model
+from lagdsl.cli.options import takes_settings
 from lagdsl.cli.output import require_ending, require_writable, write_text
 from lagdsl.flat.text import flat_text
 
@@ -17,9 +18,9 @@ from lagdsl.flat.text import flat_text
 @takes_model
 @takes_settings
 @click.option("-o", "--output", type=PATH, help="Write to this file instead.")
-def command(file: Path, model: str | None, style: Format, assignments: tuple[str, ...], output: Path | None) -> None:
+def command(model_file: ModelFile, assignments: tuple[str, ...], output: Path | None) -> None:
     """Show the flat model of FILE: the lists q, L, D, Q, constraints, then states, definitions, outputs."""
     require_ending(output, "the flat model is text; it is", ".txt", ".flat", ".log")
     require_writable(output)
-    flat = flat_or_leave(file, model, style, assignments)
+    flat = flat_or_leave(model_file, assignments)
     write_text(flat_text(flat), output)

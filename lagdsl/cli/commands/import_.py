@@ -8,8 +8,8 @@ from typing import Literal
 import click
 
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.model_file import Format, leave_with_errors, takes_format, tell
-from lagdsl.cli.options import PATH
 from lagdsl.cli.output import require_ending, require_writable, write_text
 from lagdsl.diagnostics import Sink
 

@@ -20,7 +20,7 @@ from lagdsl.numerics.rank import Floats
 @takes_state
 def command(options: Options) -> None:
     """Linearize FILE about its initial state: dx/dt = A x + B u, y = C x + D u on the minimal state, in SI units."""
-    asked = request(options, trim=options.trim)
+    asked = request(options)
     found = asked.ask(linearize)
     text = "\n\n".join(_parts(found, point_text(asked.system, found.point)))
     finish(asked, text, _data(found), _table(found))

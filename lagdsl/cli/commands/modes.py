@@ -12,8 +12,8 @@ from lagdsl.analysis.modes import Modes
 from lagdsl.analysis.variation import Variation
 from lagdsl.analysis.where import modes, vary
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.modes_text import modes_text, variation_text
-from lagdsl.cli.options import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.small_motions import Options, Request, finish, request, takes_state
@@ -45,7 +45,7 @@ def command(options: Options, assignment: str | None, picture: Path | None, page
     require_page(page)
     if picture is not None:
         require_figure(picture)
-    asked = request(options, trim=options.trim)
+    asked = request(options)
     found_over: Variation | None = None
     if assignment is None:
         found = asked.ask(modes)
@@ -59,7 +59,7 @@ def command(options: Options, assignment: str | None, picture: Path | None, page
         )
     if page is not None:
         about = found if assignment is None else asked.ask(modes)
-        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.style)
+        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.model_file.style)
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 

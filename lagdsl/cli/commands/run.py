@@ -12,18 +12,20 @@ from lagdsl.api.model import Model
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import (
-    PATH,
-    takes_columns,
+    InputOptions,
+    Method,
+    Span,
+    Table,
     takes_derivation,
-    takes_engine,
-    takes_input_hold,
-    takes_inputs,
+    takes_method,
     takes_settings,
+    takes_signals,
     takes_span,
-    takes_units,
+    takes_table,
 )
 from lagdsl.cli.output import require_ending, require_units, require_writable
 from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
@@ -33,7 +35,6 @@ from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Route, findings
 from lagdsl.plot.picture.wishes import Wishes
-from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
@@ -46,68 +47,56 @@ from lagdsl.simulate.failure import SimulationFailed
 @takes_model
 @takes_span
 @takes_settings
-@takes_inputs
-@takes_input_hold
-@takes_engine
-@click.option(
-    "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau, rk4, leapfrog, ros2."
+@takes_signals
+@takes_method(
+    "auto, dop853, radau, rk4, leapfrog, ros2.",
+    click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2."),
 )
-@click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2.")
 @takes_derivation
-@takes_columns
-@click.option("-o", "--output", type=PATH, help="Write the columns to this .csv or .parquet.")
-@takes_units
+@takes_table("Write the columns to this .csv or .parquet.")
 @click.option("--events", type=PATH, help="Write the events to this .csv.")
 @takes_plot
 @takes_pictures
 def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    stop: str | None,
-    interval: str | None,
-    tolerance: float | None,
+    model_file: ModelFile,
+    span: Span,
     assignments: tuple[str, ...],
-    inputs: tuple[str, ...],
-    hold: bool,
-    engine: EngineName,
-    solver: str,
-    step: str | None,
+    inputs: InputOptions,
+    method: Method,
     derivation: Route,
-    columns: tuple[str, ...],
-    output: Path | None,
-    units: bool,
+    table: Table,
     events: Path | None,
     plot: Plot,
     pictures: Pictures,
 ) -> None:
     """Simulate the model in FILE; without -o, show a summary of the motion."""
-    for path in (output, events):
+    style = model_file.style
+    for path in (table.output, events):
         require_writable(path)
-    _require_table(output, style)
+    _require_table(table.output, style)
     require_sound(plot)
     require_pictures(pictures)
     require_ending(events, "events are", ".csv")
-    require_units(output, units)
-    source = read_or_leave(file, style)
-    given = inputs_or_leave(inputs, style, hold=hold)
+    require_units(table.output, table.units)
+    source = read_or_leave(model_file.file, style)
+    given = inputs_or_leave(inputs, style)
     sink = Sink()
-    compilation, chosen = compile_or_leave(source, sink, style, model, derivation, split(assignments))
-    kept = columns_of(columns, [compilation.flat])
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(assignments), derivation)
+    kept = columns_of(table.columns, [compilation.flat])
     require_names(plot, [compilation.flat])
     signals = given.of(compilation.flat, sink, style)
     try:
-        compiled = Model(compilation, engine_of(compilation.program, engine))
+        compiled = Model(compilation, engine_of(compilation.program, method.engine))
         with progress(compiled.name) as report:
             motion = compiled.simulate(
-                stop=seconds("--stop", stop),
-                interval=seconds("--interval", interval),
-                tolerance=tolerance,
+                stop=span.end,
+                interval=span.step,
+                tolerance=span.tolerance,
                 parameters=chosen.parameters,
                 start=chosen.start,
                 inputs=signals,
-                solver=solver,
-                step=seconds("--step", step),
+                solver=method.solver,
+                step=seconds("--step", method.step),
                 progress=report,
                 sink=sink,
             )
@@ -115,19 +104,24 @@ def command(
         leave_with_errors(findings(sink, failure), style)
     except SimulationFailed as failure:
         tell((*sink.diagnostics, *failure.diagnostics), style)
-        _write(failure.trajectory.only(kept), output, events, style, units=units)
+        _write(failure.trajectory.only(kept), table, events, style)
         click.get_current_context().exit(FAILED_RUN)
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
     tell(sink.diagnostics, style)
     whole, motion = motion, motion.only(kept)
-    _write(motion, output, events, style, units=units)
+    _write(motion, table, events, style)
     draw_plot(plot, whole, motion)
     if pictures.wanted:
-        end = seconds("--stop", stop)
-        wishes = Wishes(stop=end, tolerance=tolerance, parameters=chosen.parameters, start=chosen.start, inputs=signals)
+        wishes = Wishes(
+            stop=span.end,
+            tolerance=span.tolerance,
+            parameters=chosen.parameters,
+            start=chosen.start,
+            inputs=signals,
+        )
         draw_pictures(pictures, compilation.flat, wishes, Sink())
-    if output is None:
+    if table.output is None:
         from lagdsl.cli.summary import summary
         from lagdsl.signals.moved import loops_of
 
@@ -142,11 +136,11 @@ def _require_table(output: Path | None, style: Format) -> None:
         _leave_with_usage(sink, style)
 
 
-def _write(motion: Trajectory, output: Path | None, events: Path | None, style: Format, *, units: bool) -> None:
+def _write(motion: Trajectory, table: Table, events: Path | None, style: Format) -> None:
     """To the files that there are; leaves with status 2 where one cannot be written."""
     sink = Sink()
-    if output is not None:
-        write_table(motion, output, sink, units=units)
+    if table.output is not None:
+        write_table(motion, table.output, sink, units=table.units)
     if events is not None:
         write_events(motion, events, sink)
     if sink.has_errors:

@@ -8,8 +8,9 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import PATH, takes_settings, takes_stop, takes_tolerance
+from lagdsl.cli.groups import PATH
+from lagdsl.cli.model_file import Format, ModelFile, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.options import Span, takes_end, takes_settings
 from lagdsl.cli.output import require_writable, write_text
 from lagdsl.cli.pages import open_page, require_page
 from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
@@ -18,15 +19,13 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import findings
 from lagdsl.plot.picture.wishes import Wishes
-from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.source import SourceFile
 
 
 @click.command("show", cls=Command)
 @takes_model
-@takes_stop
-@takes_tolerance
+@takes_end
 @takes_settings
 @click.option("-o", "--output", type=PATH, metavar="F.html", help="Write the page here. Default: MODEL.html.")
 @takes_pictures
@@ -35,11 +34,8 @@ from lagdsl.source import SourceFile
 )
 @click.option("--no-open", is_flag=True, help="Write the page, and do not open it.")
 def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    stop: str | None,
-    tolerance: float | None,
+    model_file: ModelFile,
+    span: Span,
     assignments: tuple[str, ...],
     output: Path | None,
     pictures: Pictures,
@@ -52,11 +48,12 @@ def command(
     """
     require_page(output)
     require_pictures(pictures)
-    _require_alone(rows, pictures, stop, tolerance)
-    source = read_or_leave(file, style)
+    _require_alone(rows, pictures, span)
+    style = model_file.style
+    source = read_or_leave(model_file.file, style)
     sink = Sink()
-    compilation, chosen = compile_or_leave(source, sink, style, model, "graph", split(assignments))
-    wishes = Wishes(stop=seconds("--stop", stop), tolerance=tolerance, parameters=chosen.parameters, start=chosen.start)
+    compilation, chosen = compile_or_leave(model_file, source, sink, split(assignments))
+    wishes = Wishes(stop=span.end, tolerance=span.tolerance, parameters=chosen.parameters, start=chosen.start)
     if pictures.wanted:
         draw_pictures(pictures, compilation.flat, wishes, sink if output is None else Sink())
     if output is not None or not pictures.wanted:
@@ -70,9 +67,9 @@ def command(
         click.get_current_context().exit(FAILED_RUN)
 
 
-def _require_alone(rows: Path | None, pictures: Pictures, stop: str | None, tolerance: float | None) -> None:
+def _require_alone(rows: Path | None, pictures: Pictures, span: Span) -> None:
     """Leave with status 2 where an option asks for a motion that --from does not integrate."""
-    if rows is not None and (pictures.wanted or stop is not None or tolerance is not None):
+    if rows is not None and (pictures.wanted or span.stop is not None or span.tolerance is not None):
         raise click.UsageError("--from shows the rows of a file: leave --stop, --tolerance, --gif and --png out")
 
 

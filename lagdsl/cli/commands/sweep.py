@@ -10,17 +10,10 @@ import click
 
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
+from lagdsl.cli.groups import PATH, group
 from lagdsl.cli.inputs import inputs_or_leave
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import (
-    PATH,
-    takes_columns,
-    takes_engine,
-    takes_input_hold,
-    takes_inputs,
-    takes_span,
-    takes_units,
-)
+from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.options import InputOptions, Method, Span, Table, takes_method, takes_signals, takes_span, takes_table
 from lagdsl.cli.output import Unwritable, require_units, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.plots import Plot, require_sound, takes_plot
@@ -33,8 +26,7 @@ from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file, flatten_for_runs
 from lagdsl.plot.picture.wishes import Wishes
-from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.settings.literal import seconds
+from lagdsl.record import record
 from lagdsl.settings.settings import split
 from lagdsl.signals.inputs import report_missing
 from lagdsl.simulate.table import called_heads
@@ -50,101 +42,122 @@ if TYPE_CHECKING:
 _MOST_REASONS = 3
 
 
+@record(kw_only=True)
+class Values:
+    """Assignments of values, the number of draws from distributions, and the seed of the draws."""
+
+    assignments: tuple[str, ...]
+    random: int | None
+    seed: int
+
+
+@record(kw_only=True)
+class Machines:
+    """Threads or the cluster that make the runs; with `resume` only those that are missing."""
+
+    jobs: int | None
+    scheduler: str | None
+    resume: bool
+
+
+_takes_values = group(
+    "values",
+    Values,
+    click.option(
+        "--set",
+        "assignments",
+        multiple=True,
+        metavar="NAME=VALUES",
+        help="Range 'l=0.1:0.1:1 m' (first:step:last) or 'l=linspace(0.1, 1, 10) m', list 'm=1, 2, 5 kg', draws "
+        "'m=normal(1, 0.1) kg'; starts as 'x.start=...'.",
+    ),
+    click.option("--random", type=click.IntRange(min=1), metavar="N", help="Number of draws from the distributions."),
+    click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws."),
+)
+_takes_machines = group(
+    "machines",
+    Machines,
+    click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core."),
+    click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS."),
+    click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output."),
+)
+
+
 @click.command("sweep", cls=Command)
 @takes_model
-@click.option(
-    "--set",
-    "assignments",
-    multiple=True,
-    metavar="NAME=VALUES",
-    help="Range 'l=0.1:0.1:1 m' (first:step:last) or 'l=linspace(0.1, 1, 10) m', list 'm=1, 2, 5 kg', draws "
-    "'m=normal(1, 0.1) kg'; starts as 'x.start=...'.",
-)
-@click.option("--random", type=click.IntRange(min=1), metavar="N", help="Number of draws from the distributions.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws.")
+@_takes_values
 @takes_span
-@takes_inputs
-@takes_input_hold
-@takes_engine
-@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau.")
-@takes_columns
-@click.option("-o", "--output", type=PATH, help="Write the dataset: .nc, .parquet or .csv.")
-@takes_units
+@takes_signals
+@takes_method("auto, dop853, radau.")
+@takes_table("Write the dataset: .nc, .parquet or .csv.")
 @takes_plot
 @click.option("--page", type=PATH, metavar="F.html", help="Write a page with a slider over the runs.")
-@click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
-@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS.")
-@click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output.")
+@_takes_machines
 def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    assignments: tuple[str, ...],
-    random: int | None,
-    seed: int,
-    stop: str | None,
-    interval: str | None,
-    tolerance: float | None,
-    inputs: tuple[str, ...],
-    hold: bool,
-    engine: EngineName,
-    solver: str,
-    columns: tuple[str, ...],
-    output: Path | None,
-    units: bool,
+    model_file: ModelFile,
+    values: Values,
+    span: Span,
+    inputs: InputOptions,
+    method: Method,
+    table: Table,
     plot: Plot,
     page: Path | None,
-    jobs: int | None,
-    scheduler: str | None,
-    resume: bool,
+    machines: Machines,
 ) -> None:
     """Run the model in FILE with every combination of values; without -o, show a summary."""
     from lagdsl.sweep.plan import variants
     from lagdsl.sweep.run import Options
     from lagdsl.sweep.sweep import Work, options_of
 
-    require_writable(output)
-    if resume and output is None:
+    style = model_file.style
+    require_writable(table.output)
+    if machines.resume and table.output is None:
         raise click.UsageError("--resume continues a sweep to a file: give the file with -o")
-    _require_packages(output, scheduler)
-    require_units(output, units)
+    _require_packages(table.output, machines.scheduler)
+    require_units(table.output, table.units)
     require_sound(plot)
     require_page(page)
-    source = read_or_leave(file, style)
-    given = inputs_or_leave(inputs, style, hold=hold)
+    source = read_or_leave(model_file.file, style)
+    given = inputs_or_leave(inputs, style)
     sink = Sink()
-    pairs = split(assignments)
-    flat, known = _front(source, style, model, pairs, sink)
+    pairs = split(values.assignments)
+    flat, known = _front(source, model_file, pairs, sink)
     signals = given.of(flat, sink, style)
     report_missing(flat, signals, sink)
-    subjects = _subjects(source, style, model, known)
-    the_plan = _plan(subjects, pairs, random, seed, sink)
+    subjects = _subjects(source, model_file, known)
+    the_plan = _plan(subjects, pairs, values, sink)
     if variants(the_plan) != known:  # a setting brings structural parameters that the first one has not
         known = variants(the_plan)
-        subjects = _subjects(source, style, model, known)
+        subjects = _subjects(source, model_file, known)
     tell(sink.diagnostics, style)
-    end, step = options_of(flat, stop=seconds("--stop", stop), interval=seconds("--interval", interval))
+    end, step = options_of(flat, stop=span.end, interval=span.step)
     models = [swept.flat for swept in subjects if swept.flat is not None]
-    kept = columns_of(columns, models)
+    kept = columns_of(table.columns, models)
     require_kept(plot, models, kept)
     if page is not None:
         require_one_machine(the_plan)
     options = Options(
         stop=end,
         interval=step,
-        tolerance=tolerance,
-        solver=solver,
-        engine=engine,
+        tolerance=span.tolerance,
+        solver=method.solver,
+        engine=method.engine,
         inputs=signals,
         columns=kept,
     )
-    work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume, units=units)
+    work = Work(
+        jobs=machines.jobs,
+        scheduler=machines.scheduler,
+        output=table.output,
+        resume=machines.resume,
+        units=table.units,
+    )
     data = _sweep(the_plan, known, subjects, options, work)
-    if output is None:
+    if table.output is None:
         click.echo(_summary(data, the_plan, subjects))
     draw_sweep(plot, data, the_plan, models)
     if page is not None:
-        wishes = Wishes(stop=end, tolerance=tolerance, inputs=signals)
+        wishes = Wishes(stop=end, tolerance=span.tolerance, inputs=signals)
         write_page(page, lambda: page_of(the_plan, models, wishes, source, sink), sink, style)
     failed = _tell_failures(data, the_plan)
     if failed == the_plan.runs:
@@ -193,13 +206,14 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
             raise click.UsageError(str(error)) from error
 
 
-def _plan(subjects: list[SweptModel], pairs: dict[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
+def _plan(subjects: list[SweptModel], pairs: dict[str, str], values: Values, sink: Sink) -> Plan:
     """The runs, with the names of every model."""
     from lagdsl.sweep.plan import require_sound
     from lagdsl.sweep.values import plan
 
     try:
-        made = plan([swept.flat for swept in subjects if swept.flat is not None], pairs, random, seed, sink)
+        flats = [swept.flat for swept in subjects if swept.flat is not None]
+        made = plan(flats, pairs, values.random, values.seed, sink)
         require_sound(made)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
@@ -207,7 +221,7 @@ def _plan(subjects: list[SweptModel], pairs: dict[str, str], random: int | None,
 
 
 def _front(
-    source: SourceFile, style: Format, model: str | None, pairs: dict[str, str], sink: Sink
+    source: SourceFile, model_file: ModelFile, pairs: dict[str, str], sink: Sink
 ) -> tuple[FlatModel, list[dict[str, float]]]:
     """A flat model, and all structural settings. It is that of the first one, or of none where the first one is wrong,
     which then is a run that fails; leaves where both are wrong."""
@@ -216,21 +230,21 @@ def _front(
     found = Sink()
     try:
         flat = flatten_for_runs(
-            source, found, model=model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
+            source, found, model=model_file.model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
         )
         if flat is not None:
             for diagnostic in found.diagnostics:
                 sink.add(diagnostic)
         else:
-            flat = flatten_file(source, sink, model=model)
+            flat = flatten_file(source, sink, model=model_file.model)
         if flat is None:
-            leave_with_errors(found.diagnostics, style)
+            leave_with_errors(found.diagnostics, model_file.style)
         return flat, structures(flat, pairs)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
 
 
-def _subjects(source: SourceFile, style: Format, model: str | None, known: list[dict[str, float]]) -> list[SweptModel]:
+def _subjects(source: SourceFile, model_file: ModelFile, known: list[dict[str, float]]) -> list[SweptModel]:
     """A compiled model for every structural setting; where all are wrong, leaves with what is."""
     from lagdsl.sweep.run import SweptModel
 
@@ -238,7 +252,7 @@ def _subjects(source: SourceFile, style: Format, model: str | None, known: list[
     found: tuple[Diagnostic, ...] = ()
     for structural in known:
         sink = Sink()
-        compilation = _compiled(source, model, structural, sink)
+        compilation = _compiled(source, model_file.model, structural, sink)
         if compilation is None:
             found = found or sink.diagnostics
             first = next(d for d in sink.diagnostics if d.severity is Severity.ERROR)
@@ -246,7 +260,7 @@ def _subjects(source: SourceFile, style: Format, model: str | None, known: list[
         else:
             subjects.append(SweptModel(flat=compilation.flat, program=compilation.program))
     if all(swept.flat is None for swept in subjects):
-        leave_with_errors(found, style)
+        leave_with_errors(found, model_file.style)
     return subjects
 
 

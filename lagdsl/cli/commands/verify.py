@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.model_file import Format, read_or_leave, takes_model
+from lagdsl.cli.model_file import ModelFile, read_or_leave, takes_model
 from lagdsl.cli.output import Forms, require_writable, write_text
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import Sink
@@ -23,14 +23,14 @@ from lagdsl.diagnostics import Sink
 )
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
 @click.option("--fmu", is_flag=True, help="Also export FMUs of both versions and kinds, and run them in FMPy.")
-def command(file: Path, model: str | None, style: Format, form: str | None, output: Path | None, fmu: bool) -> None:
+def command(model_file: ModelFile, form: str | None, output: Path | None, fmu: bool) -> None:
     """Compare both derivations, all engines, derivatives, power and the motion of the model in FILE.
 
     The exit status is 3 if a comparison fails.
     """
     require_writable(output)
-    source = read_or_leave(file, style)
-    compilation, _ = compile_or_leave(source, Sink(), style, model, "graph", {})
+    source = read_or_leave(model_file.file, model_file.style)
+    compilation, _ = compile_or_leave(model_file, source, Sink(), {})
 
     from lagdsl.verify.certify import certify
     from lagdsl.verify.forms import FORMS

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from typing import TypeAlias
 
 from lagdsl.fmi.description.unit_definitions import unit_definitions
-from lagdsl.fmi.description.xml import Element, element, one_line
+from lagdsl.fmi.description.xml import Element, Value, element, one_line
 from lagdsl.fmi.variables.scalar import Type, Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
 from lagdsl.record import record
+from lagdsl.version import __version__
 
 # The log categories of the standard.
 _LOG_CATEGORIES = {
@@ -52,6 +53,30 @@ class NamedType:
     doc: str | None
     literals: tuple[str, ...]
     literal_docs: tuple[str | None, ...]
+
+
+def root_of(
+    table: Table, version: str, token: Mapping[str, str], attribution: Attribution | None, **more: Value
+) -> Element:
+    """The root with its attributes in the order of the standard; `token` by its name in this version."""
+    return element(
+        "fmiModelDescription",
+        None,
+        fmiVersion=version,
+        modelName=one_line(table.flat.name),
+        **token,
+        description=table.flat.doc,
+        **(attribution or Attribution()).attributes(),
+        generationTool=f"lagdsl {__version__}",
+        variableNamingConvention="structured",
+        **more,
+    )
+
+
+def literal_items(parent: Element, kind: NamedType) -> None:
+    """The literals of an enumeration, counted from one."""
+    for value, (literal, doc) in enumerate(zip(kind.literals, kind.literal_docs, strict=True), 1):
+        element("Item", parent, name=literal, value=value, description=doc)
 
 
 def categories_and_experiment(root: Element, table: Table) -> None:

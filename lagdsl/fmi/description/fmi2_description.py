@@ -12,17 +12,18 @@ from lagdsl.fmi.description.description import (
     categories_and_experiment,
     dependencies_of,
     identity_of,
+    literal_items,
     named_types,
     needs_completed_steps,
     range_of,
+    root_of,
     unit_elements,
 )
-from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
+from lagdsl.fmi.description.xml import Element, document, element, start_text
 from lagdsl.fmi.variables.builtin_variables import has_derivatives, indicator_count
 from lagdsl.fmi.variables.scalar import Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
-from lagdsl.version import __version__
 
 _TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 
@@ -31,18 +32,8 @@ def fmi2_description(
     table: Table, *, identifier: str, source_files: Sequence[str], token: str, attribution: Attribution | None = None
 ) -> str:
     """`identifier` is the stem of the binaries' names, `source_files` what lies in `sources/`, `token` the guid."""
-    root = element(
-        "fmiModelDescription",
-        None,
-        fmiVersion="2.0",
-        modelName=one_line(table.flat.name),
-        guid=token,
-        description=table.flat.doc,
-        **(attribution or Attribution()).attributes(),
-        generationTool=f"lagdsl {__version__}",
-        variableNamingConvention="structured",
-        numberOfEventIndicators=indicator_count(table.flat, table.program),
-    )
+    indicators = indicator_count(table.flat, table.program)
+    root = root_of(table, "2.0", {"guid": token}, attribution, numberOfEventIndicators=indicators)
     _interfaces(root, table, identifier, source_files)
     types = named_types(table)
     unit_elements(root, table)
@@ -94,8 +85,7 @@ def _types(root: Element, types: Mapping[TypeKey, NamedType]) -> None:
     for kind in types.values():
         defined = element("SimpleType", definitions, name=kind.name, description=kind.doc)
         inner = element(_TAGS[kind.type], defined, quantity=kind.quantity, unit=kind.unit)
-        for value, (literal, doc) in enumerate(zip(kind.literals, kind.literal_docs, strict=True), 1):
-            element("Item", inner, name=literal, value=value, description=doc)
+        literal_items(inner, kind)
 
 
 def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:

@@ -12,17 +12,18 @@ from lagdsl.fmi.description.description import (
     dependencies_of,
     has_events,
     identity_of,
+    literal_items,
     named_types,
     needs_completed_steps,
     range_of,
+    root_of,
     unit_elements,
 )
-from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
+from lagdsl.fmi.description.xml import Element, document, element, start_text
 from lagdsl.fmi.variables.builtin_variables import has_derivatives
 from lagdsl.fmi.variables.scalar import Attributes, Role, Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
-from lagdsl.version import __version__
 
 _TAGS = {
     "REAL": "Float64",
@@ -38,17 +39,7 @@ _INTERMEDIATE = (Role.STATE, Role.DEPENDENT, Role.DERIVATIVE, Role.OUTPUT)
 
 def fmi3_description(table: Table, *, identifier: str, token: str, attribution: Attribution | None = None) -> str:
     """`identifier` is the stem of the binaries' names, `token` the instantiation token."""
-    root = element(
-        "fmiModelDescription",
-        None,
-        fmiVersion="3.0",
-        modelName=one_line(table.flat.name),
-        instantiationToken=token,
-        description=table.flat.doc,
-        **(attribution or Attribution()).attributes(),
-        generationTool=f"lagdsl {__version__}",
-        variableNamingConvention="structured",
-    )
+    root = root_of(table, "3.0", {"instantiationToken": token}, attribution)
     _interfaces(root, table, identifier)
     types = named_types(table)
     unit_elements(root, table)
@@ -59,8 +50,7 @@ def fmi3_description(table: Table, *, identifier: str, token: str, attribution: 
             defined = element(
                 tag, definitions, name=kind.name, description=kind.doc, quantity=kind.quantity, unit=kind.unit
             )
-            for value, (literal, doc) in enumerate(zip(kind.literals, kind.literal_docs, strict=True), 1):
-                element("Item", defined, name=literal, value=value, description=doc)
+            literal_items(defined, kind)
     categories_and_experiment(root, table)
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):

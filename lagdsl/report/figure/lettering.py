@@ -4,69 +4,47 @@ from __future__ import annotations
 
 import unicodedata
 
-from lagdsl.report.boxes import (
-    Box,
-    Bracket,
-    Call,
-    Cases,
-    Column,
-    Derivative,
-    Dotted,
-    Fraction,
-    Joined,
-    Marked,
-    Matrix,
-    Name,
-    Number,
-    Operator,
-    Power,
-    Root,
-    Row,
-    Subscript,
-    Sum,
-    Unit,
-    Upright,
-)
+from lagdsl.report import boxes
 from lagdsl.report.unicode_math import line
 
 _LETTER, _LOW_LETTER = 7.2, 5.4
 
 
-def pieces(box: Box, *, low: bool = False) -> list[tuple[str, bool]]:
+def pieces(box: boxes.Box, *, low: bool = False) -> list[tuple[str, bool]]:
     """Texts, and whether each stands below the line."""
     match box:
-        case Subscript(base, index):
+        case boxes.Subscript(base, index):
             return [*pieces(base, low=low), (line(index).replace(" , ", ","), True)]
-        case Derivative(letter, of, by):
+        case boxes.Derivative(letter, of, by):
             above = [] if of is None else pieces(of, low=low)
             return [(letter, low), *above, (f"/{letter}", low), *pieces(by, low=low)]
-        case Joined(items):
+        case boxes.Joined(items):
             return [piece for item in items for piece in pieces(item, low=low)]
-        case Row(items):
+        case boxes.Row(items):
             apart = [[("\u2009", low), *pieces(item, low=low)] for item in items]
             return [piece for item in apart for piece in item][1:]
         case (
-            Name()
-            | Upright()
-            | Number()
-            | Operator()
-            | Sum()
-            | Fraction()
-            | Power()
-            | Root()
-            | Dotted()
-            | Call()
-            | Bracket()
-            | Marked()
-            | Cases()
-            | Column()
-            | Matrix()
-            | Unit()
+            boxes.Name()
+            | boxes.Upright()
+            | boxes.Number()
+            | boxes.Operator()
+            | boxes.Sum()
+            | boxes.Fraction()
+            | boxes.Power()
+            | boxes.Root()
+            | boxes.Dotted()
+            | boxes.Call()
+            | boxes.Bracket()
+            | boxes.Marked()
+            | boxes.Cases()
+            | boxes.Column()
+            | boxes.Matrix()
+            | boxes.Unit()
         ):
             return [(line(box), low)]
 
 
-def width(box: Box) -> float:
+def width(box: boxes.Box) -> float:
     """In points of the figure, about."""
     return sum(_letters(text) * (_LOW_LETTER if low else _LETTER) for text, low in pieces(box))
 

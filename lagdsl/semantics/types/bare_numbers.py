@@ -1,4 +1,4 @@
-"""W0421: numbers without a unit that were most likely meant in another one.
+"""Numbers without a unit that were most likely meant in another one (W0421).
 
 A bare number takes the declared unit. Two signs tell that it should not: an angle of more than a turn, which is degrees
 read as radians, and a number that is the only one without a unit in its text.

@@ -1,4 +1,4 @@
-"""W0328, E0517: `min`, `max`, `nominal` and the start values of coordinates, states and inputs."""
+"""`min`, `max`, `nominal` and the start values of coordinates, states and inputs (W0328, E0517)."""
 
 from __future__ import annotations
 

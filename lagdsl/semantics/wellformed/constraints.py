@@ -1,4 +1,4 @@
-"""E0609 for constraints that no coordinate enters, or all only through jumps: `sign(x) = 1`.
+"""Constraints that no coordinate enters, or all only through jumps: `sign(x) = 1` (E0609).
 
 The gradient of such a row is zero wherever it exists. Ranks do not show that of rows with relations, because rows that
 hold at some times only are left out of them.

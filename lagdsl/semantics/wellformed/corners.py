@@ -1,9 +1,10 @@
-"""W0520: corners along the motion in positions of masses, in constraints and in rates of the kinetic energy.
+"""Kinks of functions along the motion, such as that of `abs(x)` at x = 0: in the text they are corners.
 
-A bead on a track `y = abs(x)` meets a corner at which its velocity jumps. The balance of momenta does not determine the
-jump: it depends on the materials of bead and track. The simulation takes the limit of a rounded corner, which conserves
-the energy (`docs/adr/0017`), at functions such as `abs` as at relations, in ways of coordinates as in constraints:
-their branches become relations.
+At a corner of a force, an energy, a constraint or a gap a step ends (`with_corners`). At a corner in the position of
+a mass, in a constraint or in a gap velocities jump: a bead on the track `y = abs(x)` meets one. The balance of momenta
+does not determine this jump, which depends on the materials of bead and track. The simulation takes the limit of a
+rounded corner, which conserves the energy (`docs/adr/0017`). So the branches of such a function become relations
+(`over_which_velocities_jump`), and the model is warned (`check_corners`, W0520).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""W0522: parameters that are dampings, and negative."""
+"""Parameters that are dampings, and negative (W0522)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""W0511, W0526: what gravity, a mass or a body contributes by itself, written by hand once more.
+"""Contributions of gravity, masses and bodies that are written by hand once more (W0511, W0526).
 
 Terms written by hand and automatic contributions are sampled at random moments and compared as functions up to a
 constant: a least-squares fit of the contribution by the terms must leave nothing and use each term either once or not

@@ -1,4 +1,4 @@
-"""E0501, E0508, W0514: everything declared must do something."""
+"""Everything declared must do something (E0501, E0508, W0514)."""
 
 from __future__ import annotations
 

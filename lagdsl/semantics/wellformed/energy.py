@@ -1,4 +1,4 @@
-"""E0502, E0504, E0512, W0514, W0518, W0522: the form of hand-written energies."""
+"""The form of energies that are written by hand (E0502, E0504, E0512, W0514, W0518, W0522)."""
 
 from __future__ import annotations
 

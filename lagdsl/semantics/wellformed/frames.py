@@ -1,4 +1,4 @@
-"""E0516: turned frames must have axes that exist and are orthonormal."""
+"""Turned frames must have axes that exist and are orthonormal (E0516)."""
 
 from __future__ import annotations
 

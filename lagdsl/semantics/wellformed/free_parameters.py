@@ -1,4 +1,4 @@
-"""E0349, E0350, W0353: parameters that are found with the start, and what decides them."""
+"""Parameters that are found with the start, and what decides them (E0349, E0350, W0353)."""
 
 from __future__ import annotations
 

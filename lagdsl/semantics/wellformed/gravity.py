@@ -1,4 +1,4 @@
-"""E0507, W0510, W0514, W0527: gravity forgotten, out of place, or without effect."""
+"""Gravity that is forgotten, out of place, or without effect (E0507, W0510, W0514, W0527)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""N0513: a model in which nothing is free to move, and what it has instead."""
+"""Models in which nothing is free to move, and what they have instead (N0513)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E0505, E0506, E0509, W0514, N0523, E0524: masses and inertias must be possible."""
+"""Masses and inertias must be possible (E0505, E0506, E0509, W0514, N0523, E0524)."""
 
 from __future__ import annotations
 

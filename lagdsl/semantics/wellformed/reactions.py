@@ -1,4 +1,4 @@
-"""W0525: a reaction that is asked for is the reaction on something."""
+"""A reaction that is asked for is the reaction on something (W0525)."""
 
 from __future__ import annotations
 

@@ -60,18 +60,7 @@ fmi2Component fmi2Instantiate(fmi2String instanceName, fmi2Type fmuType, fmi2Str
     return lag_shell_create("fmi2Instantiate", &birth);
 }
 
-void fmi2FreeInstance(fmi2Component c)
-{
-    lag_shell_free(c, "fmi2FreeInstance");
-}
-
-fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean loggingOn, size_t nCategories, const fmi2String categories[])
-{
-    LAG_ENTER("SetDebugLogging", LAG_MODES_ALL)
-    return (fmi2Status)lag_shell_set_logging(shell, loggingOn != fmi2False, nCategories, categories);
-}
-
-fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fmi2Real tolerance, fmi2Real startTime,
+fmi2Status fmi2SetupExperiment(fmi2Component instance, fmi2Boolean toleranceDefined, fmi2Real tolerance, fmi2Real startTime,
     fmi2Boolean stopTimeDefined, fmi2Real stopTime)
 {
     LAG_ENTER("SetupExperiment", LAG_MODE_INSTANTIATED)
@@ -79,67 +68,22 @@ fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fm
         shell, toleranceDefined != fmi2False, tolerance, startTime, stopTimeDefined != fmi2False, stopTime);
 }
 
-fmi2Status fmi2EnterInitializationMode(fmi2Component c)
+fmi2Status fmi2EnterInitializationMode(fmi2Component instance)
 {
     LAG_ENTER("EnterInitializationMode", LAG_MODE_INSTANTIATED)
     return (fmi2Status)lag_shell_enter_initialization(shell);
 }
 
-fmi2Status fmi2ExitInitializationMode(fmi2Component c)
-{
-    LAG_ENTER("ExitInitializationMode", LAG_MODE_INITIALIZATION)
-    return (fmi2Status)lag_shell_exit_initialization(shell);
-}
+#include "lag/shell/life_functions.h"
+#include "lag/shell/state_functions.h"
 
-fmi2Status fmi2Terminate(fmi2Component c)
-{
-    LAG_ENTER("Terminate", LAG_MODE_EVENT | LAG_MODE_CONTINUOUS | LAG_MODE_STEP | LAG_MODE_STEP_FAILED)
-    return (fmi2Status)lag_shell_terminate(shell);
-}
-
-fmi2Status fmi2Reset(fmi2Component c)
-{
-    LAG_ENTER("Reset", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_reset(shell);
-}
-
-fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *FMUstate)
-{
-    LAG_ENTER("GetFMUstate", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_save(shell, FMUstate);
-}
-
-fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate FMUstate)
-{
-    LAG_ENTER("SetFMUstate", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_load(shell, FMUstate);
-}
-
-fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *FMUstate)
-{
-    LAG_ENTER("FreeFMUstate", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_forget(shell, FMUstate);
-}
-
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate FMUstate, size_t *size)
-{
-    LAG_ENTER("SerializedFMUstateSize", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_serialized_size(shell, FMUstate, size);
-}
-
-fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate FMUstate, fmi2Byte bytes[], size_t size)
-{
-    LAG_ENTER("SerializeFMUstate", LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_serialize(shell, FMUstate, (unsigned char *)bytes, size);
-}
-
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte serializedState[], size_t size, fmi2FMUstate *FMUstate)
+fmi2Status fmi2DeSerializeFMUstate(fmi2Component instance, const fmi2Byte serializedState[], size_t size, fmi2FMUstate *FMUstate)
 {
     LAG_ENTER("DeSerializeFMUstate", LAG_MODES_LASTING)
     return (fmi2Status)lag_shell_deserialize(shell, (const unsigned char *)serializedState, size, FMUstate);
 }
 
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference vUnknown_ref[], size_t nUnknown,
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueReference vUnknown_ref[], size_t nUnknown,
     const fmi2ValueReference vKnown_ref[], size_t nKnown, const fmi2Real dvKnown[], fmi2Real dvUnknown[])
 {
     LAG_ENTER("GetDirectionalDerivative", LAG_MODES_KNOWN & LAG_MODES_LASTING)

@@ -5,20 +5,20 @@
 #define ASKABLE (LAG_MODE_STEP | LAG_MODE_STEP_FAILED | LAG_MODE_TERMINATED | LAG_MODE_FAILED)
 
 fmi2Status fmi2SetRealInputDerivatives(
-    fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer order[], const fmi2Real value[])
+    fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer order[], const fmi2Real value[])
 {
     LAG_ENTER_STEPS("SetRealInputDerivatives", LAG_MODE_INSTANTIATED | LAG_MODE_INITIALIZATION | LAG_MODE_STEP)
     return (fmi2Status)lag_shell_set_input_derivatives(shell, vr, nvr, order, value);
 }
 
 fmi2Status fmi2GetRealOutputDerivatives(
-    fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer order[], fmi2Real value[])
+    fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer order[], fmi2Real value[])
 {
     LAG_ENTER_STEPS("GetRealOutputDerivatives", ASKABLE)
     return (fmi2Status)lag_shell_get_output_derivatives(shell, vr, nvr, order, value, nvr);
 }
 
-fmi2Status fmi2DoStep(fmi2Component c, fmi2Real currentCommunicationPoint, fmi2Real communicationStepSize,
+fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real currentCommunicationPoint, fmi2Real communicationStepSize,
     fmi2Boolean noSetFMUStatePriorToCurrentPoint)
 {
     LAG_ENTER_STEPS("DoStep", LAG_MODE_STEP)
@@ -32,7 +32,7 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real currentCommunicationPoint, fmi2R
     return (fmi2Status)answer;
 }
 
-fmi2Status fmi2CancelStep(fmi2Component c)
+fmi2Status fmi2CancelStep(fmi2Component instance)
 {
     LAG_ENTER_STEPS("CancelStep", LAG_MODES_ALL)
     return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "steps are not asynchronous: there is none to cancel");
@@ -45,14 +45,7 @@ static fmi2Status unknown(lag_shell *shell, const void *value)
     return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_DISCARD, "there is no such status: steps are not asynchronous");
 }
 
-fmi2Status fmi2GetStatus(fmi2Component c, const fmi2StatusKind s, fmi2Status *value)
-{
-    LAG_ENTER_STEPS("GetStatus", ASKABLE)
-    (void)s;
-    return unknown(shell, value);
-}
-
-fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind s, fmi2Real *value)
+fmi2Status fmi2GetRealStatus(fmi2Component instance, const fmi2StatusKind s, fmi2Real *value)
 {
     LAG_ENTER_STEPS("GetRealStatus", ASKABLE)
     if (s != fmi2LastSuccessfulTime) {
@@ -63,14 +56,7 @@ fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind s, fmi2Real *
     return fmi2OK;
 }
 
-fmi2Status fmi2GetIntegerStatus(fmi2Component c, const fmi2StatusKind s, fmi2Integer *value)
-{
-    LAG_ENTER_STEPS("GetIntegerStatus", ASKABLE)
-    (void)s;
-    return unknown(shell, value);
-}
-
-fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind s, fmi2Boolean *value)
+fmi2Status fmi2GetBooleanStatus(fmi2Component instance, const fmi2StatusKind s, fmi2Boolean *value)
 {
     LAG_ENTER_STEPS("GetBooleanStatus", ASKABLE)
     if (s != fmi2Terminated) {
@@ -81,9 +67,14 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind s, fmi2Boo
     return fmi2OK;
 }
 
-fmi2Status fmi2GetStringStatus(fmi2Component c, const fmi2StatusKind s, fmi2String *value)
-{
-    LAG_ENTER_STEPS("GetStringStatus", ASKABLE)
-    (void)s;
-    return unknown(shell, value);
-}
+#define LAG_NO_STATUS(NAME, TYPE)                                                          \
+    fmi2Status fmi2##NAME(fmi2Component instance, const fmi2StatusKind s, TYPE *value) \
+    {                                                                                      \
+        LAG_ENTER_STEPS(#NAME, ASKABLE)                                                    \
+        (void)s;                                                                           \
+        return unknown(shell, value);                                                      \
+    }
+
+LAG_NO_STATUS(GetStatus, fmi2Status)
+LAG_NO_STATUS(GetIntegerStatus, fmi2Integer)
+LAG_NO_STATUS(GetStringStatus, fmi2String)

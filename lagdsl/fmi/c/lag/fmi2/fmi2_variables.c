@@ -24,49 +24,49 @@ static double fetch_boolean(const void *values, size_t index)
     return ((const fmi2Boolean *)values)[index] != fmi2False ? 1.0 : 0.0;
 }
 
-fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[])
+fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[])
 {
     LAG_ENTER("GetReal", READABLE)
     return (fmi2Status)lag_shell_get(shell, LAG_TYPE_REAL, vr, nvr, value, nvr, NULL);
 }
 
-fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Integer value[])
+fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, fmi2Integer value[])
 {
     LAG_ENTER("GetInteger", READABLE)
     return (fmi2Status)lag_shell_get(shell, LAG_TYPE_INTEGER, vr, nvr, value, nvr, store_integer);
 }
 
-fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Boolean value[])
+fmi2Status fmi2GetBoolean(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, fmi2Boolean value[])
 {
     LAG_ENTER("GetBoolean", READABLE)
     return (fmi2Status)lag_shell_get(shell, LAG_TYPE_BOOLEAN, vr, nvr, value, nvr, store_boolean);
 }
 
-fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2String value[])
+fmi2Status fmi2GetString(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, fmi2String value[])
 {
     LAG_ENTER("GetString", READABLE)
     return (fmi2Status)lag_shell_get_texts(shell, vr, nvr, value, nvr);
 }
 
-fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Real value[])
+fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2Real value[])
 {
     LAG_ENTER("SetReal", WRITABLE)
     return (fmi2Status)lag_shell_set(shell, LAG_TYPE_REAL, vr, nvr, value, nvr, NULL);
 }
 
-fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer value[])
+fmi2Status fmi2SetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer value[])
 {
     LAG_ENTER("SetInteger", WRITABLE)
     return (fmi2Status)lag_shell_set(shell, LAG_TYPE_INTEGER, vr, nvr, value, nvr, fetch_integer);
 }
 
-fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Boolean value[])
+fmi2Status fmi2SetBoolean(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2Boolean value[])
 {
     LAG_ENTER("SetBoolean", WRITABLE)
     return (fmi2Status)lag_shell_set(shell, LAG_TYPE_BOOLEAN, vr, nvr, value, nvr, fetch_boolean);
 }
 
-fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2String value[])
+fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, const fmi2String value[])
 {
     LAG_ENTER("SetString", WRITABLE)
     (void)vr;

@@ -91,29 +91,12 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String instanceName, fmi3Stri
     return lag_shell_create("fmi3InstantiateScheduledExecution", &birth);
 }
 
-void fmi3FreeInstance(fmi3Instance instance)
-{
-    lag_shell_free(instance, "fmi3FreeInstance");
-}
-
-fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, size_t nCategories, const fmi3String categories[])
-{
-    LAG_ENTER("SetDebugLogging", LAG_MODES_ALL)
-    return (fmi3Status)lag_shell_set_logging(shell, loggingOn, nCategories, categories);
-}
-
 fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean toleranceDefined, fmi3Float64 tolerance,
     fmi3Float64 startTime, fmi3Boolean stopTimeDefined, fmi3Float64 stopTime)
 {
     LAG_ENTER("EnterInitializationMode", LAG_MODE_INSTANTIATED)
     const lag_answer answer = lag_shell_set_experiment(shell, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime);
     return (fmi3Status)(answer == LAG_ANSWER_OK ? lag_shell_enter_initialization(shell) : answer);
-}
-
-fmi3Status fmi3ExitInitializationMode(fmi3Instance instance)
-{
-    LAG_ENTER("ExitInitializationMode", LAG_MODE_INITIALIZATION)
-    return (fmi3Status)lag_shell_exit_initialization(shell);
 }
 
 fmi3Status fmi3EnterEventMode(fmi3Instance instance)
@@ -152,14 +135,4 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discrete
     return (fmi3Status)answer;
 }
 
-fmi3Status fmi3Terminate(fmi3Instance instance)
-{
-    LAG_ENTER("Terminate", LAG_MODE_EVENT | LAG_MODE_CONTINUOUS | LAG_MODE_STEP | LAG_MODE_STEP_FAILED)
-    return (fmi3Status)lag_shell_terminate(shell);
-}
-
-fmi3Status fmi3Reset(fmi3Instance instance)
-{
-    LAG_ENTER("Reset", LAG_MODES_LASTING)
-    return (fmi3Status)lag_shell_reset(shell);
-}
+#include "lag/shell/life_functions.h"

@@ -1,34 +1,17 @@
-/* Declarations that the files of the shell for FMI 3 share. */
+/* Names and types of FMI 3 for the functions that both versions have. */
 #ifndef LAG_FMI3_H
 #define LAG_FMI3_H
 
 #include "fmi3Functions.h"
 
-#include "lag/shell/shell.h"
+#define LAG_FMI(NAME) fmi3##NAME
+#define LAG_FMI_TEXT "fmi3"
+#define LAG_FMI_STATE(BEFORE, AFTER) fmi3##BEFORE##FMUState##AFTER
+#define LAG_FMI_STATE_TEXT "FMUState"
 
-/* A shell of this handle that may be asked for this now, or the end of the function. */
-#define LAG_ENTER(NAME, MODES)                                                   \
-    lag_shell *shell = lag_shell_enter(instance, "fmi3" NAME, (unsigned)(MODES)); \
-    if (shell == NULL) {                                                         \
-        return fmi3Error;                                                        \
-    }
+typedef fmi3Instance lag_fmi_handle;
+typedef fmi3Float64 lag_fmi_real;
 
-#define LAG_NEEDS(ARGUMENT, WORDS)                            \
-    if (lag_shell_lacks(shell, (ARGUMENT) == NULL, (WORDS))) { \
-        return fmi3Error;                                     \
-    }
-
-/* Entry of functions that exist for one kind of instance only. */
-#define LAG_ENTER_EXCHANGE(NAME, MODES)                                                                     \
-    LAG_ENTER(NAME, MODES)                                                                                  \
-    if (shell->now.kind != LAG_MODEL_EXCHANGE) {                                                            \
-        return (fmi3Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for co-simulation"); \
-    }
-
-#define LAG_ENTER_STEPS(NAME, MODES)                                                                        \
-    LAG_ENTER(NAME, MODES)                                                                                  \
-    if (shell->now.kind != LAG_CO_SIMULATION) {                                                             \
-        return (fmi3Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for model exchange"); \
-    }
+#include "lag/shell/entry.h"
 
 #endif

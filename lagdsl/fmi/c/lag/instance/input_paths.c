@@ -1,9 +1,9 @@
 /*
  * Inputs that jump. Their values on the left of the present are those that the polynomials of the last communication point lead to; in model exchange
  * those at the end of the last step. Rates that inputs prescribe keep the momenta. Values whose derivatives are inputs, too, may not jump, because
- * a position has no blow: a time H after the last point
+ * no impulse moves a position: a time H after the last point
  *
- *     |u - left| <= 2 H |u' - left'| + 4 H^2 max |u''| + what counts as nothing,
+ *     |u - left| <= 2 H |u' - left'| + 4 H^2 max |u''| + a negligible jump,
  *
  * which admits corners of u'. In model exchange H is zero.
  */

@@ -57,17 +57,23 @@ lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n)
     return answer;
 }
 
+/* values (n) of the present state, which is initialized first. */
+static lag_answer evaluate(lag_shell *shell, lag_status (*function)(lag_instance *, double *), double *values, size_t n)
+{
+    const lag_answer answer = lag_shell_initialized(shell);
+    if (answer != LAG_ANSWER_OK || n == 0) {
+        return answer;
+    }
+    const lag_status status = function(shell->instance, values);
+    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+}
+
 lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n)
 {
     if (!fits(shell, xd, n, lag_shell_order(shell), "derivatives")) {
         return LAG_ANSWER_ERROR;
     }
-    const lag_answer answer = lag_shell_initialized(shell);
-    if (answer != LAG_ANSWER_OK || n == 0) {
-        return answer;
-    }
-    const lag_status status = lag_instance_derivatives(shell->instance, xd);
-    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+    return evaluate(shell, lag_instance_derivatives, xd, n);
 }
 
 lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n)
@@ -75,12 +81,7 @@ lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n)
     if (!fits(shell, g, n, lag_instance_indicator_count(shell->fmu), "event indicators")) {
         return LAG_ANSWER_ERROR;
     }
-    const lag_answer answer = lag_shell_initialized(shell);
-    if (answer != LAG_ANSWER_OK || n == 0) {
-        return answer;
-    }
-    const lag_status status = lag_instance_indicators(shell->instance, g);
-    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+    return evaluate(shell, lag_instance_indicators, g, n);
 }
 
 lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)

@@ -1,5 +1,5 @@
 /*
- * Contacts behind the blows of an instant. A contact that does not part is closed. Bounces that follow each other ever faster accumulate: they would not
+ * Contacts behind the impacts of an instant. A contact that does not part is closed. Bounces that follow each other ever faster accumulate: they would not
  * end. With r, the fastest parting over the fastest approach of all contacts of the instant, flights of T take T/(1 - r) with all that follow, and at the
  * limit of this series the bodies rest. So all that part are held from now on, if what is left is too short to follow for each of them.
  *

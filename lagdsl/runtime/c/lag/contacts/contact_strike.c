@@ -153,7 +153,7 @@ static void keep_compliance(lag_contacts *contacts)
     }
 }
 
-/* Blows until nothing closes any more. */
+/* Impacts until nothing closes any more. */
 static lag_status strike(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;

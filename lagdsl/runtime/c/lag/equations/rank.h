@@ -1,9 +1,9 @@
 /*
- * Are the constraints about to lose rank, or has J turned so far in one step that they might have lost it on the way? A cheap look
+ * Are the constraints about to lose rank, or has J turned so far in one step that they might have lost it on the way? A cheap estimate
  * that says yes too often rather than too seldom.
  *
- * It looks at products of rows only, of those that last and depend on no others. Rows that share coordinates stand near to each other, in
- * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and a look costs as much as the chain is long.
+ * It takes products of rows only, of those that last and depend on no others. Rows that share coordinates stand near to each other, in
+ * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and an estimate costs as much as the chain is long.
  *
  * Source: George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.
  */
@@ -18,11 +18,11 @@ static const double LAG_FOLLOWS = 1e-6;
 typedef struct lag_look {
     const lag_model *model;
     size_t m, n, most;        /* rows, columns, independent rows */
-    size_t rank;              /* at the state looked at last; 0: none */
+    size_t rank;              /* at the last state; 0: none */
     double margin;            /* there, the least pivot of J, rows of size one */
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
-    const double *lasting;    /* (m) 0: this row comes and goes and is not looked at; null: all are */
+    const double *lasting;    /* (m) 0: this row comes and goes and does not count; null: all do */
     double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
@@ -30,7 +30,7 @@ typedef struct lag_look {
     double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
 } lag_look;
 
-/* Doubles for a look at J. */
+/* Doubles for it. */
 size_t lag_look_memory(const lag_model *model);
 
 void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
@@ -39,7 +39,7 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
 #define LAG_RANK_NEAR 0.1
 
 /*
- * LAG_OK, or LAG_ATTENTION. This is the state that the next look starts from, unless J has turned so far since the last one that rank
+ * LAG_OK, or LAG_ATTENTION. This is the state that the next estimate starts from, unless J has turned so far since the last one that rank
  * might have been lost on the way.
  */
 lag_status lag_look_at(lag_look *look, const double *jacobian);

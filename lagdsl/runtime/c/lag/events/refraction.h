@@ -1,5 +1,5 @@
 /*
- * Steps of energy in place, and corners of ways and constraints: rates behind a place at which the Lagrangian or the direction of a constraint
+ * Energy jumps at a surface g(q, t) = 0, and kinks of position maps and constraints: rates behind a place at which the Lagrangian or the direction of a constraint
  * jumps, as behind the step of a potential energy or the corner of a track.
  *
  * The step is the limit of a steep smooth one that depends on the position by the indicator g(q, t) of the relation alone.

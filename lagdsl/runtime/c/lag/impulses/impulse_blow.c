@@ -1,4 +1,4 @@
-/* Blows and accelerations: gaps and slips in the impulse problem (lag/impulses/impulse.h). */
+/* Impacts and accelerations: gaps and slips in the impulse problem (lag/impulses/impulse.h). */
 #include <math.h>
 #include <string.h>
 

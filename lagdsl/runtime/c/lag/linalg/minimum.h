@@ -7,11 +7,11 @@
 
 enum { LAG_LOOKS = 5, LAG_LAST_LOOK = LAG_LOOKS - 1 };
 
-/* Looks in a piece, as parts of it: no two distances are alike, so that what is periodic does not look constant. */
+/* Places of samples in a piece, as parts of it: no two distances are alike, so that no periodic function seems constant. */
 static const double LAG_LOOK_PLACES[LAG_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
 /* Values are known where the difference of the polynomials is at most this part of the largest of them. */
 static const double LAG_KNOWN_PART = 0.1;
-/* With each look at a minimum it is known better, by this factor at most. */
+/* With each sample near a minimum it is known better, by this factor at most. */
 static const double LAG_CLEARER = 0.25;
 
 /* Three places and the values there. */
@@ -38,7 +38,7 @@ double lag_look_length(double w, double doubt);
  */
 int lag_minimum_of(const lag_triple *at, double error, int just, double *u, double *height);
 
-/* Three looks around the minimum, of which that at u is one. */
+/* Three samples around the minimum, of which that at u is one. */
 void lag_minimum_narrow(lag_triple *at, double u, double v);
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * Rows and events of a run, in buffers of the caller: a row at every requested time, two rows at an event (before it and after it; one of
- * them alone where the other one is there already), and a note of everything that happens.
+ * them alone where the other one is there already), and a note of each event.
  *
  * A row is t, x (2 nq + nz), the discrete variables, the outputs (ny), energy() [J], and the largest residuals of the constraints of
  * position level and of velocity level, in the units of their rows. Outputs that are known up to whole turns are as the run counts them (lag/run/turns.h).

@@ -1,4 +1,4 @@
-/* Corners of forces, energies and rates along the motion: steps end there, and begin anew behind them. */
+/* Kinks of forces, energies and rates along the motion, here called corners: steps end there, and begin anew behind them. */
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Why a run ended: what can be told of the state at which it did. */
+/* The cause of the end of a run, from the state at which it failed. */
 #include <math.h>
 #include <string.h>
 

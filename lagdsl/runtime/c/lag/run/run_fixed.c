@@ -1,4 +1,4 @@
-/* Steps of fixed length, at a bounded cost: one where nothing happens; else pieces of it, from event to event. */
+/* Steps of fixed length, at a bounded cost: one without events; else pieces of it, from event to event. */
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Pieces of the last step of a run, one after the other, up to the first in which something happens. */
+/* The scan of the last step of a run: piece after piece, up to the first in which a guard leaves its mode. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Steps of a run, one after the other: onto the constraints, up to what happens, with what must stay true. */
+/* Steps of a run: each is projected onto the constraints, ends at the first event in it, and keeps invariants and assertions. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Locates changes inside a piece of the last step. */
+/* Locates the zero of a guard inside a piece of the last step. */
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /*
  * Searches the last step of a run for events. Pieces of the step are so short that a polynomial of degree three through four
  * values of lag/events/zero_crossing.h and one of degree four through five of them differ little. Hence a value cannot
- * change and change back between two looks without a minimum of the polynomial near zero, and the search looks again there.
+ * change and change back between two samples without a minimum of the polynomial near zero, and the search takes one more sample there.
  * The pieces follow the time scale of the values alone; it is remembered from step to step.
  */
 #ifndef LAG_SCAN_H
@@ -31,7 +31,7 @@ static inline double lag_scan_tolerance(const lag_run *run)
     return lag_scan_tolerance_at(s->t, s->t - s->t_before);
 }
 
-/* The alert at a time within the last step. */
+/* LAG_EVENT_PENDING if a guard has left its mode at a time within the last step. */
 lag_status lag_scan_look(lag_run *run, double t);
 
 /* The first root of what has changed at b, and not at a; with it changes what does so at the same time but for round-off. */

@@ -1,4 +1,4 @@
-/* Singular positions on the way: rank is watched, steps lead up to them, and the motion across is fitted (lag/run/collocation.c). */
+/* Singular positions along the motion: the rank is estimated, steps lead up to them, and the motion across is fitted (lag/run/collocation.c). */
 #include "lag/run/singular_crossing.h"
 
 #include <math.h>

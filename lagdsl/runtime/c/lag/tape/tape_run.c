@@ -1,4 +1,4 @@
-/* The interpreter of tapes, for one state. Instructions have been checked (tape_check.c): nothing is looked at here. */
+/* The interpreter of tapes, for one state. Instructions have been checked (tape_check.c): nothing is checked here. */
 #ifndef LAG_ALIKE
 #define LAG_ALIKE /* a tape gives the same bits on every processor, whether it has fused sums or not */
 #endif
