@@ -244,7 +244,7 @@ lag_status lag_forward_dynamics(
     return lag_forward_dynamics_along(model, at, memory, NULL, qdd, lam, coordinate);
 }
 
-/* Where elimination is not the `whole` solution, or did not find it. */
+/* The solution where elimination is not the `whole` of it, or fails. */
 static lag_status solve_rest(
     const lag_model *model, const lag_arguments *at, int whole, double *memory, double *chord, double *qdd, double *lam, size_t *coordinate)
 {
