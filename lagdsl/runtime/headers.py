@@ -38,6 +38,7 @@ STRUCTURES = {
     "lag_ensemble": ("ensemble", "Ensemble"),
     "lag_signal": ("signals", "Signal"),
     "lag_signals": ("signals", "Signals"),
+    "lag_hold": ("hold", "Hold"),
 }
 # Of these Python follows the pointers; elsewhere they are addresses.
 _READ = ("lag_run_report", "lag_fault")

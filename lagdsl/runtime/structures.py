@@ -396,3 +396,19 @@ class Signals(Structure):
         *_all(c_size_t, "count"),
         *_all(c_void_p, "signal"),
     ]
+
+
+class Hold(Structure):
+    """lag_hold."""
+
+    _fields_ = [
+        *_all(c_void_p, "run"),
+        *_all(c_size_t, "count"),
+        *_all(c_void_p, "u before signals"),
+        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(c_void_p, "context"),
+        *_all(c_size_t, "breaks"),
+        *_all(c_void_p, "at"),
+        *_all(c_int, "rows"),
+        *_all(c_double, "goal jumped"),
+    ]
