@@ -21,16 +21,18 @@ _ROWS, _NOTES = 256, 1024
 
 class RunResults:
     """`structure` is their form in C, lag_results; `drifts` (3, ni) the start, the size and the largest drift of every
-    invariant. `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or
-    `terminate`."""
+    invariant; `width` is that of a row. `notes` are what happened: time, kind (one of WHAT), number of the clock,
+    relation, contact, reset or `terminate`."""
 
     def __init__(
         self, library: Runtime, model: NativeModel, layout: Layout, settings: RunSettings, kept: list[object]
     ) -> None:
         self.notes: list[tuple[float, str, int]] = []
+        self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
         self._taken: list[Floats] = []
-        self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
+        self.width = int(library.results_width(model.model))
+        self._rows = np.zeros((_ROWS, self.width))
         self._notes = (Note * _NOTES)()
         self._full = _FULL(self._empty)
         self._extremes = Extremes()
@@ -52,9 +54,15 @@ class RunResults:
 
     def take(self) -> None:
         """Contents of the buffers."""
-        self._taken.append(self._rows[: self.structure.row].copy())
+        if self.keeps and self.structure.row:
+            self._taken.append(self._rows[: self.structure.row].copy())
         self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: self.structure.note]]
         self.structure.row = self.structure.note = 0
+
+    def forget(self) -> None:
+        """Everything so far."""
+        self._taken, self.notes = [], []
+        self.structure.row = self.structure.note = self.structure.any = 0
 
     def rows(self) -> Floats:
         """All rows so far, as lag/run/results.h tells them."""

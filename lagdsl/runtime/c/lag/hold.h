@@ -23,7 +23,7 @@ typedef struct lag_hold {
     void *context;              /* of `inputs` */
     size_t breaks;              /* so many times at which these may jump: */
     const double *at;           /* (breaks) ascending */
-    int rows;                   /* 1: the results of the run get a row at the end of every step */
+    int rows;                   /* 1: the results of the run get a row at the end of every step; 0: they are those of one step, empty as it begins */
     double goal;                /* [s] the end of the last step, */
     double jumped;              /* and the last time at which an input jumped; not a number before the first one */
 } lag_hold;

@@ -84,6 +84,10 @@ lag_status lag_hold_go(lag_hold *hold, size_t most_steps)
 
 lag_status lag_hold_to(lag_hold *hold, double t, size_t most_steps)
 {
+    lag_results *results = hold->run->options.results;
+    if (!hold->rows && results != NULL) {
+        results->row = results->note = 0;
+    }
     hold->goal = lag_instants_same(&hold->run->instants, t);
     return lag_hold_go(hold, most_steps);
 }

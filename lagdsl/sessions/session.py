@@ -1,0 +1,284 @@
+"""A motion by steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import isfinite
+from time import perf_counter
+from typing import Any, NoReturn
+
+import numpy as np
+
+from lagdsl.diagnostics import CompilationFailed, Sink, refused
+from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.auto_engine import AutoEngine
+from lagdsl.runtime.held_inputs import HeldInputs
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.structures import Status
+from lagdsl.sessions.opening import Method, Opening
+from lagdsl.sessions.saved import packed, unpacked
+from lagdsl.signals.moved import MovedRow
+from lagdsl.signals.trajectory import Event, Statistics, Trajectory
+from lagdsl.simulate.commands import Command
+from lagdsl.simulate.control import seconds
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.messages import Course, report_fault
+from lagdsl.simulate.motion import MOST_STEPS, STEPS
+from lagdsl.simulate.present import Present
+from lagdsl.simulate.state_words import state_values, time_text
+from lagdsl.simulate.table import events_of, trajectory
+
+
+class Session(Present):
+    """A motion that goes on as its caller says: `step`, `advance`, `reset`; `save` and `restore`.
+
+    `session["theta"]` is the present value of a variable or an output, `session.t` the time, `events` is what has
+    happened and `motion` the rows so far. Inputs are held over a step and jump where the next one begins, unless a
+    signal tells them. Not to be used by several threads at once.
+    """
+
+    def __init__(
+        self,
+        opening: Opening,
+        *,
+        record: bool,
+        u: Floats | None = None,
+        start: Mapping[str, Any] | None = None,
+        parameters: Mapping[str, Any] | None = None,
+    ) -> None:
+        """`u` (nu,) is the place of the inputs; `start` and `parameters` are beside those of the opening."""
+        super().__init__(opening.places)
+        self._start, self._parameters = start or {}, parameters or {}
+        self._opening, self._record = opening, record
+        held = opening.signals.held(opening.t0)
+        if u is not None:
+            u[:] = held.u
+            held = held.beside(u)
+        self._inputs = held.u.copy()
+        self._library = runtime_library()
+        self._step, self._to = self._library.hold_step, self._library.hold_to
+        self._begin(held, {}, {})
+        self._first = None if self._why else self.save()
+        self._first_notes = list(self._run.results.notes)
+
+    def _begin(self, held: HeldInputs, parameters: Mapping[str, Any], start: Mapping[str, Any]) -> None:
+        opening = self._opening
+        run = opening.run(opening.parameters({**self._parameters, **parameters}), held, opening.asked.method)
+        initial = opening.start(run, held, {**self._start, **start})
+        self._attach(run, held, opening.asked.method, initial.moved)
+        status = run.begin(opening.t0, initial.x)
+        self.finish(status)
+        if status is Status.OK:
+            self._to(self._address, opening.t0, 0)
+
+    def _attach(self, run: Any, held: HeldInputs, method: Method, moved: tuple[MovedRow, ...]) -> None:
+        """The session is this run from now on."""
+        self._run, self._method, self._moved = run, method, moved
+        self._address = held.address
+        held.begin(run.address, self._opening.t0)
+        held.hold.rows = run.results.keeps = self._record
+        self._told: list[Event] = []
+        self._why = ""
+        engine = self._opening.asked.engine
+        self._auto = engine if isinstance(engine, AutoEngine) and not engine.is_compiled else None
+        self.watch(run, held)
+
+    # ---- on it goes --------------------------------------------------------------------------------------------------
+
+    def step(self, h: float | str, u: Command | None = None) -> None:
+        """On by h (seconds, or a text such as `2 ms`), with the inputs u from its beginning on; without u they stay.
+
+        u has all inputs in the order of the model, is one number, or has some by name. What happens within the step is
+        found where it happens. Raises CallRefused for what does not fit, SimulationFailed where the motion cannot go
+        on, with the motion so far."""
+        if type(h) is not float or not 0.0 < h < 1e300:
+            h = seconds("the step", h)
+        self._go(self._step, h, h, u)
+
+    def advance(self, until: float | str, u: Command | None = None) -> None:
+        """On to the time `until` [s], otherwise as `step`. At that time it does nothing."""
+        target = until if type(until) is float else self._time(until)
+        if not target >= self.t:
+            raise refused("E0890", time=time_text(self.t), asked=time_text(target))
+        if target > self.t:
+            self._go(self._to, target, target - self.t, u)
+
+    def _go(self, call: Callable[[int, float, int], int], amount: float, h: float, u: Command | None) -> None:
+        held = self._held
+        if self._why:
+            raise refused("E0892", time=time_text(self.t), why=self._why)
+        if held.hold.goal + h > self._opening.last:
+            raise self._opening.beyond()
+        if u is not None:
+            self._opening.commands.put(u, held.u, self._opening.sink)
+        self.forget()
+        status = call(self._address, amount, STEPS) if self._auto is None else self._timed(call, amount)
+        if status:
+            self._rest(status)
+
+    def _timed(self, call: Callable[[int, float, int], int], amount: float) -> int:
+        """The same while the engine has not decided for C."""
+        assert self._auto is not None
+        started = perf_counter()
+        status = call(self._address, amount, STEPS)
+        self._auto.worked(perf_counter() - started)
+        compiled = self._auto.hasten()
+        if compiled is not None:
+            self._run.change(compiled)
+        self._auto = None if self._auto.is_compiled else self._auto
+        return status
+
+    def _rest(self, status: int) -> None:
+        """The rest of a step that took more than one call, and its end."""
+        steps = STEPS
+        while status == Status.TOO_LONG and steps < MOST_STEPS:
+            status = self._library.hold_go(self._address, STEPS)
+            steps += STEPS
+        self.finish(Status(status))
+
+    def forget(self) -> None:
+        """A step begins: the present is no longer known, nor, without a record, what happened before."""
+        self._row = None
+        if not self._record and self._run.results.notes:
+            self._run.results.notes.clear()
+
+    def finish(self, status: Status) -> None:
+        """A step has ended like this. Raises SimulationFailed where the motion cannot go on."""
+        self._row = None
+        problem = self._held.called.problem if self._held.called is not None else None
+        if problem is not None:
+            self._end(f"an input raised {type(problem).__name__}")
+            raise problem
+        if status is Status.STOPPED:
+            self._end(f"`terminate` acted: {self.events[-1].name}")
+        elif status is not Status.OK:
+            self._fail(status)
+
+    def _end(self, why: str) -> None:
+        self._why = why
+        self._held.hold.goal = self._run.t
+
+    def _fail(self, status: Status) -> NoReturn:
+        failure = self.failure_of(status)
+        failure.trajectory = self._opening.asked.words.motion(failure.trajectory)
+        raise failure
+
+    def failure_of(self, status: Status) -> SimulationFailed:
+        """The session ends; the exception that says why."""
+        asked, run = self._opening.asked, self._run
+        course = Course(asked.flat, asked.engine.layout, run, self._held.hold.goal, MOST_STEPS)
+        fault, sink = run.explain(status), Sink()
+        signals = self._opening.signals
+        u = np.where(signals.following, signals.at(fault.t), self._held.u) if len(self._held.u) else self._held.u
+        name = report_fault(course, status, fault, u, sink)
+        told = sink.diagnostics[-1]
+        self._end(told.message)
+        return SimulationFailed(told, fault.t, state_values(asked.flat, fault.x), name, self._so_far())
+
+    # ---- what has become of it ---------------------------------------------------------------------------------------
+
+    @property
+    def address(self) -> int:
+        """Of its lag_hold."""
+        return self._address
+
+    @property
+    def width(self) -> int:
+        """Numbers of a row of the runtime."""
+        return int(self._run.results.width)
+
+    @property
+    def ended(self) -> bool:
+        """True where a `terminate` has acted or the motion has failed: then it does not go on."""
+        return bool(self._why)
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Everything that has happened since the beginning, as in a trajectory; with record=False in the last step."""
+        results, asked = self._run.results, self._opening.asked
+        results.take()
+        known = len(self._told) if self._record else 0
+        self._told = [*self._told[:known], *events_of(asked.flat, asked.engine.layout, results.notes[known:])]
+        return tuple(self._told)
+
+    @property
+    def motion(self) -> Trajectory:
+        """The motion so far: a row at the end of each step, two at each event. Raises CallRefused where the session
+        keeps none."""
+        if not self._record:
+            raise refused("E0895")
+        return self._opening.asked.words.motion(self._so_far())
+
+    def _so_far(self) -> Trajectory:
+        run, report = self._run, self._run.report
+        run.results.take()
+        automatic = "radau" if report.implicit else "dop853"
+        statistics = Statistics(
+            solver=automatic if self._method.solver == "auto" else self._method.solver,
+            steps=report.counts.steps,
+            evaluations=report.counts.evaluations,
+            jacobians=report.counts.jacobians,
+            projections=report.projections,
+        )
+        asked = self._opening.asked
+        return trajectory(asked.flat, asked.engine.layout, run, self._moved, statistics)
+
+    # ---- back and again ----------------------------------------------------------------------------------------------
+
+    def reset(self, *, start: Mapping[str, Any] | None = None, parameters: Mapping[str, Any] | None = None) -> None:
+        """Begins again as the session did, with some start values and parameters beside those that it was made with.
+        Raises as `Model.session`; the session is then as before."""
+        if not start and not parameters and self._first is not None:
+            self.restore(self._first)
+            self._run.results.notes = list(self._first_notes)
+            return
+        held = self._held.beside(self._held.u)
+        before = held.u.copy()
+        held.u[:] = self._inputs
+        try:
+            self._begin(held, parameters or {}, start or {})
+        except CompilationFailed:
+            held.u[:] = before
+            raise
+
+    def save(self) -> bytes:
+        """The present state, from which this session or another one of the same model goes on to the bit, in any
+        process. Signals are not in it. Raises CallRefused where the session has ended."""
+        if self._why:
+            raise refused("E0892", time=time_text(self.t), why=self._why)
+        return packed(self._opening, self._method, self._run, self._held)
+
+    def restore(self, state: bytes) -> None:
+        """Goes back to a state that was saved, with its inputs, parameters and tolerance; events and rows begin there.
+        Raises CallRefused for anything else; the session is then as before."""
+        opening, layout = self._opening, self._opening.asked.engine.layout
+        sizes = len(layout.parameters), len(layout.inputs), len(layout.invariants)
+        saved = unpacked(opening, state, sizes)
+        run, held = self._run, self._held
+        if saved.method != self._method or not np.array_equal(saved.p, run.p) or self._why:
+            held = held.beside(held.u)
+            run = opening.run(saved.p, held, saved.method)
+        status = run.load(saved.run)
+        if status is not Status.OK:
+            raise refused("E0891", why="the runtime does not know them", way="save the state again")
+        held.u[:] = saved.u
+        run.results.drifts[:] = saved.drifts
+        run.results.forget()
+        self._attach(run, held, saved.method, self._moved)
+        held.hold.goal = run.t
+        held.hold.jumped = saved.jumped
+        run.results.structure.after = saved.after
+        self._to(self._address, run.t, 0)
+
+    # ---- arguments ---------------------------------------------------------------------------------------------------
+
+    def _time(self, given: float | str) -> float:
+        if isinstance(given, str):
+            return seconds("the time", given)
+        try:
+            value = float(given)
+        except (TypeError, ValueError):
+            value = np.nan
+        if not isfinite(value):
+            raise refused("E0896", what="the time", expected="a time", given=str(given)[:40])
+        return value
