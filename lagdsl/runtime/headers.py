@@ -156,5 +156,5 @@ def _header(name: str) -> str:
 
 
 def _wrapped(entries: str) -> str:
-    """A tuple as the formatter writes it: on one line, or one entry on each."""
-    return f"({entries})" if len(entries) < 110 else "(\n" + "".join(f"    {e},\n" for e in entries.split(", ")) + ")"
+    """A tuple on few lines, which the formatter is to leave as they are."""
+    return "(\n    " + "\n    ".join(textwrap.wrap(entries, _WIDTH)) + "\n)  # fmt: skip"

@@ -21,8 +21,8 @@ _ROWS, _NOTES = 256, 1024
 
 class RunResults:
     """`structure` is their form in C, lag_results; `drifts` (3, ni) the start, the size and the largest drift of every
-    invariant; `width` is that of a row. `notes` are what happened: time, kind (one of WHAT), number of the clock,
-    relation, contact, reset or `terminate`."""
+    invariant. `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or
+    `terminate`."""
 
     def __init__(
         self, library: Runtime, model: NativeModel, layout: Layout, settings: RunSettings, kept: list[object]
@@ -31,8 +31,7 @@ class RunResults:
         self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
         self._taken: list[Floats] = []
-        self.width = int(library.results_width(model.model))
-        self._rows = np.zeros((_ROWS, self.width))
+        self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
         self._notes = (Note * _NOTES)()
         self._full = _FULL(self._empty)
         self._extremes = Extremes()
@@ -46,6 +45,11 @@ class RunResults:
             full=self._full,
             extremes=addressof(self._extremes),
         )
+
+    @property
+    def width(self) -> int:
+        """Numbers of a row."""
+        return self._rows.shape[1]
 
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""

@@ -11,9 +11,11 @@ import numpy as np
 
 from lagdsl.diagnostics import CompilationFailed, Sink, refused
 from lagdsl.numerics.rank import Floats
+from lagdsl.record import record
 from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.held_inputs import HeldInputs
 from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.run import Run
 from lagdsl.runtime.structures import Status
 from lagdsl.sessions.opening import Method, Opening
 from lagdsl.sessions.saved import packed, unpacked
@@ -27,6 +29,17 @@ from lagdsl.simulate.motion import MOST_STEPS, STEPS
 from lagdsl.simulate.present import Present
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import events_of, trajectory
+
+
+@record(kw_only=True)
+class _Given:
+    """A session as it was made: start values and parameters beside those of all, by name; inputs u (nu,) at the start;
+    whether it keeps its motion."""
+
+    start: Mapping[str, Any]
+    parameters: Mapping[str, Any]
+    u: Floats
+    record: bool
 
 
 class Session(Present):
@@ -48,35 +61,31 @@ class Session(Present):
     ) -> None:
         """`u` (nu,) is the place of the inputs; `start` and `parameters` are beside those of the opening."""
         super().__init__(opening.places)
-        self._start, self._parameters = start or {}, parameters or {}
-        self._opening, self._record = opening, record
         held = opening.signals.held(opening.t0)
         if u is not None:
             u[:] = held.u
             held = held.beside(u)
-        self._inputs = held.u.copy()
-        self._library = runtime_library()
-        self._step, self._to = self._library.hold_step, self._library.hold_to
+        self._opening, self._library = opening, runtime_library()
+        self._given = _Given(start=start or {}, parameters=parameters or {}, u=held.u.copy(), record=record)
         self._begin(held, {}, {})
-        self._first = None if self._why else self.save()
-        self._first_notes = list(self._run.results.notes)
+        self._first = (None if self._why else self.save(), list(self._run.results.notes))
 
     def _begin(self, held: HeldInputs, parameters: Mapping[str, Any], start: Mapping[str, Any]) -> None:
-        opening = self._opening
-        run = opening.run(opening.parameters({**self._parameters, **parameters}), held, opening.asked.method)
-        initial = opening.start(run, held, {**self._start, **start})
+        opening, given = self._opening, self._given
+        run = opening.run(opening.parameters({**given.parameters, **parameters}), held, opening.asked.method)
+        initial = opening.start(run, held, {**given.start, **start})
         self._attach(run, held, opening.asked.method, initial.moved)
         status = run.begin(opening.t0, initial.x)
         self.finish(status)
         if status is Status.OK:
-            self._to(self._address, opening.t0, 0)
+            self._library.hold_to(self._address, opening.t0, 0)
 
-    def _attach(self, run: Any, held: HeldInputs, method: Method, moved: tuple[MovedRow, ...]) -> None:
+    def _attach(self, run: Run, held: HeldInputs, method: Method, moved: tuple[MovedRow, ...]) -> None:
         """The session is this run from now on."""
-        self._run, self._method, self._moved = run, method, moved
+        self._run, self._made = run, (method, moved)
         self._address = held.address
         held.begin(run.address, self._opening.t0)
-        held.hold.rows = run.results.keeps = self._record
+        held.hold.rows = run.results.keeps = self._given.record
         self._told: list[Event] = []
         self._why = ""
         engine = self._opening.asked.engine
@@ -88,20 +97,20 @@ class Session(Present):
     def step(self, h: float | str, u: Command | None = None) -> None:
         """On by h (seconds, or a text such as `2 ms`), with the inputs u from its beginning on; without u they stay.
 
-        u has all inputs in the order of the model, is one number, or has some by name. What happens within the step is
+        u has all that a step can set in the order of `model.inputs`, is one number, or has some by name. What happens within the step is
         found where it happens. Raises CallRefused for what does not fit, SimulationFailed where the motion cannot go
         on, with the motion so far."""
         if type(h) is not float or not 0.0 < h < 1e300:
             h = seconds("the step", h)
-        self._go(self._step, h, h, u)
+        self._go(self._library.hold_step, h, h, u)
 
     def advance(self, until: float | str, u: Command | None = None) -> None:
         """On to the time `until` [s], otherwise as `step`. At that time it does nothing."""
-        target = until if type(until) is float else self._time(until)
+        target = until if type(until) is float and isfinite(until) else self._time(until)
         if not target >= self.t:
             raise refused("E0890", time=time_text(self.t), asked=time_text(target))
         if target > self.t:
-            self._go(self._to, target, target - self.t, u)
+            self._go(self._library.hold_to, target, target - self.t, u)
 
     def _go(self, call: Callable[[int, float, int], int], amount: float, h: float, u: Command | None) -> None:
         held = self._held
@@ -138,13 +147,13 @@ class Session(Present):
 
     def forget(self) -> None:
         """A step begins: the present is no longer known, nor, without a record, what happened before."""
-        self._row = None
-        if not self._record and self._run.results.notes:
+        self.moved()
+        if not self._given.record and self._run.results.notes:
             self._run.results.notes.clear()
 
     def finish(self, status: Status) -> None:
         """A step has ended like this. Raises SimulationFailed where the motion cannot go on."""
-        self._row = None
+        self.moved()
         problem = self._held.called.problem if self._held.called is not None else None
         if problem is not None:
             self._end(f"an input raised {type(problem).__name__}")
@@ -197,7 +206,7 @@ class Session(Present):
         """Everything that has happened since the beginning, as in a trajectory; with record=False in the last step."""
         results, asked = self._run.results, self._opening.asked
         results.take()
-        known = len(self._told) if self._record else 0
+        known = len(self._told) if self._given.record else 0
         self._told = [*self._told[:known], *events_of(asked.flat, asked.engine.layout, results.notes[known:])]
         return tuple(self._told)
 
@@ -205,7 +214,7 @@ class Session(Present):
     def motion(self) -> Trajectory:
         """The motion so far: a row at the end of each step, two at each event. Raises CallRefused where the session
         keeps none."""
-        if not self._record:
+        if not self._given.record:
             raise refused("E0895")
         return self._opening.asked.words.motion(self._so_far())
 
@@ -214,27 +223,28 @@ class Session(Present):
         run.results.take()
         automatic = "radau" if report.implicit else "dop853"
         statistics = Statistics(
-            solver=automatic if self._method.solver == "auto" else self._method.solver,
+            solver=automatic if self._made[0].solver == "auto" else self._made[0].solver,
             steps=report.counts.steps,
             evaluations=report.counts.evaluations,
             jacobians=report.counts.jacobians,
             projections=report.projections,
         )
         asked = self._opening.asked
-        return trajectory(asked.flat, asked.engine.layout, run, self._moved, statistics)
+        return trajectory(asked.flat, asked.engine.layout, run, self._made[1], statistics)
 
     # ---- back and again ----------------------------------------------------------------------------------------------
 
     def reset(self, *, start: Mapping[str, Any] | None = None, parameters: Mapping[str, Any] | None = None) -> None:
         """Begins again as the session did, with some start values and parameters beside those that it was made with.
         Raises as `Model.session`; the session is then as before."""
-        if not start and not parameters and self._first is not None:
-            self.restore(self._first)
-            self._run.results.notes = list(self._first_notes)
+        state, notes = self._first
+        if not start and not parameters and state is not None:
+            self.restore(state)
+            self._run.results.notes = list(notes)
             return
         held = self._held.beside(self._held.u)
         before = held.u.copy()
-        held.u[:] = self._inputs
+        held.u[:] = self._given.u
         try:
             self._begin(held, parameters or {}, start or {})
         except CompilationFailed:
@@ -246,7 +256,7 @@ class Session(Present):
         process. Signals are not in it. Raises CallRefused where the session has ended."""
         if self._why:
             raise refused("E0892", time=time_text(self.t), why=self._why)
-        return packed(self._opening, self._method, self._run, self._held)
+        return packed(self._opening, self._made[0], self._run, self._held)
 
     def restore(self, state: bytes) -> None:
         """Goes back to a state that was saved, with its inputs, parameters and tolerance; events and rows begin there.
@@ -255,7 +265,7 @@ class Session(Present):
         sizes = len(layout.parameters), len(layout.inputs), len(layout.invariants)
         saved = unpacked(opening, state, sizes)
         run, held = self._run, self._held
-        if saved.method != self._method or not np.array_equal(saved.p, run.p) or self._why:
+        if saved.method != self._made[0] or not np.array_equal(saved.p, run.p) or self._why:
             held = held.beside(held.u)
             run = opening.run(saved.p, held, saved.method)
         status = run.load(saved.run)
@@ -264,11 +274,11 @@ class Session(Present):
         held.u[:] = saved.u
         run.results.drifts[:] = saved.drifts
         run.results.forget()
-        self._attach(run, held, saved.method, self._moved)
+        self._attach(run, held, saved.method, self._made[1])
         held.hold.goal = run.t
         held.hold.jumped = saved.jumped
         run.results.structure.after = saved.after
-        self._to(self._address, run.t, 0)
+        self._library.hold_to(self._address, run.t, 0)
 
     # ---- arguments ---------------------------------------------------------------------------------------------------
 

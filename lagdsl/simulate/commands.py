@@ -15,8 +15,8 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.inputs import is_allowed
 
-# All inputs in the order of the model, a number where there is one, or some of them by name: numbers in SI units or
-# texts such as `2 N`.
+# All inputs that a step can set, in the order of the model, a number where there is one, or some of them by name: numbers
+# in SI units or texts such as `2 N`.
 Command: TypeAlias = "float | Sequence[float] | ArrayLike | Mapping[str, float | str | ArrayLike]"
 
 
@@ -47,7 +47,7 @@ class Commands:
             u[0] = given
             return
         values = u.copy()
-        for place, value in self._entries(given, (), u):
+        for place, value in self._entries(given, ()):
             values[place] = value
         self._check(values, sink)
         u[:] = values
@@ -55,12 +55,12 @@ class Commands:
     def put_many(self, given: Any, u: Floats, sink: Sink) -> None:
         """`given` of many runs into u (runs, nu): values, and for every input a number or (runs,)."""
         values = u.copy()
-        for place, value in self._entries(given, (len(u),), u):
+        for place, value in self._entries(given, (len(u),)):
             values[:, place] = value
         self._check(values, sink)
         u[:] = values
 
-    def _entries(self, given: Any, lead: tuple[int, ...], u: Floats) -> list[tuple[int, Any]]:
+    def _entries(self, given: Any, lead: tuple[int, ...]) -> list[tuple[int, Any]]:
         """Places with their values."""
         if isinstance(given, Mapping):
             return [self._entry(name, value, lead) for name, value in given.items()]
@@ -68,15 +68,12 @@ class Commands:
             vector = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError):
             raise self._unfit(f"{str(given)[:40]!r} is no vector of numbers") from None
-        count = len(self._names)
+        count = len(self._open)
         if count == 1 and vector.shape in ((), lead):
             vector = vector[..., None]
         if vector.shape not in ((count,), (*lead, count)):
-            raise self._unfit(f"the model has {count} inputs, and the values have the shape {vector.shape}")
-        for k, why in enumerate(self._why):
-            if why is not None and not np.array_equal(vector[..., k], u[..., k]):
-                raise self._unfit(why)
-        return [(k, vector[..., k]) for k in self._open]
+            raise self._unfit(f"there are {count} inputs to set, and the values have the shape {vector.shape}")
+        return [(k, vector[..., place]) for place, k in enumerate(self._open)]
 
     def _entry(self, name: str, value: Any, lead: tuple[int, ...]) -> tuple[int, Any]:
         if name not in self._names:
@@ -109,7 +106,7 @@ class Commands:
 
     def _unfit(self, why: str) -> Exception:
         names = ", ".join(f"`{self._names[k]}`" for k in self._open)
-        way = f"give all inputs in the order of model.inputs, or some by name; steps set {names or 'none'}"
+        way = f"give all that steps set, in this order, or some by name: {names or 'there are none'}"
         return refused("E0893", why=why, way=way)
 
 

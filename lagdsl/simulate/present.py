@@ -55,6 +55,10 @@ class Present:
         self._one = (c_void_p * 1)(held.address)
         self._row = None
 
+    def moved(self) -> None:
+        """The present is another one."""
+        self._row = None
+
     @property
     def t(self) -> float:
         """The time [s]."""

@@ -16,13 +16,12 @@
 
 typedef struct lag_hold {
     lag_run *run;
-    size_t count;               /* inputs */
-    double *u, *before;         /* (count) from the next step on, which the caller changes; up to then. Equal where the run begins */
+    double *u, *before;         /* (count) inputs from the next step on, which the caller changes; up to then. Equal where the run begins */
     const lag_signals *signals; /* tables of those that follow time; null: none does */
-    lag_inputs *inputs;         /* tells the caller's functions of time and leaves all others as they are; null: there are none */
     void *context;              /* of `inputs` */
-    size_t breaks;              /* so many times at which these may jump: */
-    const double *at;           /* (breaks) ascending */
+    const double *at;           /* (breaks) ascending: the times at which these may jump */
+    size_t count, breaks;
+    lag_inputs *inputs;         /* tells the caller's functions of time and leaves all others as they are; null: there are none */
     int rows;                   /* 1: the results of the run get a row at the end of every step; 0: they are those of one step, empty as it begins */
     double goal;                /* [s] the end of the last step, */
     double jumped;              /* and the last time at which an input jumped; not a number before the first one */
