@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from lagdsl.signals.trajectory import Event
     from lagdsl.simulate.control import control
     from lagdsl.simulate.failure import SimulationFailed
+    from lagdsl.simulate.present import Present
 
 _HOMES = {
     "CallRefused": "lagdsl.diagnostics",
@@ -30,6 +31,7 @@ _HOMES = {
     "Event": "lagdsl.signals.trajectory",
     "Hold": "lagdsl.signals.hold",
     "Model": "lagdsl.api.model",
+    "Present": "lagdsl.simulate.present",
     "Session": "lagdsl.sessions.session",
     "Sessions": "lagdsl.sessions.many",
     "SimulationFailed": "lagdsl.simulate.failure",
@@ -50,6 +52,7 @@ __all__ = [
     "Event",
     "Hold",
     "Model",
+    "Present",
     "Session",
     "Sessions",
     "SimulationFailed",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from time import perf_counter
 from typing import Any, overload
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.diagnostics import refused
 from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.structures import Status
 from lagdsl.sessions.opening import Opening
@@ -87,13 +89,25 @@ class Sessions(Sequence[Session]):
             session.forget()
         before = self._status.copy()
         self._known = {}
+        started = perf_counter()
         self._each(f"holds_{what}", amount)
         for _ in range(MOST_STEPS // STEPS - 1):
             if not (self._status == Status.TOO_LONG).any():
                 break
             self._each("holds_go")
+        self._hasten(perf_counter() - started)
         for k in np.flatnonzero(self._status != before).tolist():
             self._end(k, Status(self._status[k]))
+
+    def _hasten(self, seconds: float) -> None:
+        """Work of so many seconds was done: where that pays, all go on in C as soon as there is C."""
+        engine = self._opening.asked.engine
+        if isinstance(engine, AutoEngine) and not engine.is_compiled:
+            engine.worked(seconds)
+            engine.hasten()
+            if engine.is_compiled:
+                for session in self._sessions:
+                    session.hasten()
 
     def _each(self, name: str, *amount: float) -> None:
         """One function of C for all, in threads that share them."""

@@ -97,9 +97,10 @@ class Session(Present):
     def step(self, h: float | str, u: Command | None = None) -> None:
         """On by h (seconds, or a text such as `2 ms`), with the inputs u from its beginning on; without u they stay.
 
-        u has all that a step can set in the order of `model.inputs`, is one number, or has some by name. What happens within the step is
-        found where it happens. Raises CallRefused for what does not fit, SimulationFailed where the motion cannot go
-        on, with the motion so far."""
+        u has all that a step can set in the order of `model.inputs`, is one number, or has some by name. What happens
+        within the step is found where it happens. Raises CallRefused for what does not fit, SimulationFailed where the
+        motion cannot go on, with the motion so far.
+        """
         if type(h) is not float or not 0.0 < h < 1e300:
             h = seconds("the step", h)
         self._go(self._library.hold_step, h, h, u)
@@ -131,11 +132,16 @@ class Session(Present):
         started = perf_counter()
         status = call(self._address, amount, STEPS)
         self._auto.worked(perf_counter() - started)
-        compiled = self._auto.hasten()
-        if compiled is not None:
-            self._run.change(compiled)
-        self._auto = None if self._auto.is_compiled else self._auto
+        self.hasten()
         return status
+
+    def hasten(self) -> None:
+        """Goes on in C where there is C by now; the motion is the same to the bit."""
+        if self._auto is not None:
+            self._auto.hasten()
+            if self._auto.is_compiled:
+                self._run.change(self._auto.native)
+                self._auto = None
 
     def _rest(self, status: int) -> None:
         """The rest of a step that took more than one call, and its end."""

@@ -15,8 +15,8 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.inputs import is_allowed
 
-# All inputs that a step can set, in the order of the model, a number where there is one, or some of them by name: numbers
-# in SI units or texts such as `2 N`.
+# All inputs that a step can set, in the order of the model, a number where there is one, or some of them by name:
+# numbers in SI units or texts such as `2 N`.
 Command: TypeAlias = "float | Sequence[float] | ArrayLike | Mapping[str, float | str | ArrayLike]"
 
 

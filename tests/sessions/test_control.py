@@ -22,7 +22,7 @@ end Axis;
 KP, KD, H = 20.0, 6.0, 0.01
 
 
-def pd(now: lagdsl.Session) -> dict[str, float]:
+def pd(now: lagdsl.Present) -> dict[str, float]:
     return {"F": -KP * float(now["x"]) - KD * float(now["der(x)"])}
 
 
@@ -51,11 +51,11 @@ def test_controllers_at_several_rates() -> None:
     """F counts its calls, G every third tick of F: the force jumps where they say so."""
     said: list[tuple[str, float]] = []
 
-    def fast(now: lagdsl.Session) -> dict[str, float]:
+    def fast(now: lagdsl.Present) -> dict[str, float]:
         said.append(("F", now.t))
         return {"F": 1.0}
 
-    def slow(now: lagdsl.Session) -> dict[str, str] | None:
+    def slow(now: lagdsl.Present) -> dict[str, str] | None:
         said.append(("G", now.t))
         return {"G": "3 N"} if now.t > 0.2 else None
 
@@ -73,7 +73,7 @@ def test_a_controller_with_a_memory_is_asked_once() -> None:
     motion a second time, with more rows."""
     calls = [0]
 
-    def counting(now: lagdsl.Session) -> dict[str, float]:
+    def counting(now: lagdsl.Present) -> dict[str, float]:
         calls[0] += 1
         return {"F": calls[0] - 1.0}
 
@@ -87,20 +87,20 @@ def test_a_controller_with_a_memory_is_asked_once() -> None:
 
 
 def test_the_inputs_of_a_failure_are_those_of_the_controller() -> None:
-    def raising(now: lagdsl.Session) -> float:
+    def raising(now: lagdsl.Present) -> float:
         raise RuntimeError("no idea")
 
     model = lagdsl.compile(AXIS, engine="tape")
     with pytest.raises(RuntimeError, match="no idea"):
         model.simulate(stop=1.0, control=lagdsl.control(0.1, raising))
-    with pytest.raises(lagdsl.CallRefused, match="E0893.*2 inputs"):
+    with pytest.raises(lagdsl.CallRefused, match=r"E0893.*2 inputs"):
         model.simulate(stop=1.0, control=lagdsl.control(0.1, lambda now: 1.0))
     with pytest.raises(lagdsl.UnknownName, match="E0874"):
         model.simulate(stop=1.0, control=lagdsl.control(0.1, lambda now: {"H": 1.0}))
     for every in (0.0, "2 kg", "-1 s", float("nan")):
         with pytest.raises(lagdsl.CallRefused, match="E0896"):
             lagdsl.control(every, pd)
-    with pytest.raises(lagdsl.CallRefused, match="E0893.*no function"):
+    with pytest.raises(lagdsl.CallRefused, match=r"E0893.*no function"):
         lagdsl.control(0.1, 3.0)  # type: ignore[arg-type]
 
 

@@ -13,6 +13,7 @@ import pytest
 from choice import together
 
 import lagdsl
+from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.sessions.session import Session
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -190,8 +191,26 @@ def test_another_version_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         run.restore(state)
 
 
+def test_a_session_that_has_gone_over_to_c_is_saved(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The engine `auto` is told that there is much to do, and waited for; its bytes are those of the tape."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    auto, tape = lagdsl.compile(TEXTS["clutch"]), model("clutch").session()
+    runs, run = auto.sessions(3), auto.session()
+    engine = auto._engine
+    assert isinstance(engine, AutoEngine)
+    for k in range(10):
+        for each in (runs, run, tape):
+            each.step(0.05)
+        if k == 3:
+            engine.worked(100.0, 100.0)
+            assert engine._build is not None
+            engine._build._thread.join()
+        assert engine.is_compiled == (k > 3)
+        assert run.save() == runs[1].save() == tape.save()
+
+
 def test_compiled_c_of_this_processor_rounds_otherwise() -> None:
     text = "model Free coordinate Length x(start = 1 m); mass 1 kg at {x, 0}; end Free;"
     run = lagdsl.compile(text, engine="tape").session()
-    with pytest.raises(lagdsl.CallRefused, match="E0891.*round otherwise"):
+    with pytest.raises(lagdsl.CallRefused, match=r"E0891.*round otherwise"):
         lagdsl.compile(text, engine="c").session().restore(run.save())

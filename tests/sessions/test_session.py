@@ -23,7 +23,7 @@ model Pushed
   output Length twice = 2*x;
 end Pushed;
 """
-# The pivot of a pendulum is led with a speed. Where the speed jumps, the momentum of the angle stays: l th' + v cos(th).
+# The pivot of a pendulum is led with a speed. Where it jumps, the momentum of the angle stays: l th' + v cos(th).
 LED = """
 model Led
   coordinate Length x;
@@ -83,7 +83,7 @@ def test_a_signal_follows_time_beside_them() -> None:
     assert run["der(x)"] == pytest.approx(0.16, rel=1e-9)
     run.step(1.0)
     assert run["der(x)"] == pytest.approx(0.25, rel=1e-9)
-    with pytest.raises(lagdsl.CallRefused, match="E0893.*ends at 3 s"):
+    with pytest.raises(lagdsl.CallRefused, match=r"E0893.*ends at 3 s"):
         run.step(2.0)
     called = lagdsl.compile(PUSHED, engine="tape").session(inputs={"F": lambda t: 6.0 * t})
     called.step(1.0)
