@@ -37,11 +37,22 @@ class Run(RunView):
         self.results = RunResults(self._library, model, layout, settings, self._kept)
         self._told = options = self._options()
         options.zeroed = 1
-        size = int(self._library.run_size(model.model, byref(options)))
+        self._size = size = int(self._library.run_size(model.model, byref(options)))
         block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
         self._kept.append(block)
         start = -(-block.ctypes.data // _ALIGNED) * _ALIGNED
         self._run = self._library.run_place(start, model.model, byref(options))
+
+    def renew(self) -> bool:
+        """Lets it be a run with the same settings that has not begun; False if the model that it goes on with now does
+        not fit into its memory."""
+        self._told.zeroed = 0
+        if self._library.run_size(self._model.model, byref(self._told)) > self._size:
+            return False
+        self._library.run_place(self._run, self._model.model, byref(self._told))
+        self.p = self.settings.p
+        self.results.forget()
+        return True
 
     def _options(self) -> RunOptions:
         settings = self.settings
@@ -143,6 +154,11 @@ class Run(RunView):
         if self._model.raised:
             raise self._model.raised.pop(0)
         return Status(status)
+
+    @property
+    def model(self) -> NativeModel:
+        """The functions that it computes with."""
+        return self._model
 
     @property
     def address(self) -> int:

@@ -133,11 +133,13 @@ class Opening:
         run.results.structure.extremes = None  # a step would pay for them
         return run
 
-    def start(self, run: Run, held: HeldInputs, more: Mapping[str, Any]) -> InitialState:
-        """The consistent start, with `more` start values beside those that the session was made with. Raises
-        CompilationFailed."""
+    def starts(self, more: Mapping[str, Any]) -> dict[str, float]:
+        """Start values in SI units, with `more` beside what the sessions were made with. Raises UnknownName."""
+        return self.asked.words.start({**self.asked.start, **more})
+
+    def start(self, run: Run, held: HeldInputs, starts: dict[str, float]) -> InitialState:
+        """The consistent start. Raises CompilationFailed."""
         asked, own = self.asked, Sink()
-        starts = asked.words.start({**asked.start, **more})
         u = np.where(self.signals.following, self.signals.at(self.t0), held.u) if len(held.u) else held.u
         found = find_start(asked.flat, asked.engine, run, self.t0, u, starts, own)
         _tell(own, self.sink)

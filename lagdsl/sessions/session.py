@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from lagdsl.diagnostics import CompilationFailed, Sink, refused
+from lagdsl.diagnostics import Sink, refused
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engines.auto_engine import AutoEngine
@@ -67,18 +67,30 @@ class Session(Present):
             held = held.beside(u)
         self._opening, self._library = opening, runtime_library()
         self._given = _Given(start=start or {}, parameters=parameters or {}, u=held.u.copy(), record=record)
+        self._first: tuple[bytes, list[tuple[float, str, int]]] | None = None
         self._begin(held, {}, {})
-        self._first = (None if self._why else self.save(), list(self._run.results.notes))
+        self._first = (b"" if self._why else self.save(), list(self._run.results.notes))
 
     def _begin(self, held: HeldInputs, parameters: Mapping[str, Any], start: Mapping[str, Any]) -> None:
         opening, given = self._opening, self._given
-        run = opening.run(opening.parameters({**given.parameters, **parameters}), held, opening.asked.method)
-        initial = opening.start(run, held, {**given.start, **start})
-        self._attach(run, held, opening.asked.method, initial.moved)
-        status = run.begin(opening.t0, initial.x)
+        p = opening.parameters({**given.parameters, **parameters})
+        starts = opening.starts({**given.start, **start})
+        held.u[:] = given.u
+        self._attach(self._renewed(p) or opening.run(p, held, opening.asked.method), held, opening.asked.method, ())
+        self._why = "no start was found"
+        initial = opening.start(self._run, held, starts)
+        self._made, self._why = (opening.asked.method, initial.moved), ""
+        status = self._run.begin(opening.t0, initial.x)
         self.finish(status)
         if status is Status.OK:
             self._library.hold_to(self._address, opening.t0, 0)
+
+    def _renewed(self, p: Floats) -> Run | None:
+        """The present run, to begin anew with the parameters p (np,), where it was made with these."""
+        if self._first is None or self._made[0] != self._opening.asked.method:
+            return None
+        again = np.array_equal(self._run.settings.p, p) and self._run.settings.inputs is self._held
+        return self._run if again and self._run.renew() else None
 
     def _attach(self, run: Run, held: HeldInputs, method: Method, moved: tuple[MovedRow, ...]) -> None:
         """The session is this run from now on."""
@@ -89,7 +101,8 @@ class Session(Present):
         self._told: list[Event] = []
         self._why = ""
         engine = self._opening.asked.engine
-        self._auto = engine if isinstance(engine, AutoEngine) and not engine.is_compiled else None
+        going_over = isinstance(engine, AutoEngine) and not (engine.is_compiled and engine.native is run.model)
+        self._auto = engine if isinstance(engine, AutoEngine) and going_over else None
         self.watch(run, held)
 
     # ---- on it goes --------------------------------------------------------------------------------------------------
@@ -242,20 +255,17 @@ class Session(Present):
 
     def reset(self, *, start: Mapping[str, Any] | None = None, parameters: Mapping[str, Any] | None = None) -> None:
         """Begins again as the session did, with some start values and parameters beside those that it was made with.
-        Raises as `Model.session`; the session is then as before."""
-        state, notes = self._first
-        if not start and not parameters and state is not None:
-            self.restore(state)
-            self._run.results.notes = list(notes)
+        Raises as `Model.session`; where there is no such start, the session has ended."""
+        if not start and not parameters and self._first is not None and self._first[0]:
+            self.restore(self._first[0])
+            self._run.results.notes = list(self._first[1])
             return
-        held = self._held.beside(self._held.u)
-        before = held.u.copy()
-        held.u[:] = self._given.u
-        try:
-            self._begin(held, parameters or {}, start or {})
-        except CompilationFailed:
-            held.u[:] = before
-            raise
+        self._begin(self._usable(), parameters or {}, start or {})
+
+    def _usable(self) -> HeldInputs:
+        """The inputs, made anew where a function of Python among them has raised."""
+        called = self._held.called
+        return self._held if called is None or called.problem is None else self._held.beside(self._held.u)
 
     def save(self) -> bytes:
         """The present state, from which this session or another one of the same model goes on to the bit, in any
@@ -270,8 +280,8 @@ class Session(Present):
         opening, layout = self._opening, self._opening.asked.engine.layout
         sizes = len(layout.parameters), len(layout.inputs), len(layout.invariants)
         saved = unpacked(opening, state, sizes)
-        run, held = self._run, self._held
-        if saved.method != self._made[0] or not np.array_equal(saved.p, run.p) or self._why:
+        run, held = self._run, self._usable()
+        if saved.method != self._made[0] or not np.array_equal(saved.p, run.p) or held is not self._held:
             held = held.beside(held.u)
             run = opening.run(saved.p, held, saved.method)
         status = run.load(saved.run)

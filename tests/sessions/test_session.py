@@ -157,6 +157,20 @@ def test_reset_takes_other_starts_and_parameters() -> None:
     assert run["x"] == pytest.approx(5.0, rel=1e-12)
 
 
+def test_a_reset_without_a_start_ends_it() -> None:
+    text = PUSHED.replace("output", "parameter Length a = 2 m; coordinate Length z(start = 1 m); output").replace(
+        "end P", "constraint z^2 = a^2 - 1 m^2; mass 1 kg at {0, z}; end P"
+    )
+    run = lagdsl.compile(text, engine="tape").session()
+    run.step(0.1)
+    with pytest.raises(lagdsl.CompilationFailed, match="E0802"):
+        run.reset(parameters={"a": "50 cm"})
+    with pytest.raises(lagdsl.CallRefused, match="E0892"):
+        run.step(0.1)
+    run.reset(parameters={"a": np.sqrt(5.0)})
+    assert run["z"] == pytest.approx(2.0)
+
+
 def test_without_a_record_it_keeps_the_last_step() -> None:
     run = lagdsl.compile(MODELS / "bouncing_ball.lag", engine="tape").session(record=False)
     run.step(0.6)
