@@ -98,7 +98,7 @@ class Stepped(SmallMotions):
         options: _Options,
         sink: Sink | None,
     ) -> Opening:
-        """What all sessions of one call share."""
+        """The common part of all sessions of one call."""
         from lagdsl.api.motions import values_of_runs
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.sessions.opening import Asked, Method, Opening, Words

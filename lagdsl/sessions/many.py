@@ -189,8 +189,8 @@ class Sessions(Sequence[Session]):
         start: Mapping[str, ArrayLike] | None = None,
         parameters: Mapping[str, ArrayLike] | None = None,
     ) -> None:
-        """Those `which` (numbers, or flags (runs,); all where it is left out) begin again, as they did, or with values
-        for all alike or one for each of them. Raises as `Model.sessions`."""
+        """The sessions `which` (numbers, or flags (runs,); left out: all) begin again, as they did, or with values for
+        all alike or one for each of them. Raises as `Model.sessions`."""
         chosen = np.arange(len(self)) if which is None else np.atleast_1d(np.asarray(which))
         chosen = np.flatnonzero(chosen) if chosen.dtype == np.bool_ else chosen
         starts = spread(self._opening.asked.words.starts(start or {}), len(chosen))

@@ -1,4 +1,4 @@
-"""What sessions of a model begin with."""
+"""The common beginning of sessions of a model."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ from lagdsl.simulate.simulate import check_options
 
 @record(kw_only=True)
 class Words:
-    """What callers say, as numbers in SI units by the names of the model: parameters p (np,), start values, those of
-    many sessions, the value of an input; and a motion as they see it."""
+    """Values of callers as numbers in SI units by the names of the model: parameters p (np,), start values, those of
+    many sessions, the value of an input; and a motion as callers see it."""
 
     parameters: Callable[[Mapping[str, Any]], Floats]
     start: Callable[[Mapping[str, Any]], dict[str, float]]
@@ -44,7 +44,7 @@ class Words:
 
 @record(kw_only=True)
 class Method:
-    """How a session integrates: as the arguments of `simulate`."""
+    """The way in which a session integrates: the arguments of `simulate`."""
 
     tolerance: float
     solver: str

@@ -56,7 +56,8 @@ def packed(opening: Opening, method: Method, run: Run, held: HeldInputs) -> byte
 
 
 def unpacked(opening: Opening, state: bytes, sizes: tuple[int, int, int]) -> Saved:
-    """What `packed` has put into `state`; `sizes` are np, nu and ni. Raises CallRefused (E0891) for anything else."""
+    """The parts that `packed` has put into `state`; `sizes` are np, nu and ni. Raises CallRefused (E0891) for
+    anything else."""
     body = bytes(state[:-_SUM])
     if not body.startswith(_FIRST):
         raise _unfit("they are no state of a session", "give what `run.save()` returned")
@@ -83,7 +84,7 @@ def _cut(data: bytes, ends: list[int]) -> list[bytes]:
 
 
 def _identity(opening: Opening) -> dict[str, Any]:
-    """Whatever must be the same where the state is restored."""
+    """Marks that must be the same where the state is restored."""
     names = [item.name for item in opening.asked.flat.inputs]
     return {
         "lagdsl": __version__,

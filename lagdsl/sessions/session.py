@@ -110,8 +110,8 @@ class Session(Present):
     def step(self, h: float | str, u: Command | None = None) -> None:
         """On by h (seconds, or a text such as `2 ms`), with the inputs u from its beginning on; without u they stay.
 
-        u has all that a step can set in the order of `model.inputs`, is one number, or has some by name. What happens
-        within the step is found where it happens. Raises CallRefused for what does not fit, SimulationFailed where the
+        u has all that a step can set in the order of `model.inputs`, is one number, or has some by name. Events are
+        found where they happen within the step. Raises CallRefused for what does not fit, SimulationFailed where the
         motion cannot go on, with the motion so far.
         """
         if type(h) is not float or not 0.0 < h < 1e300:

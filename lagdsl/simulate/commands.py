@@ -90,7 +90,7 @@ class Commands:
         return place, array
 
     def _check(self, values: Floats, sink: Sink) -> None:
-        """What is no number, and what inputs cannot be."""
+        """Refuses values that are no numbers, or that inputs cannot have."""
         if not np.isfinite(values).all():
             column = int(np.flatnonzero(~np.isfinite(values).reshape(-1, values.shape[-1]).all(axis=0))[0])
             raise self._unfit(f"`{self._names[column]}` must be a finite number")

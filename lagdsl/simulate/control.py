@@ -60,7 +60,8 @@ def _time_of(text: str) -> float:
 
 
 class Controls:
-    """Controllers of one motion. What they said is kept: the same motion with other rows does not ask them again."""
+    """Controllers of one motion. The inputs that they gave are kept: the same motion with other rows does
+    not ask them again."""
 
     def __init__(
         self, every: Sequence[Control], flat: FlatModel, signals: Signals, commands: Commands, span: tuple[float, float]

@@ -19,8 +19,8 @@ from lagdsl.simulate.table import heads_of, places_of_columns
 
 
 class Places:
-    """Where the values of a model stand in a row of the runtime: those that trajectories have as columns, by all their
-    names. The first `states` numbers of a row are the time and the state."""
+    """Places of the values of a model in a row of the runtime: of those that trajectories have as columns, by all
+    their names. The first `states` numbers of a row are the time and the state."""
 
     def __init__(self, flat: FlatModel) -> None:
         self.names = [head[0] for head in heads_of(flat)]

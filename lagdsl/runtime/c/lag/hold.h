@@ -31,8 +31,8 @@ typedef struct lag_hold {
 void lag_hold_tell(void *context, double t, int before, double *u);
 
 /*
- * What inputs that jump now bring about (lag_run_jump), if any has changed. The functions below call it where a step begins; it is for callers
- * who make steps by lag_run_to().
+ * Changes by inputs that jump now (lag_run_jump), if any has changed. The functions below call it where a step begins; it is for callers who
+ * make steps by lag_run_to().
  */
 lag_status lag_hold_jump(lag_hold *hold);
 
@@ -45,8 +45,8 @@ lag_status lag_hold_to(lag_hold *hold, double t, size_t most_steps);
 lag_status lag_hold_go(lag_hold *hold, size_t most_steps);
 
 /*
- * The same of many, one after the other, to `status` (count). Those whose status is not LAG_OK stay where they are (of lag_holds_go: neither
- * LAG_TOO_LONG). Threads share them: each takes others.
+ * The same of many, one after the other, to `status` (count). A run stays where it is if its status is not LAG_OK, or, of lag_holds_go(),
+ * not LAG_TOO_LONG. Threads share them: each takes others.
  */
 void lag_holds_step(lag_hold *const *holds, size_t count, double h, size_t most_steps, int *status);
 void lag_holds_to(lag_hold *const *holds, size_t count, double t, size_t most_steps, int *status);

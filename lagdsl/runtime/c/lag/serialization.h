@@ -30,7 +30,7 @@ unsigned long long lag_run_signature(const lag_model *model, const lag_run_optio
 /* Of bytes; any change of a few of them changes it. */
 unsigned long long lag_record_sum(const unsigned char *bytes, size_t count);
 
-/* All of a run; parameters are taken from its options again where they have been prepared. Who reads prepares the model then. */
+/* All of a run; parameters are taken from its options again where they have been prepared. After reading, the model is to be prepared. */
 void lag_run_record(lag_run *run, lag_record *record);
 
 /* The same with signature and sum around it. Any alignment does. */
