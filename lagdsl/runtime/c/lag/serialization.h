@@ -4,7 +4,8 @@
  * it holds what prepare() writes and nothing else: so another filling of the same equations that rounds alike, such as compiled C for a
  * tape, takes the bytes too.
  *
- * Options, parameters behind them and what callbacks point to belong to the caller, who saves them beside it if they change.
+ * Options, parameters behind them and what callbacks point to belong to the caller, who saves them beside it if they change. Parameters that
+ * come back after lag_run_load() are to be prepared then (lag_motion_parameters).
  */
 #ifndef LAG_SAVING_H
 #define LAG_SAVING_H

@@ -71,6 +71,9 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
         return lag_instance_fail(instance, status, "this is no saved state of this model");
     }
     walk(instance, &record);
+    if (instance->run->motion.at.p != NULL && lag_motion_parameters(&instance->run->motion, instance->run->motion.at.p) != LAG_OK) {
+        return lag_instance_fail(instance, LAG_BAD_STATE_DATA, "the parameters of this state do not fit the model");
+    }
     instance->values.known = 0;
     lag_instance_tell_inputs(instance);
     return LAG_OK;
