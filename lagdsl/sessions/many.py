@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.diagnostics import refused
 from lagdsl.numerics.rank import Floats
+from lagdsl.record import record
 from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.structures import Status
@@ -20,11 +21,18 @@ from lagdsl.sessions.opening import Opening
 from lagdsl.sessions.session import Session
 from lagdsl.simulate.commands import Command
 from lagdsl.simulate.control import seconds
-from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.motion import MOST_STEPS, STEPS
 
 # Fewer runs than this in one thread are not worth the time that it takes to wake it.
 _FEWEST = 32
+
+
+@record()
+class _Holds:
+    """Addresses of lag_hold, and how their steps ended, a lag_status each."""
+
+    addresses: NDArray[np.uintp]
+    status: NDArray[np.intc]
 
 
 class Sessions(Sequence[Session]):
@@ -49,19 +57,7 @@ class Sessions(Sequence[Session]):
             for u, start, own in zip(self._u, starts, parameters, strict=True)
         ]
         self._library = runtime_library()
-        self._status = np.zeros(len(starts), dtype=np.intc)
-        self._addresses = np.zeros(len(starts), dtype=np.uintp)
-        self.failures: dict[int, str] = {}
-        for k in range(len(starts)):
-            self._renew(k)
-
-    def _renew(self, k: int) -> None:
-        """Session k has begun again."""
-        session = self._sessions[k]
-        self._addresses[k] = session.address
-        self._status[k] = Status.STOPPED if session.ended else Status.OK
-        self.failures.pop(k, None)
-        self._known: dict[str, Floats] = {}
+        self._table = np.zeros((len(starts), self._sessions[0].width))
 
     # ---- on they go --------------------------------------------------------------------------------------------------
 
@@ -87,17 +83,20 @@ class Sessions(Sequence[Session]):
             self._opening.commands.put_many(u, self._u, self._opening.sink)
         for session in self._sessions:
             session.forget()
-        before = self._status.copy()
-        self._known = {}
+        holds = _Holds(self._addresses(), np.where(self.ended, Status.STOPPED, Status.OK).astype(np.intc))
+        before = holds.status.copy()
         started = perf_counter()
-        self._each(f"holds_{what}", amount)
+        self._each(holds, f"holds_{what}", amount)
         for _ in range(MOST_STEPS // STEPS - 1):
-            if not (self._status == Status.TOO_LONG).any():
+            if not (holds.status == Status.TOO_LONG).any():
                 break
-            self._each("holds_go")
+            self._each(holds, "holds_go")
         self._hasten(perf_counter() - started)
-        for k in np.flatnonzero(self._status != before).tolist():
-            self._end(k, Status(self._status[k]))
+        for k in np.flatnonzero(holds.status != before).tolist():
+            try:
+                self._sessions[k].finish(Status(holds.status[k]))
+            except Exception as failure:  # `failures` tells it
+                assert self._sessions[k].failure, failure
 
     def _hasten(self, seconds: float) -> None:
         """Work of so many seconds was done: where that pays, all go on in C as soon as there is C."""
@@ -109,7 +108,7 @@ class Sessions(Sequence[Session]):
                 for session in self._sessions:
                     session.hasten()
 
-    def _each(self, name: str, *amount: float) -> None:
+    def _each(self, holds: _Holds, name: str, *amount: float) -> None:
         """One function of C for all, in threads that share them."""
         function, count = getattr(self._library, name), len(self)
         parts = max(1, min(self._threads, count // _FEWEST))
@@ -117,34 +116,35 @@ class Sessions(Sequence[Session]):
 
         def work(part: int) -> None:
             first, end = ends[part], ends[part + 1]
-            status = self._status.ctypes.data + self._status.itemsize * first
-            holds = self._addresses.ctypes.data + self._addresses.itemsize * first
-            function(holds, end - first, *amount, STEPS, status)
+            status = holds.status.ctypes.data + holds.status.itemsize * first
+            addresses = holds.addresses.ctypes.data + holds.addresses.itemsize * first
+            function(addresses, end - first, *amount, STEPS, status)
 
         others = [_workers(self._threads).submit(work, part) for part in range(1, parts)]
         work(0)
         for other in others:
             other.result()
 
-    def _end(self, k: int, status: Status) -> None:
-        try:
-            self._sessions[k].finish(status)
-        except SimulationFailed as failure:
-            self.failures[k] = failure.diagnostic.message
-        except Exception as problem:
-            self.failures[k] = f"an input raised {type(problem).__name__}: {problem}"
+    def _addresses(self) -> NDArray[np.uintp]:
+        """Of the lag_hold of each; one that begins again may have another."""
+        return np.array([session.address for session in self._sessions], dtype=np.uintp)
 
     # ---- what has become of them -------------------------------------------------------------------------------------
 
     @property
     def t(self) -> Floats:
         """The time of each [s], (runs,)."""
-        return self._states()[:, 0].copy()
+        return self._states()[:, 0]
 
     @property
     def ended(self) -> NDArray[np.bool_]:
         """True for each that does not go on, (runs,)."""
-        return np.asarray(self._status != Status.OK)
+        return np.array([session.ended for session in self._sessions])
+
+    @property
+    def failures(self) -> dict[int, str]:
+        """Why motions failed, by the number of the session."""
+        return {k: session.failure for k, session in enumerate(self._sessions) if session.failure}
 
     def __len__(self) -> int:
         return len(self._sessions)
@@ -168,17 +168,18 @@ class Sessions(Sequence[Session]):
         return table[:, place].copy()
 
     def _states(self) -> Floats:
-        return self._table("holds_state", self._opening.places.states)
+        """Time and state of each."""
+        found = np.empty((len(self), self._opening.places.states))
+        self._library.holds_state(self._addresses().ctypes.data, len(self), found.ctypes.data)
+        return found
 
     def _rows(self) -> Floats:
-        return self._table("holds_row", self._sessions[0].width)
-
-    def _table(self, name: str, width: int) -> Floats:
-        """Numbers of each, as they are now."""
-        if name not in self._known:
-            self._known[name] = np.empty((len(self), width))
-            getattr(self._library, name)(self._addresses.ctypes.data, len(self), self._known[name].ctypes.data)
-        return self._known[name]
+        """The row of each; they are made where one is not known."""
+        if any(session.row is None for session in self._sessions):
+            self._library.holds_row(self._addresses().ctypes.data, len(self), self._table.ctypes.data)
+            for session, row in zip(self._sessions, self._table.tolist(), strict=True):
+                session.row = row
+        return self._table
 
     # ---- back and again ----------------------------------------------------------------------------------------------
 
@@ -197,7 +198,6 @@ class Sessions(Sequence[Session]):
         own = spread(self._opening.asked.words.many_parameters(parameters or {}), len(chosen))
         for k, start_of, parameters_of in zip(chosen.tolist(), starts, own, strict=True):
             self._sessions[k].reset(start=start_of, parameters=parameters_of)
-            self._renew(k)
 
     def save(self) -> list[bytes]:
         """The state of each, as `Session.save`."""
@@ -207,9 +207,8 @@ class Sessions(Sequence[Session]):
         """Goes back to the states that `save` returned. Raises CallRefused."""
         if len(states) != len(self):
             raise refused("E0891", why=f"there are {len(self)} sessions and {len(states)} states", way="give one each")
-        for k, state in enumerate(states):
-            self._sessions[k].restore(state)
-            self._renew(k)
+        for session, state in zip(self._sessions, states, strict=True):
+            session.restore(state)
 
 
 def spread(given: Mapping[str, ArrayLike], count: int) -> list[dict[str, float]]:

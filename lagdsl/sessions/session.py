@@ -42,6 +42,14 @@ class _Given:
     record: bool
 
 
+@record()
+class _End:
+    """Why a session does not go on."""
+
+    why: str
+    failed: bool = True
+
+
 class Session(Present):
     """A motion that goes on as its caller says: `step`, `advance`, `reset`; `save` and `restore`.
 
@@ -67,9 +75,10 @@ class Session(Present):
             held = held.beside(u)
         self._opening, self._library = opening, runtime_library()
         self._given = _Given(start=start or {}, parameters=parameters or {}, u=held.u.copy(), record=record)
+        self._end: _End | None = None
         self._first: tuple[bytes, list[tuple[float, str, int]]] | None = None
         self._begin(held, {}, {})
-        self._first = (b"" if self._why else self.save(), list(self._run.results.notes))
+        self._first = (b"" if self._end else self.save(), list(self._run.results.notes))
 
     def _begin(self, held: HeldInputs, parameters: Mapping[str, Any], start: Mapping[str, Any]) -> None:
         opening, given = self._opening, self._given
@@ -77,9 +86,9 @@ class Session(Present):
         starts = opening.starts({**given.start, **start})
         held.u[:] = given.u
         self._attach(self._renewed(p) or opening.run(p, held, opening.asked.method), held, opening.asked.method, ())
-        self._why = "no start was found"
+        self._end = _End("no start was found")
         initial = opening.start(self._run, held, starts)
-        self._made, self._why = (opening.asked.method, initial.moved), ""
+        self._made, self._end = (opening.asked.method, initial.moved), None
         status = self._run.begin(opening.t0, initial.x)
         self.finish(status)
         if status is Status.OK:
@@ -99,7 +108,7 @@ class Session(Present):
         held.begin(run.address, self._opening.t0)
         held.hold.rows = run.results.keeps = self._given.record
         self._told: list[Event] = []
-        self._why = ""
+        self._end = None
         engine = self._opening.asked.engine
         going_over = isinstance(engine, AutoEngine) and not (engine.is_compiled and engine.native is run.model)
         self._auto = engine if isinstance(engine, AutoEngine) and going_over else None
@@ -128,8 +137,8 @@ class Session(Present):
 
     def _go(self, call: Callable[[int, float, int], int], amount: float, h: float, u: Command | None) -> None:
         held = self._held
-        if self._why:
-            raise refused("E0892", time=time_text(self.t), why=self._why)
+        if self._end is not None:
+            raise refused("E0892", time=time_text(self.t), why=self._end.why)
         if held.hold.goal + h > self._opening.last:
             raise self._opening.beyond()
         if u is not None:
@@ -175,24 +184,18 @@ class Session(Present):
         self.moved()
         problem = self._held.called.problem if self._held.called is not None else None
         if problem is not None:
-            self._end(f"an input raised {type(problem).__name__}")
+            self._stay(_End(f"an input raised {type(problem).__name__}: {problem}"))
             raise problem
         if status is Status.STOPPED:
-            self._end(f"`terminate` acted: {self.events[-1].name}")
+            self._stay(_End(f"`terminate` acted: {self.events[-1].name}", failed=False))
         elif status is not Status.OK:
             self._fail(status)
 
-    def _end(self, why: str) -> None:
-        self._why = why
+    def _stay(self, end: _End) -> None:
+        self._end = end
         self._held.hold.goal = self._run.t
 
     def _fail(self, status: Status) -> NoReturn:
-        failure = self.failure_of(status)
-        failure.trajectory = self._opening.asked.words.motion(failure.trajectory)
-        raise failure
-
-    def failure_of(self, status: Status) -> SimulationFailed:
-        """The session ends; the exception that says why."""
         asked, run = self._opening.asked, self._run
         course = Course(asked.flat, asked.engine.layout, run, self._held.hold.goal, MOST_STEPS)
         fault, sink = run.explain(status), Sink()
@@ -200,8 +203,9 @@ class Session(Present):
         u = np.where(signals.following, signals.at(fault.t), self._held.u) if len(self._held.u) else self._held.u
         name = report_fault(course, status, fault, u, sink)
         told = sink.diagnostics[-1]
-        self._end(told.message)
-        return SimulationFailed(told, fault.t, state_values(asked.flat, fault.x), name, self._so_far())
+        self._stay(_End(told.message))
+        motion = asked.words.motion(self._so_far())
+        raise SimulationFailed(told, fault.t, state_values(asked.flat, fault.x), name, motion)
 
     # ---- what has become of it ---------------------------------------------------------------------------------------
 
@@ -218,7 +222,12 @@ class Session(Present):
     @property
     def ended(self) -> bool:
         """True where a `terminate` has acted or the motion has failed: then it does not go on."""
-        return bool(self._why)
+        return self._end is not None
+
+    @property
+    def failure(self) -> str:
+        """Why the motion failed; empty where it did not."""
+        return self._end.why if self._end is not None and self._end.failed else ""
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -270,8 +279,8 @@ class Session(Present):
     def save(self) -> bytes:
         """The present state, from which this session or another one of the same model goes on to the bit, in any
         process. Signals are not in it. Raises CallRefused where the session has ended."""
-        if self._why:
-            raise refused("E0892", time=time_text(self.t), why=self._why)
+        if self._end is not None:
+            raise refused("E0892", time=time_text(self.t), why=self._end.why)
         return packed(self._opening, self._made[0], self._run, self._held)
 
     def restore(self, state: bytes) -> None:

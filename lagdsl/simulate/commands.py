@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any, TypeAlias
 
@@ -33,6 +33,7 @@ class Commands:
     ) -> None:
         self._flat, self._read = flat, read
         self._names = [item.name for item in flat.inputs]
+        self._places = {name: place for place, name in enumerate(self._names)}
         self._why = [_why_not(self._names, k, follow[k], k < len(speeds) and speeds[k]) for k in range(len(follow))]
         self._open = [k for k, why in enumerate(self._why) if why is None]
         limited = [i.base != "Real" or i.minimum is not None or i.maximum is not None for i in flat.inputs]
@@ -43,14 +44,28 @@ class Commands:
     def put(self, given: Any, u: Floats, sink: Sink) -> None:
         """`given` of one run into u (nu,). Raises CallRefused (E0893), UnknownName, and CompilationFailed for what an
         Integer, a Boolean or an enumeration cannot be; warnings go to `sink`."""
-        if type(given) is float and self._plain and len(self._names) == 1 and isfinite(given):
-            u[0] = given
+        if self._plain and type(given) is dict and given.keys() <= self._places.keys() and _are_plain(given.values()):
+            for name, value in given.items():
+                u[self._places[name]] = value
+            return
+        if self._plain and self._is_plain(given):
+            u[:] = given
             return
         values = u.copy()
         for place, value in self._entries(given, ()):
             values[place] = value
         self._check(values, sink)
         u[:] = values
+
+    def _is_plain(self, given: Any) -> bool:
+        """True for finite numbers of all inputs, as most callers give them: nothing else is to be looked at."""
+        kind = type(given)
+        if kind is float:
+            return len(self._names) == 1 and isfinite(given)
+        if kind is list or kind is tuple:
+            return len(given) == len(self._names) and _are_plain(given)
+        plain = kind is np.ndarray and given.dtype == np.float64 and given.shape == (len(self._names),)
+        return plain and isfinite(given.sum())
 
     def put_many(self, given: Any, u: Floats, sink: Sink) -> None:
         """`given` of many runs into u (runs, nu): values, and for every input a number or (runs,)."""
@@ -76,9 +91,9 @@ class Commands:
         return [(k, vector[..., place]) for place, k in enumerate(self._open)]
 
     def _entry(self, name: str, value: Any, lead: tuple[int, ...]) -> tuple[int, Any]:
-        if name not in self._names:
+        if name not in self._places:
             raise unknown_among("input", name, self._names)
-        place = self._names.index(name)
+        place = self._places[name]
         why = self._why[place]
         if why is not None:
             raise self._unfit(why)
@@ -108,6 +123,10 @@ class Commands:
         names = ", ".join(f"`{self._names[k]}`" for k in self._open)
         way = f"give all that steps set, in this order, or some by name: {names or 'there are none'}"
         return refused("E0893", why=why, way=way)
+
+
+def _are_plain(given: Iterable[Any]) -> bool:
+    return all(type(each) is float and isfinite(each) for each in given)
 
 
 def _why_not(names: Sequence[str], k: int, follows: bool, speed: bool) -> str | None:

@@ -60,6 +60,15 @@ class Present:
         self._row = None
 
     @property
+    def row(self) -> list[float] | None:
+        """The row of the present state in the runtime, where it is known."""
+        return self._row
+
+    @row.setter
+    def row(self, row: list[float]) -> None:
+        self._row = row
+
+    @property
     def t(self) -> float:
         """The time [s]."""
         return float(self._held.hold.goal)

@@ -120,6 +120,22 @@ def test_bad_calls_change_nothing(call, code: str) -> None:  # type: ignore[no-u
     assert runs.save() == before
 
 
+def test_one_of_them_may_go_its_own_way() -> None:
+    """With other parameters it lies in other memory; rows that are known are those of before."""
+    runs = lagdsl.compile(ENDING, engine="tape").sessions(3)
+    runs.step(1.0, u=1.0)
+    np.testing.assert_allclose(runs["twice"], [2.5, 2.5, 2.5], rtol=1e-12)
+    runs[1].step(0.5)
+    np.testing.assert_allclose(runs["twice"], [2.5, 3.125, 2.5], rtol=1e-12)
+    runs[2].reset(parameters={"m": 1.0})
+    with pytest.raises(lagdsl.SimulationFailed, match="lost"):
+        runs[0].step(9.0, u=-9.0)
+    assert (list(runs.failures), runs.ended.tolist()) == ([0], [True, False, False])
+    runs.step(1.0, u=0.5)
+    assert runs["twice"][2] == pytest.approx(2.0 * (1.0 + 0.25), rel=1e-12)
+    assert runs.t[2] == 1.0
+
+
 def test_numbers_of_sessions_and_threads() -> None:
     model = lagdsl.compile(ENDING, engine="tape")
     for count, threads in ((0, None), (3, 0)):
