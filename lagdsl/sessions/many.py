@@ -66,7 +66,8 @@ class Sessions(Sequence[Session]):
         (inputs,) for all alike, (runs,) where there is one input, or by name a number or (runs,). Without u they stay.
         Raises CallRefused for what does not fit."""
         length = seconds("the step", h)
-        self._go("step", length, float(np.max(self.t, initial=0.0)) + length, u)
+        ends = self._opening.last < np.inf
+        self._go("step", length, float(np.max(self.t)) + length if ends else length, u)
 
     def advance(self, until: float | str, u: Command | None = None) -> None:
         """All on to the time `until` [s], otherwise as `step`."""
@@ -169,14 +170,15 @@ class Sessions(Sequence[Session]):
 
     def _states(self) -> Floats:
         """Time and state of each."""
-        found = np.empty((len(self), self._opening.places.states))
-        self._library.holds_state(self._addresses().ctypes.data, len(self), found.ctypes.data)
+        found, addresses = np.empty((len(self), self._opening.places.states)), self._addresses()
+        self._library.holds_state(addresses.ctypes.data, len(self), found.ctypes.data)
         return found
 
     def _rows(self) -> Floats:
         """The row of each; they are made where one is not known."""
         if any(session.row is None for session in self._sessions):
-            self._library.holds_row(self._addresses().ctypes.data, len(self), self._table.ctypes.data)
+            addresses = self._addresses()
+            self._library.holds_row(addresses.ctypes.data, len(self), self._table.ctypes.data)
             for session, row in zip(self._sessions, self._table.tolist(), strict=True):
                 session.row = row
         return self._table

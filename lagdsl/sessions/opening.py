@@ -75,7 +75,8 @@ class Opening:
             raise refused("E0894", engine=engine.name)
         self.t0 = flat.experiment.start_time
         method = asked.method
-        check_options(self.t0, np.nextafter(self.t0, np.inf), method.tolerance, method.solver)
+        length = max(1.0, 1e3 * (method.step or 0.0))  # a session has no end
+        check_options(self.t0, self.t0 + length, method.tolerance, method.solver, method.step)
         defaults = engine.evaluate("start", self.t0, asked.words.parameters(asked.parameters))[3]
         span, own = (self.t0, np.inf), Sink()
         speeds = engine.layout.speeds

@@ -53,6 +53,22 @@ def test_the_motion_is_that_of_simulate(engine: EngineName) -> None:
         assert run[name] == run.motion[name][-1]
 
 
+def test_a_method_of_fixed_step() -> None:
+    """Of order four: half the step, a sixteenth of the error."""
+    model = lagdsl.compile(
+        "model S coordinate Real x(start = 1); kinetic der(x)^2/2; potential x^2/2; end S;", engine="tape"
+    )
+    errors = []
+    for step in (0.1, 0.05):
+        run = model.session(solver="rk4", step=step)
+        run.advance(2.0)
+        errors.append(run["x"] - np.cos(2.0))
+    assert errors[0] / errors[1] == pytest.approx(16.0, rel=0.1)
+    for options in ({"solver": "rk4"}, {"solver": "none"}, {"tolerance": 1.0}, {"solver": "rk4", "step": -1.0}):
+        with pytest.raises(ValueError, match="step|solver|tolerance"):
+            model.session(**options)  # type: ignore[arg-type]
+
+
 def test_bounces_inside_one_step() -> None:
     """A ball from the height h with restitution e: it strikes at t1 = sqrt(2 h/g), then after flights of 2 t1 e^k."""
     run = lagdsl.compile(MODELS / "bouncing_ball.lag", engine="tape").session(start={"h": "2 m"})
