@@ -23,11 +23,13 @@ _ANOTHER = "save and restore sessions of one model, with the same signals in `in
 
 @record(kw_only=True)
 class Saved:
-    """A state apart from its run: parameters p (np,), inputs u (nu,), the drift of invariants (3, ni)."""
+    """A state apart from its run: parameters p (np,), inputs u (nu,) and those before (nu,), the drift of invariants
+    (3, ni)."""
 
     method: Method
     p: Floats
     u: Floats
+    before: Floats
     drifts: Floats
     jumped: float
     after: float
@@ -48,7 +50,7 @@ def packed(opening: Opening, method: Method, run: Run, held: HeldInputs) -> byte
         [
             _FIRST,
             json.dumps(head).encode() + b"\n",
-            *(each.tobytes() for each in (run.p, held.u, run.results.drifts)),
+            *(each.tobytes() for each in (run.p, held.u, held.before, run.results.drifts)),
             run.saved(),
         ]
     )
@@ -66,12 +68,13 @@ def unpacked(opening: Opening, state: bytes, sizes: tuple[int, int, int]) -> Sav
     line, _, rest = body[len(_FIRST) :].partition(b"\n")
     head = json.loads(line)
     _require_same(opening, head)
-    ends = np.cumsum([sizes[0], sizes[1], 3 * sizes[2]]) * 8
-    p, u, drifts = (np.frombuffer(part) for part in _cut(rest, ends.tolist()))
+    ends = np.cumsum([sizes[0], sizes[1], sizes[1], 3 * sizes[2]]) * 8
+    p, u, before, drifts = (np.frombuffer(part) for part in _cut(rest, ends.tolist()))
     return Saved(
         method=Method(tolerance=head["tolerance"], solver=head["solver"], step=head["step"]),
         p=p.copy(),
         u=u,
+        before=before,
         drifts=drifts.reshape(3, -1) if sizes[2] else np.zeros((3, 0)),
         jumped=float.fromhex(head["jumped"]),
         after=float.fromhex(head["after"]),

@@ -128,12 +128,14 @@ class Session(Present):
         self._go(self._library.hold_step, h, h, u)
 
     def advance(self, until: float | str, u: Command | None = None) -> None:
-        """On to the time `until` [s], otherwise as `step`. At that time it does nothing."""
+        """On to the time `until` [s], otherwise as `step`. At that time nothing moves; u counts from there on."""
         target = until if type(until) is float and isfinite(until) else self._time(until)
         if not target >= self.t:
             raise refused("E0890", time=time_text(self.t), asked=time_text(target))
         if target > self.t:
             self._go(self._library.hold_to, target, target - self.t, u)
+        elif u is not None:
+            self._opening.commands.put(u, self._held.u, self._opening.sink)
 
     def _go(self, call: Callable[[int, float, int], int], amount: float, h: float, u: Command | None) -> None:
         held = self._held
@@ -300,6 +302,7 @@ class Session(Present):
         run.results.drifts[:] = saved.drifts
         run.results.forget()
         self._attach(run, held, saved.method, self._made[1])
+        held.before[:] = saved.before
         held.hold.goal = run.t
         held.hold.jumped = saved.jumped
         run.results.structure.after = saved.after

@@ -117,6 +117,17 @@ def test_a_speed_that_jumps_between_steps_is_a_blow() -> None:
     assert run["der(th)"] == pytest.approx(-1.5 / 2.0, rel=1e-6)
 
 
+def test_inputs_that_wait_for_the_next_step_are_saved() -> None:
+    run = lagdsl.compile(LED, engine="tape").session()
+    run.advance(0.0, u=1.5)
+    other = lagdsl.compile(LED, engine="tape").session()
+    other.restore(run.save())
+    for each in (run, other):
+        assert each["der(x)"] == 0.0
+        each.step(1e-6)
+        assert each["der(th)"] == pytest.approx(-1.5 / 2.0, rel=1e-6)
+
+
 def test_relations_turn_with_an_input_between_steps() -> None:
     text = PUSHED.replace("output", "discrete Integer n(start = 0); when F > 2 N then n = pre(n) + 1; end when; output")
     run = lagdsl.compile(text, engine="tape").session()
