@@ -15,38 +15,52 @@ if TYPE_CHECKING:
     from lagdsl.api.import_robot import import_robot
     from lagdsl.api.model import Model
     from lagdsl.api.trajectory import Trajectory
-    from lagdsl.diagnostics import CompilationFailed, Diagnostic, UnknownName
+    from lagdsl.diagnostics import CallRefused, CompilationFailed, Diagnostic, UnknownName
+    from lagdsl.sessions.many import Sessions
+    from lagdsl.sessions.session import Session
     from lagdsl.signals.hold import Hold
     from lagdsl.signals.trajectory import Event
+    from lagdsl.simulate.control import control
     from lagdsl.simulate.failure import SimulationFailed
+    from lagdsl.simulate.present import Present
 
 _HOMES = {
+    "CallRefused": "lagdsl.diagnostics",
     "CompilationFailed": "lagdsl.diagnostics",
     "Diagnostic": "lagdsl.diagnostics",
     "Event": "lagdsl.signals.trajectory",
     "Hold": "lagdsl.signals.hold",
     "Model": "lagdsl.api.model",
+    "Present": "lagdsl.simulate.present",
+    "Session": "lagdsl.sessions.session",
+    "Sessions": "lagdsl.sessions.many",
     "SimulationFailed": "lagdsl.simulate.failure",
     "Trajectory": "lagdsl.api.trajectory",
     "UnknownName": "lagdsl.diagnostics",
     "check": "lagdsl.api.check",
     "compile": "lagdsl.api.compile",
+    "control": "lagdsl.simulate.control",
     "import_robot": "lagdsl.api.import_robot",
     "load_ipython_extension": "lagdsl.notebook.extension",
     "unload_ipython_extension": "lagdsl.notebook.extension",
 }
 
 __all__ = [
+    "CallRefused",
     "CompilationFailed",
     "Diagnostic",
     "Event",
     "Hold",
     "Model",
+    "Present",
+    "Session",
+    "Sessions",
     "SimulationFailed",
     "Trajectory",
     "UnknownName",
     "check",
     "compile",
+    "control",
     "import_robot",
 ]
 

@@ -7,8 +7,8 @@ from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from lagdsl.api.described import Described
-from lagdsl.api.names import unknown_among
 from lagdsl.backends.python.support.kinematics import FrameKinematics, Kinematics, PointKinematics, frame_of, point_of
+from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:

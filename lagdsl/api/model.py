@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial, wraps
+from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
-from lagdsl.api.small_motions import SmallMotions
+from lagdsl.api.stepped import Stepped
+from lagdsl.api.unknowns import with_starts
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
@@ -27,27 +28,15 @@ if TYPE_CHECKING:
     from lagdsl.pipeline import Compilation
     from lagdsl.runtime.engines.broadcast import BatchEngine
     from lagdsl.signals.inputs import Signal
+    from lagdsl.simulate.control import Control
     from lagdsl.simulate.initialize import InitialState
     from lagdsl.source import SourceFile
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
-P = ParamSpec("P")
-T = TypeVar("T")
 
 
-def _with_starts(method: Callable[Concatenate[Model, P], T]) -> Callable[Concatenate[Model, P], T]:
-    """`method`, called of a model that has the starts that are given among its own."""
-
-    @wraps(method)
-    def called(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> T:
-        start = kwargs.get("start")
-        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
-
-    return called
-
-
-class Model(SmallMotions):
+class Model(Stepped):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -132,7 +121,7 @@ class Model(SmallMotions):
         found = with_unknowns(self._compilation, self._source, start or {})
         return self if found is None else Model(found, self._engine_of(found.program), self._source)
 
-    @_with_starts
+    @with_starts
     def initial_state(
         self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
@@ -145,7 +134,7 @@ class Model(SmallMotions):
         p = self._parameter_vector(parameters)
         return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
 
-    @_with_starts
+    @with_starts
     def simulate(
         self,
         *,
@@ -157,6 +146,7 @@ class Model(SmallMotions):
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
         solver: str = "auto",
         step: float | None = None,
+        control: Control | Sequence[Control] = (),
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
@@ -165,14 +155,17 @@ class Model(SmallMotions):
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
-        length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
-        CompilationFailed before the first step, SimulationFailed with the motion so far after it; KeyError, ValueError.
+        length `step`. Controllers, `lagdsl.control("2 ms", f)`, set inputs on the way. `progress` is called with the
+        part of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first step,
+        SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
-        page = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        controllers = control if isinstance(control, Sequence) else [control]
+        own = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        page = None if controllers else own
         try:
             motion = simulate(
                 self._engine,
@@ -185,6 +178,8 @@ class Model(SmallMotions):
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
+                control=controllers,
+                read=self._input_value,
                 progress=watched(progress, "simulation"),
                 sink=sink,
             )
@@ -193,7 +188,7 @@ class Model(SmallMotions):
             raise
         return Trajectory.of(motion, page)
 
-    @_with_starts
+    @with_starts
     def simulate_many(
         self,
         *,

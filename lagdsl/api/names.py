@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.support.names import real_numbers
-from lagdsl.diagnostics import CompilationFailed, Sink, failed
-from lagdsl.diagnostics.suggest import did_you_mean, listing
+from lagdsl.diagnostics.unknown import unknown, unknown_among
 from lagdsl.settings.arrays import family
 from lagdsl.settings.arrays import spread as spread_braces
 from lagdsl.settings.target import Target, value_of
@@ -45,7 +44,7 @@ def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> I
         return [(keys[0], value)]
     array = np.asarray(_listed(name.removesuffix(".start"), value, keys), dtype=object)
     if array.ndim == 0:
-        raise _unknown(what, name, f"`{name}` is an array of {len(keys)}: give as many values, or `{keys[0]}`")
+        raise unknown(what, name, f"`{name}` is an array of {len(keys)}: give as many values, or `{keys[0]}`")
     single = array.ravel().tolist()
     if len(single) != len(keys):
         raise ValueError(f"`{name}` has {len(keys)} elements ({keys[0]} to {keys[-1]}), not {len(single)}")
@@ -87,19 +86,6 @@ def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
         if elements and (candidate == name or targets[elements[0]].kind == "start"):
             return elements
     raise unknown_among(what, name, list(targets))
-
-
-def unknown_among(what: str, name: str, names: Sequence[str]) -> CompilationFailed:
-    """UnknownName (E0874) for a name that is none of `names`, with the nearest of them, or with all."""
-    listed = f"there are {listing(str(name), names)}"
-    hint = did_you_mean(name, names, listed) if isinstance(name, str) else listed
-    return _unknown(what, name, hint or listed)
-
-
-def _unknown(what: str, name: str, hint: str) -> CompilationFailed:
-    sink = Sink()
-    sink.report("E0874", None, what=what, name=name, hint=hint)
-    return failed(sink.diagnostics)
 
 
 def entries(what: str, given: Given, targets: Mapping[str, Target]) -> dict[str, float]:

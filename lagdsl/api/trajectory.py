@@ -7,6 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from lagdsl.diagnostics import refused
 from lagdsl.signals import trajectory
 
 if TYPE_CHECKING:
@@ -17,25 +18,29 @@ class Trajectory(trajectory.Trajectory):
     """Rows at the requested times; `trajectory["theta"]` is a column in SI units."""
 
     __slots__ = ("_page",)
-    _page: Callable[[], str]
+    _page: Callable[[], str] | None
 
     @classmethod
-    def of(cls, motion: trajectory.Trajectory, page: Callable[[], str]) -> Trajectory:
-        """`page` makes the page of the motion."""
+    def of(cls, motion: trajectory.Trajectory, page: Callable[[], str] | None = None) -> Trajectory:
+        """`page` makes the page of the motion; None where no page can repeat it."""
         made = cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
         object.__setattr__(made, "_page", page)
         return made
 
     def show(self, path: Path | str | None = None, *, browser: bool = True) -> Path:
-        """Write a page on which the motion is seen and can be changed, and open it in a browser; see `Model.show`."""
+        """Write a page on which the motion is seen and can be changed, and open it in a browser; see `Model.show`.
+
+        Raises CallRefused where a controller or a caller set inputs on the way."""
         from lagdsl.api.shown import write_page
 
+        if self._page is None:
+            raise refused("E0897")
         return write_page(self._page(), self.model, path, browser=browser)
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         from lagdsl.api.shown import framed
 
-        return framed(self._page(), self.model)
+        return None if self._page is None else framed(self._page(), self.model)
 
     def plot(
         self,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, Protocol, Self, TypeVar
 
 from lagdsl.diagnostics import Sink
 from lagdsl.settings.unknowns import unknowns_of
@@ -11,6 +12,26 @@ from lagdsl.settings.unknowns import unknowns_of
 if TYPE_CHECKING:
     from lagdsl.pipeline import Compilation
     from lagdsl.source import SourceFile
+
+
+class _Startable(Protocol):
+    def _of_starts(self, start: Mapping[str, object] | None) -> Self: ...
+
+
+M = TypeVar("M", bound=_Startable)
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def with_starts(method: Callable[Concatenate[M, P], T]) -> Callable[Concatenate[M, P], T]:
+    """`method`, called of a model that has the starts that are given among its own."""
+
+    @wraps(method)
+    def called(self: M, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        start = kwargs.get("start")
+        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
+
+    return called
 
 
 def with_unknowns(compilation: Compilation, source: SourceFile | None, names: Iterable[str]) -> Compilation | None:

@@ -38,6 +38,7 @@ STRUCTURES = {
     "lag_ensemble": ("ensemble", "Ensemble"),
     "lag_signal": ("signals", "Signal"),
     "lag_signals": ("signals", "Signals"),
+    "lag_hold": ("hold", "Hold"),
 }
 # Of these Python follows the pointers; elsewhere they are addresses.
 _READ = ("lag_run_report", "lag_fault")
@@ -155,5 +156,5 @@ def _header(name: str) -> str:
 
 
 def _wrapped(entries: str) -> str:
-    """A tuple as the formatter writes it: on one line, or one entry on each."""
-    return f"({entries})" if len(entries) < 110 else "(\n" + "".join(f"    {e},\n" for e in entries.split(", ")) + ")"
+    """A tuple on few lines, which the formatter is to leave as they are."""
+    return "(\n    " + "\n    ".join(textwrap.wrap(entries, _WIDTH)) + "\n)  # fmt: skip"

@@ -2,45 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from ctypes import addressof, byref, c_double
-from typing import Any
+from ctypes import addressof, byref, c_double, create_string_buffer
 
 import numpy as np
 
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Layout
+from lagdsl.runtime.called_inputs import CalledInputs
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
+from lagdsl.runtime.held_inputs import HeldInputs
 from lagdsl.runtime.run_options import RunSettings, address, shared_options
 from lagdsl.runtime.run_results import RunResults
 from lagdsl.runtime.run_view import Found, RunView, found_of
 from lagdsl.runtime.signal_tables import TabledInputs
-from lagdsl.runtime.structures import Initial, RunCallbacks, RunOptions, Status
+from lagdsl.runtime.structures import Initial, RunOptions, Status
 
-_INPUTS: Any = dict(field[:2] for field in RunCallbacks._fields_)["inputs"]
 _ALIGNED = 16
-
-
-class _Inputs:
-    """Inputs that C asks Python for, where nothing may be raised: `problem` is what was, to be raised later."""
-
-    def __init__(self, told: Callable[[float, bool], Floats], count: int) -> None:
-        self._told, self._nothing = told, np.full(count, np.nan)
-        self.problem: BaseException | None = None
-        self.called = _INPUTS(self._tell)
-
-    def _tell(self, _context: object, t: float, before: int, u: object) -> None:
-        """Values that are not numbers end the run."""
-        values = self._nothing
-        if self.problem is None:
-            try:
-                values = self._told(t, bool(before))
-            except BaseException as problem:
-                self.problem = problem
-        for index, value in enumerate(values.tolist()):
-            u[index] = value  # type: ignore[index]
 
 
 class Run(RunView):
@@ -52,17 +31,28 @@ class Run(RunView):
     def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
         self._model, self.settings = model, settings
-        self._inputs: _Inputs | None = None
+        self._inputs: CalledInputs | None = None
         self._kept: list[object] = []  # what C has the address of
         self._row_sizes = np.ones(len(layout.constraints))
         self.results = RunResults(self._library, model, layout, settings, self._kept)
-        options = self._options()
+        self._told = options = self._options()
         options.zeroed = 1
-        size = int(self._library.run_size(model.model, byref(options)))
+        self._size = size = int(self._library.run_size(model.model, byref(options)))
         block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
         self._kept.append(block)
         start = -(-block.ctypes.data // _ALIGNED) * _ALIGNED
         self._run = self._library.run_place(start, model.model, byref(options))
+
+    def renew(self) -> bool:
+        """Lets it be a run with the same settings that has not begun; False if the model that it goes on with now does
+        not fit into its memory."""
+        self._told.zeroed = 0
+        if self._library.run_size(self._model.model, byref(self._told)) > self._size:
+            return False
+        self._library.run_place(self._run, self._model.model, byref(self._told))
+        self.p = self.settings.p
+        self.results.forget()
+        return True
 
     def _options(self) -> RunOptions:
         settings = self.settings
@@ -77,8 +67,11 @@ class Run(RunView):
         if isinstance(inputs, TabledInputs):
             inputs.tell(options, self._library, self._kept)
             options.u = address(inputs.u, self._kept)
+        elif isinstance(inputs, HeldInputs):
+            inputs.tell(options, self._library)
+            self._inputs = inputs.called
         elif callable(inputs):
-            self._inputs = _Inputs(inputs, self._layout.size(Group.U))
+            self._inputs = CalledInputs(inputs, range(self._layout.size(Group.U)))
             options.callbacks.inputs = self._inputs.called
         else:
             options.u = address(inputs, self._kept)
@@ -112,6 +105,8 @@ class Run(RunView):
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""
+        if isinstance(self.settings.inputs, HeldInputs):
+            self.settings.inputs.begin(self._run, t)
         return self._done(self._library.run_begin(self._run, t, self._state(x)))
 
     def enter(self, t: float, x: Floats) -> Status:
@@ -125,6 +120,8 @@ class Run(RunView):
 
     def jump(self) -> Status:
         """Carries out the changes that inputs which jump now cause."""
+        if isinstance(self.settings.inputs, HeldInputs):
+            return self._done(self._library.hold_jump(self.settings.inputs.address))
         return self._done(self._library.run_jump(self._run))
 
     def change(self, model: NativeModel) -> None:
@@ -134,6 +131,18 @@ class Run(RunView):
         status = self._library.run_change(self._run, model.model, buffers.workspace.ctypes.data)
         assert status == Status.OK, "internal error: the compiled model is another one than the tape"
         self._model = model
+
+    def saved(self) -> bytes:
+        """The state of the run, as lag/serialization.h has it."""
+        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        buffer = create_string_buffer(size)
+        self._library.run_save(self._run, buffer)
+        return buffer.raw
+
+    def load(self, saved: bytes) -> Status:
+        """Takes the state of a run with the same settings; BAD_STATE_DATA: these bytes are none, nothing changes."""
+        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        return Status(self._library.run_load(self._run, saved)) if len(saved) == size else Status.BAD_STATE_DATA
 
     def end(self) -> Status:
         """Evaluates the end of the motion."""
@@ -145,6 +154,16 @@ class Run(RunView):
         if self._model.raised:
             raise self._model.raised.pop(0)
         return Status(status)
+
+    @property
+    def model(self) -> NativeModel:
+        """The functions that it computes with."""
+        return self._model
+
+    @property
+    def address(self) -> int:
+        """Of the lag_run."""
+        return self._run
 
     def _done(self, status: int) -> Status:
         self.results.take()

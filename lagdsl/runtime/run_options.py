@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import addressof
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,23 +12,26 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Floats
+from lagdsl.runtime.held_inputs import HeldInputs
 from lagdsl.runtime.library import Runtime
 from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.runtime.structures import Lasting, RunOptions, Start
 
 Flags = NDArray[np.bool_]
+RunInputs: TypeAlias = "Floats | TabledInputs | HeldInputs | Callable[[float, bool], Floats]"
 
 
 @record(kw_only=True)
 class RunSettings:
-    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, or a function of time and of
-    whether the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic
-    choice; `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,),
+    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, inputs that are held over
+    steps, or a function of time and of whether the value before a jump is wanted. `method` is the name of one of the
+    runtime, or None for the automatic choice; `step` is the length of the steps of those that do not choose it.
+    `group`, `natural`, `cap`: (2 nq + nz,),
     see lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
     wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
 
     p: Floats
-    inputs: Floats | TabledInputs | Callable[[float, bool], Floats]
+    inputs: RunInputs
     start: StartTold
     group: Floats
     natural: Floats

@@ -28,6 +28,7 @@ class RunResults:
         self, library: Runtime, model: NativeModel, layout: Layout, settings: RunSettings, kept: list[object]
     ) -> None:
         self.notes: list[tuple[float, str, int]] = []
+        self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
         self._taken: list[Floats] = []
         self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
@@ -45,6 +46,11 @@ class RunResults:
             extremes=addressof(self._extremes),
         )
 
+    @property
+    def width(self) -> int:
+        """Numbers of a row."""
+        return self._rows.shape[1]
+
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""
         self.take()
@@ -52,9 +58,15 @@ class RunResults:
 
     def take(self) -> None:
         """Contents of the buffers."""
-        self._taken.append(self._rows[: self.structure.row].copy())
+        if self.keeps and self.structure.row:
+            self._taken.append(self._rows[: self.structure.row].copy())
         self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: self.structure.note]]
         self.structure.row = self.structure.note = 0
+
+    def forget(self) -> None:
+        """Everything so far."""
+        self._taken, self.notes = [], []
+        self.structure.row = self.structure.note = self.structure.any = 0
 
     def rows(self) -> Floats:
         """All rows so far, as lag/run/results.h tells them."""

@@ -23,6 +23,7 @@ class SignalTable:
     def __init__(self, kind: SignalKind, times: Floats, values: Floats) -> None:
         self._held = [np.array(each, dtype=np.float64, order="C") for each in (times, values)]
         time, value = (each.ctypes.data for each in self._held)
+        self.last = float(times[-1])
         self.told = Signal(kind=kind, count=len(times), terms=values.shape[-1], time=time, value=value)
 
     def __call__(self, t: float, before: bool) -> float:

@@ -27,21 +27,9 @@ VERSION = 7
 
 # lag_event_kind.
 WHAT = (
-    "before",
-    "tick",
-    "true",
-    "false",
-    "opened",
-    "closed",
-    "impact",
-    "reinit",
-    "terminate",
-    "after",
-    "jump",
-    "slips",
-    "sticks",
-    "reverses",
-)
+    "before", "tick", "true", "false", "opened", "closed", "impact", "reinit",
+    "terminate", "after", "jump", "slips", "sticks", "reverses"
+)  # fmt: skip
 
 
 class Status(IntEnum):
@@ -395,4 +383,16 @@ class Signals(Structure):
     _fields_ = [
         *_all(c_size_t, "count"),
         *_all(c_void_p, "signal"),
+    ]
+
+
+class Hold(Structure):
+    """lag_hold."""
+
+    _fields_ = [
+        *_all(c_void_p, "run u before signals context at"),
+        *_all(c_size_t, "count breaks"),
+        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(c_int, "rows"),
+        *_all(c_double, "goal jumped"),
     ]

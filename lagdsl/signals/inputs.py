@@ -14,6 +14,7 @@ from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.runtime.held_inputs import HeldInputs
 from lagdsl.runtime.signal_tables import SignalTable, TabledInputs
 from lagdsl.runtime.structures import SignalKind
 from lagdsl.signals.hold import Hold
@@ -50,6 +51,30 @@ class Signals:
             return None
         return tuple(function if isinstance(function, SignalTable) else None for function in self.functions)
 
+    @property
+    def following(self) -> tuple[bool, ...]:
+        """True for each input that follows time; the others are constants."""
+        return tuple(not isinstance(function, _Constant) for function in self.functions)
+
+    @property
+    def is_called(self) -> bool:
+        """True if any input is a function of Python."""
+        return self.tables is None
+
+    @property
+    def last(self) -> float:
+        """The time at which the first table ends; infinite where there is none."""
+        return min((function.last for function in self.functions if isinstance(function, SignalTable)), default=np.inf)
+
+    def held(self, t0: float) -> HeldInputs:
+        """For a run that begins at t0, between whose steps the constants are changed."""
+        tables = [function if isinstance(function, SignalTable) else None for function in self.functions]
+        called = [
+            function if follows and table is None else None
+            for function, follows, table in zip(self.functions, self.following, tables, strict=True)
+        ]
+        return HeldInputs(self.at(t0), tables, called, self.breaks)
+
     def course(self, t0: float) -> Floats | TabledInputs | Callable[[float, bool], Floats]:
         """As a run that begins at t0 is told of them."""
         if self.constant:
@@ -71,9 +96,10 @@ def signals(
     sink: Sink,
     *,
     speeds: Sequence[bool] = (),
+    covered: float | None = None,
 ) -> Signals:
     """Every input of the model: given ones, derivatives of given tables and constants, defaults. Tables of inputs that
-    prescribe `speeds` may jump.
+    prescribe `speeds` may jump. Where the end of the `span` is open, tables are to reach `covered`.
 
     Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
     derivative the model needs and nobody gave (E0818), a table that has not as many derivatives (E0846) or jumps where
@@ -88,6 +114,7 @@ def signals(
             sink.report("E0819", None, help=help, name=name, known=", ".join(names) or "none")
     functions: list[_Function] = []
     breaks: set[float] = set()
+    known = span if covered is None else (span[0], covered)
     jumping = [name for name, flag in zip(names, speeds, strict=False) if flag]
     for item, default in zip(flat.inputs, defaults.tolist(), strict=True):
         source, order = _source(item.name, inputs)
@@ -95,7 +122,7 @@ def signals(
             functions.append(_Constant(default))
             continue
         needed = order + _derivatives_left(item.name, names, inputs)
-        found = _function(item, source, inputs[source], (order, needed), span, breaks, sink, source in jumping)
+        found = _function(item, source, inputs[source], (order, needed), known, breaks, sink, source in jumping)
         functions.append(found)
     _check_given_together(names, inputs, sink)
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
@@ -193,7 +220,7 @@ def _function(
                 "E0817", None, name=_base(item.name), first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
             return _Constant(0.0)
-        if order == 0 and not _is_allowed(item, values, times, sink):
+        if order == 0 and not is_allowed(item, values, times, sink):
             return _Constant(0.0)
         if held and item.base == "Real":
             times, values = np.repeat(times, 2)[1:], np.repeat(values, 2)[:-1]
@@ -205,7 +232,7 @@ def _function(
     if not np.isfinite(constant):
         raise ValueError(f"input `{item.name}` must be a finite number, not {constant:g}")
     if order == 0:
-        _is_allowed(item, np.array([constant]), None, sink)
+        is_allowed(item, np.array([constant]), None, sink)
     return _Constant(constant if order == 0 else 0.0)
 
 
@@ -271,7 +298,7 @@ def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
     return times, values
 
 
-def _is_allowed(item: Input, values: Floats, times: Floats | None, sink: Sink) -> bool:
+def is_allowed(item: Input, values: Floats, times: Floats | None, sink: Sink) -> bool:
     """True if the input may have these values. The motion may lead a real input beyond its bounds (W0328); others have
     no meaning there: E0845, E0885."""
     if item.base == "Real":

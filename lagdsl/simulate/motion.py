@@ -21,6 +21,7 @@ from lagdsl.runtime.run import Run
 from lagdsl.runtime.structures import Status
 from lagdsl.signals.inputs import Signals
 from lagdsl.signals.trajectory import Statistics, Trajectory
+from lagdsl.simulate.control import Controls
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
@@ -51,6 +52,7 @@ class Asked:
     solver: str
     step: float | None
     max_steps: int
+    controls: Controls | None = None
 
 
 @record(kw_only=True)
@@ -80,10 +82,13 @@ class Motion:
         task, run = self._task, self._run
         status = self._ended(run.begin(self._first, task.initial.x))
         self._tell_lost_rank()
-        for stop in (*(b for b in self._asked.signals.breaks if b > self._first), self._last):
-            if status is Status.OK:
+        controlled = self._asked.controls
+        for stop, acting in self._stops():
+            if status is Status.OK and stop > self._first:
                 status = self._segment(stop)
             if status is Status.OK and stop < self._last:
+                if acting and controlled is not None:
+                    controlled.act(acting, run, task.sink)
                 status = self._ended(run.jump())
         self._ended(run.end())
         found = self._so_far()
@@ -91,6 +96,18 @@ class Motion:
         self._tell_rounded(found)
         self._tell_doubted()
         return found
+
+    def _stops(self) -> list[tuple[float, list[int]]]:
+        """Times at which inputs may jump, with the controllers that act then, and the end."""
+        found = {b: list[int]() for b in self._asked.signals.breaks if b > self._first}
+        if self._asked.controls is not None:
+            found |= dict(self._asked.controls.instants())
+        return [*sorted(found.items()), (self._last, [])]
+
+    def _inputs_at(self, t: float) -> Floats:
+        """u (nu,) of a row at time t."""
+        u = self._asked.signals.at(t)
+        return u if self._asked.controls is None else self._asked.controls.at(t, u)
 
     def _tell_doubted(self) -> None:
         """W0886 for each relation that turned by what may be the error of the method."""
@@ -117,7 +134,7 @@ class Motion:
         states = [column.values for column in found.columns if column.kind in _STATE]
 
         def state_of(row: int) -> State:
-            return np.array([values[row] for values in states]), asked.signals.at(float(found.time[row])), self._run.p
+            return np.array([values[row] for values in states]), self._inputs_at(float(found.time[row])), self._run.p
 
         outputs = UnknownOutputs(asked.flat, asked.engine)
         unknown = outputs.first(np.column_stack(columns), found.time, state_of)
@@ -165,7 +182,7 @@ class Motion:
         course = Course(asked.flat, asked.engine.layout, run, self._last, asked.max_steps)
         fault = run.explain(status)
         sink = Sink()
-        name = report_fault(course, status, fault, asked.signals.at(fault.t), sink)
+        name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
         values = state_values(asked.flat, fault.x)
         raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from lagdsl.backends.start import start_of
@@ -12,8 +10,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
-from lagdsl.runtime.run_options import RunSettings
-from lagdsl.runtime.signal_tables import TabledInputs
+from lagdsl.runtime.run_options import RunInputs, RunSettings
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.scales import scales_of
 
@@ -27,7 +24,7 @@ def placed(
     flat: FlatModel,
     engine: Engine,
     p: Floats,
-    inputs: Floats | TabledInputs | Callable[[float, bool], Floats],
+    inputs: RunInputs,
     *,
     t0: float | None = None,
     times: Floats | None = None,
@@ -49,7 +46,7 @@ def settings_of(
     layout: Layout,
     p: Floats,
     q: Floats,
-    inputs: Floats | TabledInputs | Callable[[float, bool], Floats],
+    inputs: RunInputs,
     *,
     t: float,
     times: Floats | None,

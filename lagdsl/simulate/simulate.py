@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -17,6 +17,8 @@ from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.library import FIXED_METHODS, METHODS
 from lagdsl.signals.inputs import Signal, report_missing, signals
 from lagdsl.signals.trajectory import Trajectory
+from lagdsl.simulate.commands import Commands
+from lagdsl.simulate.control import Control, Controls
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import equidistant
 from lagdsl.simulate.motion import MOST_STEPS, Asked, Motion, Task
@@ -27,6 +29,10 @@ SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
 _GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
 LARGEST_ROWS = 20_000_000
+
+
+def _number(name: str, value: object) -> float:
+    return float(value)  # type: ignore[arg-type]
 
 
 def simulate(
@@ -42,6 +48,8 @@ def simulate(
     solver: str = "auto",
     step: float | None = None,
     max_steps: int = MOST_STEPS,
+    control: Sequence[Control] = (),
+    read: Callable[[str, object], float] = _number,
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
 ) -> Trajectory:
@@ -49,9 +57,10 @@ def simulate(
     the experiment.
 
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
-    further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. `progress` is called
-    with the part of the time that is done. An error before the first step raises CompilationFailed (warnings go to
-    `sink`), a failure on the way SimulationFailed, a bad option ValueError.
+    further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. The controllers of
+    `control` set inputs on the way; `read` makes a number of a value that they give an input by name. `progress` is
+    called with the part of the time that is done. An error before the first step raises CompilationFailed (warnings go
+    to `sink`), a failure on the way SimulationFailed, a bad option ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
@@ -70,7 +79,9 @@ def simulate(
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
-        report_missing(flat, inputs or {}, own)
+        if not control:
+            report_missing(flat, inputs or {}, own)
+    commands = Commands(flat, given.following, engine.layout.speeds, read)
     asked = Asked(
         flat=flat,
         engine=engine,
@@ -81,6 +92,7 @@ def simulate(
         solver=solver,
         step=step,
         max_steps=max_steps,
+        controls=Controls(control, flat, given, commands, (t0, end)) if control else None,
     )
     return _shown(asked, (t0, end), wanted, progress, own)
 
@@ -126,7 +138,7 @@ def _motion(
             flat,
             engine,
             asked.p,
-            given.course(t0),
+            given.course(t0) if asked.controls is None else given.held(t0),
             t0=t0,
             times=times,
             tolerance=asked.tolerance,

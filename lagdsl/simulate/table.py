@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -25,7 +25,7 @@ def trajectory(
     rows = results.rows()
     table = np.ascontiguousarray(rows[:, places].T)
     low, high = (
-        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)])[places] for ends in run.results.extremes()
+        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)])[places] for ends in results.extremes()
     )
     energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
     return Trajectory(
@@ -51,10 +51,13 @@ def trajectory(
         invariants=_invariants(flat, run),
         moved=moved,
         statistics=statistics,
-        events=tuple(
-            Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in run.results.notes
-        ),
+        events=events_of(flat, layout, run.results.notes),
     )
+
+
+def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str, int]]) -> tuple[Event, ...]:
+    """The notes of a run with the names of what something happened to."""
+    return tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in notes)
 
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:

@@ -44,4 +44,44 @@ ROWS: dict[str, Row] = {
         None,
         "write `{new}`; {why}",
     ),
+    "E0890": error(
+        "the session is at t = {time} s, and time does not go back to {asked} s",
+        None,
+        "save the state before: `state = run.save()`, then `run.restore(state)` goes back to it",
+    ),
+    "E0891": error(
+        "these bytes cannot be restored: {why}",
+        None,
+        "{way}",
+    ),
+    "E0892": error(
+        "the session has ended at t = {time} s: {why}",
+        None,
+        "`run.reset()` begins again, `run.restore(state)` goes back to a saved state",
+    ),
+    "E0893": error(
+        "the inputs of a step do not fit: {why}",
+        None,
+        "{way}",
+    ),
+    "E0894": error(
+        "the engine `{engine}` has no sessions",
+        None,
+        'compile the model for another engine: engine="auto", "tape" or "c"',
+    ),
+    "E0895": error(
+        "this session keeps no motion",
+        None,
+        "make it with record=True, which is the default of `model.session`",
+    ),
+    "E0896": error(
+        "{what} must be {expected}, not {given}",
+        None,
+        'give seconds, or a text with a unit such as "2 ms"',
+    ),
+    "E0897": error(
+        "no page can repeat this motion, as its inputs were set on the way",
+        None,
+        "`motion.plot()` draws it; `model.show()` opens the page of the model",
+    ),
 }

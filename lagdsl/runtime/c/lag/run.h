@@ -191,7 +191,7 @@ typedef struct lag_run_report {
 
 /* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
 size_t lag_run_size(const lag_model *model, const lag_run_options *options);
-/* Of these, the doubles that its arrays take, without those of which nothing is remembered. */
+/* Of these, the doubles that its arrays take, without those of which nothing is remembered. The first are the workspace of the model. */
 size_t lag_run_numbers(const lag_model *model);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
 
@@ -265,10 +265,12 @@ lag_status lag_run_finish(lag_run *run, double stop);
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);
 
+/* The end of a step of length h from the present; of one after the other, as a whole number of steps from the first. */
+double lag_run_end_of_step(lag_run *run, double h);
+
 /*
  * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a
- * tape. `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. If both round
- * alike, the motion is the same to the bit. LAG_BAD_STATE_DATA: it is another model.
+ * tape. `workspace` (model->workspace) and the model must outlive the run. If both round alike, the motion is the same to the bit. LAG_BAD_STATE_DATA: it is another model.
  */
 lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
 
@@ -311,8 +313,6 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 lag_status lag_run_watch(lag_run *run, double t, const double *x);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
-/* True if lag_run_change() has replaced the model. */
-int lag_run_is_changed(const lag_run *run);
 
 /* True if runs of the model cross singular positions by themselves. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);

@@ -64,14 +64,14 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
     lag_instance_head head;
     memcpy(&head, bytes, sizeof head);
     lag_status status = head.token == token_of(instance->fmu) && head.sum == lag_record_sum(own, size) ? LAG_OK : LAG_BAD_STATE_DATA;
-    if (status == LAG_OK) {
-        status = lag_run_load(instance->run, own + size);
-    }
+    status = status == LAG_OK ? lag_run_load(instance->run, own + size) : status;
     if (status != LAG_OK) {
         return lag_instance_fail(instance, status, "this is no saved state of this model");
     }
     walk(instance, &record);
+    lag_motion *motion = &instance->run->motion;
+    status = motion->at.p != NULL ? lag_motion_parameters(motion, motion->at.p) : LAG_OK;
     instance->values.known = 0;
     lag_instance_tell_inputs(instance);
-    return LAG_OK;
+    return status;
 }

@@ -203,8 +203,3 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
     motion->at.workspace = workspace;
     return motion->at.p != NULL ? model->prepare(&motion->at) : LAG_OK;
 }
-
-int lag_run_is_changed(const lag_run *run)
-{
-    return run->motion.at.workspace != run->block.memory;
-}

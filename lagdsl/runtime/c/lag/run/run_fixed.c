@@ -48,11 +48,11 @@ static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_ste
     return status;
 }
 
-/* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
-static double end_of_step(lag_clock *pace, double t, double h)
+double lag_run_end_of_step(lag_run *run, double h)
 {
-    if (pace->period != h || lag_clock_instant(pace, pace->next) != t) {
-        *pace = lag_clock_of(t, h);
+    lag_clock *pace = &run->pace;
+    if (pace->period != h || lag_clock_instant(pace, pace->next) != run->stepper.t) {
+        *pace = lag_clock_of(run->stepper.t, h);
     }
     ++pace->next;
     return lag_clock_instant(pace, pace->next);
@@ -66,7 +66,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
     if (status != LAG_OK) {
         return status;
     }
-    const double end = end_of_step(&run->pace, s->t, h);
+    const double end = lag_run_end_of_step(run, h);
     run->motion.until = end; /* inputs that jump there do so as the next step begins */
     status = lag_instants_next(&run->instants) < end - LAG_SAME_TICK * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
     if (status == LAG_EVENT_PENDING) {

@@ -122,6 +122,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
 static void record_rest(lag_run *run, lag_record *record)
 {
     RECORD(run->motion.coordinate);
+    RECORD(run->motion.until);
     RECORD(run->projection.count);
     RECORD(run->accuracy.relative);
     RECORD(run->ranks.look.most);
@@ -174,7 +175,8 @@ void lag_run_record(lag_run *run, lag_record *record)
     for (size_t i = 0; i < model->nclock; ++i) {
         record_clock(&run->clock[i], record);
     }
-    lag_record_doubles(record, run->block.numbers, run->block.memory);
+    double *first = run->motion.memory; /* behind the workspace that the run was laid out with */
+    lag_record_doubles(record, run->block.numbers - (size_t)(first - run->block.memory), first);
 }
 
 /* ---- around it ---- */
@@ -199,11 +201,16 @@ unsigned long long lag_record_sum(const unsigned char *bytes, size_t count)
     return mixed(sum, word);
 }
 
+/* Doubles of a run that are saved. */
+static size_t remembered(const lag_model *model)
+{
+    return lag_run_numbers(model) - model->workspace;
+}
+
 unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options)
 {
-    const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->workspace,
-        model->prepared, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk,
-        model->nfriction, model->nslip, model->nload, options->count, lag_run_size(model, options), sizeof(lag_run)};
+    const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk,
+        model->nfriction, model->nslip, model->nload, options->count, remembered(model), sizeof(lag_run)};
     const double one = 1.0; /* how numbers are written */
     unsigned long long sum = mixed(lag_record_sum((const unsigned char *)&one, sizeof one), LAG_MODEL_VERSION);
     for (const char *letter = model->name; *letter != '\0'; ++letter) {
@@ -228,13 +235,13 @@ size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options
     (void)options; /* none of them changes what is kept */
     record_members((lag_run *)&none, &record);
     record_clock((lag_clock *)&none.pace, &clock);
-    return record.count + model->nclock * clock.count + lag_run_numbers(model) * sizeof(double);
+    return record.count + model->nclock * clock.count + remembered(model) * sizeof(double);
 }
 
 void lag_run_save(const lag_run *run, unsigned char *bytes)
 {
     lag_record record = {bytes, NULL, sizeof(head)};
-    head first = {lag_run_is_changed(run) ? 0 : lag_run_signature(run->motion.model, &run->options), 0};
+    head first = {lag_run_signature(run->motion.model, &run->options), 0};
     lag_run_record((lag_run *)run, &record); /* which writes to the bytes only */
     first.sum = lag_record_sum(bytes + sizeof first, record.count - sizeof first);
     memcpy(bytes, &first, sizeof first);
@@ -244,9 +251,6 @@ lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
 {
     lag_record record = {NULL, bytes, sizeof(head)};
     head first;
-    if (lag_run_is_changed(run)) {
-        return LAG_BAD_STATE_DATA;
-    }
     const size_t size = lag_run_saved_size(run->motion.model, &run->options);
     memcpy(&first, bytes, sizeof first);
     if (first.signature != lag_run_signature(run->motion.model, &run->options) ||
@@ -254,5 +258,5 @@ lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
         return LAG_BAD_STATE_DATA;
     }
     lag_run_record(run, &record);
-    return LAG_OK;
+    return run->motion.at.p != NULL ? run->motion.model->prepare(&run->motion.at) : LAG_OK;
 }

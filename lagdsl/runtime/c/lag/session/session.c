@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "lag/hold.h"
 #include "lag/linalg/arena.h"
 
 struct lag_session {
@@ -11,17 +12,10 @@ struct lag_session {
     void *block; /* of the run */
     lag_run *run;
     lag_results results;
-    double *p, *u;
+    lag_hold hold;
+    double *p;
     double *lasting; /* (nc) */
 };
-
-static void tell_inputs(void *context, double t, int before, double *u)
-{
-    const lag_session *session = context;
-    (void)t;
-    (void)before;
-    memcpy(u, session->u, session->model->nu * sizeof *u);
-}
 
 /* Number of lasting rows that are independent in general. */
 static size_t independent(const lag_session *session)
@@ -41,7 +35,7 @@ static lag_run_options plan(lag_session *session)
         .length = session->length,
         .start = session->start,
         .careful = 2,
-        .callbacks = {.context = session, .inputs = session->model->nu > 0 ? tell_inputs : NULL},
+        .callbacks = {.context = &session->hold, .inputs = session->model->nu > 0 ? lag_hold_tell : NULL},
         .p = session->p,
         .lasting = {session->lasting, session->lasting != NULL ? independent(session) : 0}
     };
@@ -49,7 +43,7 @@ static lag_run_options plan(lag_session *session)
 
 static size_t numbers(const lag_model *model)
 {
-    return lag_results_width(model) + model->np + model->nu + model->nc + 3;
+    return lag_results_width(model) + model->np + 2 * model->nu + model->nc + 4;
 }
 
 size_t lag_session_size(const lag_model *model, const lag_start *start)
@@ -75,7 +69,7 @@ static void find_lasting(lag_session *session)
 static void renew(lag_session *session)
 {
     const lag_run_options options = plan(session);
-    session->run = lag_run_place(session->block, session->model, &options);
+    session->run = session->hold.run = lag_run_place(session->block, session->model, &options);
 }
 
 /* Start values may depend on parameters; inputs are what the model says without them. */
@@ -84,7 +78,7 @@ static void find_default_inputs(lag_session *session)
     lag_motion *motion = &session->run->motion;
     const double t = session->start != NULL ? session->start->t : 0.0;
     if (lag_motion_parameters(motion, session->p) == LAG_OK && lag_motion_start(motion, t, session->run->point) == LAG_OK) {
-        memcpy(session->u, motion->u, session->model->nu * sizeof(double));
+        memcpy(session->hold.u, motion->u, session->model->nu * sizeof(double));
     }
 }
 
@@ -102,7 +96,9 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
     session->results.most_rows = session->results.most_notes = 1;
     session->results.rows = lag_take(&memory, lag_results_width(model));
     session->p = lag_take(&memory, model->np + 1);
-    session->u = lag_take(&memory, model->nu + 1);
+    session->hold.count = model->nu;
+    session->hold.u = lag_take(&memory, model->nu + 1);
+    session->hold.before = lag_take(&memory, model->nu + 1);
     session->lasting = lag_take(&memory, model->nc + 1);
     find_lasting(session);
     if (model->np > 0) {
@@ -122,7 +118,7 @@ double *lag_session_parameters(lag_session *session)
 
 double *lag_session_inputs(lag_session *session)
 {
-    return session->u;
+    return session->hold.u;
 }
 
 double *lag_session_lasting(lag_session *session)
@@ -133,6 +129,7 @@ double *lag_session_lasting(lag_session *session)
 lag_status lag_session_begin(lag_session *session, double t)
 {
     renew(session);
+    memcpy(session->hold.before, session->hold.u, session->hold.count * sizeof(double));
     return lag_run_begin(session->run, t, NULL);
 }
 
@@ -143,7 +140,7 @@ lag_status lag_session_to(lag_session *session, double t, size_t most_steps)
 
 lag_status lag_session_jump(lag_session *session)
 {
-    return lag_run_jump(session->run);
+    return lag_hold_jump(&session->hold);
 }
 
 const double *lag_session_row(lag_session *session)
