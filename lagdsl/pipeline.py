@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
     from lagdsl.mechanics.equations import Equations
     from lagdsl.program.program import Program
+    from lagdsl.structure.points import Geometry
     from lagdsl.structure.structure import Structure
 
 StructureOf: TypeAlias = "Callable[[FlatModel, Mapping[str, str]], dict[str, float]]"
@@ -180,23 +181,19 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
 
     Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
     """
-    from lagdsl.flat.row_factors import row_factors, with_row_factors
+    from lagdsl.mechanics.equations import form_equations
     from lagdsl.mechanics.idle_loads import report_idle_loads
     from lagdsl.mechanics.invariants import report_proofs
     from lagdsl.mechanics.solve import solve
-    from lagdsl.structure.constraints import report_row_factors
-    from lagdsl.structure.structure import flag_redundant
+    from lagdsl.structure.structure import analyze, constraint_space, flag_redundant
 
-    found = Sink()
-    equations, program, structure = _analyzed(flat, route, found)
-    more = structure.space.row_factors.tolist()
-    if not found.has_errors and any(factor != 1.0 for factor in more):
-        found = Sink()
-        report_row_factors(flat, structure.space, found)
-        flat = with_row_factors(flat, [own * factor for own, factor in zip(row_factors(flat), more, strict=True)])
-        equations, program, structure = _analyzed(flat, route, found)
-    for diagnostic in found.diagnostics:
-        sink.add(diagnostic)
+    with deep_recursion():
+        equations = form_equations(flat)
+        program = _arrange(equations, route)
+    space = constraint_space(flat, program)
+    if any(space.row_factors != 1.0):
+        equations, program, space = _multiplied(equations, program, space, sink)
+    structure = analyze(flat, space, sink)
     if sink.has_errors:
         return None
     program = flag_redundant(program, structure)
@@ -218,15 +215,19 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     )
 
 
-def _analyzed(flat: FlatModel, route: Route, sink: Sink) -> tuple[Equations, Program, Structure]:
-    """Errors, warnings and notes about the constraints go to `sink`."""
-    from lagdsl.mechanics.equations import form_equations
-    from lagdsl.structure.structure import analyze
+def _multiplied(
+    equations: Equations, program: Program, space: Geometry, sink: Sink
+) -> tuple[Equations, Program, Geometry]:
+    """All with the rows of constraints that are far smaller than others multiplied, which N0612 tells."""
+    from lagdsl.mechanics import equations as formed
+    from lagdsl.program.passes.row_factors import with_row_factors
+    from lagdsl.structure.constraints import report_row_factors
+    from lagdsl.structure.functions import ProgramFunctions
 
-    with deep_recursion():
-        equations = form_equations(flat)
-        program = _arrange(equations, route)
-    return equations, program, analyze(flat, program, sink)
+    factors = space.row_factors.tolist()
+    report_row_factors(equations.flat, space.row_factors, sink)
+    program = with_row_factors(program, factors)
+    return formed.with_row_factors(equations, factors), program, space.multiplied(ProgramFunctions(program))
 
 
 def _arrange(equations: Equations, route: Route) -> Program:
