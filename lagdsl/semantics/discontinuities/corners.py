@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
@@ -14,6 +13,7 @@ from lagdsl.flat.reached import reached
 from lagdsl.semantics.discontinuities.distances import distances
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
+from lagdsl.semantics.wellformed.effect import load_expressions
 
 
 def with_corners(flat: fm.FlatModel, kinks: Sequence[Met]) -> fm.FlatModel:
@@ -47,19 +47,9 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[FlatExpression]:
     if flat.gravity is not None:
         yield flat.gravity
     for load in flat.loads:
-        match load:
-            case fm.PointForce():
-                yield from (load.force, load.point)
-                yield from () if load.origin is None else (load.origin,)
-            case fm.FrameTorque():
-                yield from (load.torque, fx.AngularVelocity(load.frame))
-            case fm.GeneralizedForce():
-                yield from (load.value, load.target)
-                yield from () if load.origin is None else (load.origin,)
-            case fm.RateForce():
-                yield from (load.value, load.rate)
-            case _:
-                assert_never(load)
+        yield from load_expressions(load)
+        if isinstance(load, fm.FrameTorque):
+            yield fx.AngularVelocity(load.frame)
     for constraint in flat.constraints:
         yield from constraint.residuals
     yield from (contact.gap for contact in flat.events.contacts)

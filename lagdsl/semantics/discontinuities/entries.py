@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from typing import Literal
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat.events import Relation, Timed
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators.pieces import chosen, chosen_by_number
-from lagdsl.semantics.scope.occurrences import names
+from lagdsl.semantics.scope.occurrences import entered
 from lagdsl.semantics.scope.product import Met
 
 
@@ -16,94 +18,67 @@ class Entries:
     """Collected in the order in which they are met; the same one again has the same name."""
 
     def __init__(self) -> None:
-        self._relations: dict[str, Relation] = {}
-        self._timed: dict[str, tuple[FlatExpression, Timed]] = {}
+        self._known: dict[str, Relation | Timed] = {}
 
     @property
     def relations(self) -> tuple[Relation, ...]:
-        return tuple(self._relations.values())
+        return tuple(each for each in self._known.values() if isinstance(each, Relation))
 
     @property
     def timed(self) -> tuple[Timed, ...]:
-        return tuple(timed for _, timed in self._timed.values())
+        return tuple(each for each in self._known.values() if isinstance(each, Timed))
 
     def relation(self, met: Met, text: str, difference: FlatExpression, *, strict: bool) -> fx.Variable:
         """The truth of `difference > 0` or, where it is not `strict`, of `difference >= 0`."""
-        for name in names(text):
-            if name in self._timed:
-                continue
-            known = self._relations.get(name)
-            if known is None:
-                self._relations[name] = Relation(
-                    spans=met.spans, name=name, difference=difference, dimension=met.dimension, strict=strict
-                )
-                return fx.Variable(name)
-            if known.strict == strict and known.difference == difference:
-                return fx.Variable(name)
-        raise AssertionError("there is always one more name")
+
+        def make(name: str) -> Relation:
+            return Relation(spans=met.spans, name=name, difference=difference, dimension=met.dimension, strict=strict)
+
+        return fx.Variable(entered(self._known, text, make))
 
     def timed_truth(self, met: Met, text: str, difference: FlatExpression, *, strict: bool, told: bool) -> fx.Variable:
         """The same of time alone. Not `told`: a value has a corner there and no jump."""
+        kind: Literal["relation", "corner"] = "relation" if told else "corner"
+
+        def distances(entry: fx.Variable) -> tuple[FlatExpression, ...]:
+            return (fx.Conditional(entry, difference, fx.Unary("-", difference)),)
+
         stands = fx.Binary(">" if strict else ">=", difference, fx.ZERO)
-
-        def make(name: str) -> Timed:
-            distance = fx.Conditional(fx.Variable(name), difference, fx.Unary("-", difference))
-            return Timed(
-                spans=met.spans,
-                name=name,
-                kind="relation" if told else "corner",
-                value=stands,
-                distances=(distance,),
-                changes=(0,),
-            )
-
-        return self._timed_entry(text, stands, make)
+        return self._timed(met, text, kind, stands, distances, (0,))
 
     def whole(self, met: Met, text: str, x: FlatExpression) -> fx.Variable:
         """floor(x) of time alone."""
-        stands = fx.Function("floor", (x,))
 
-        def make(name: str) -> Timed:
-            beyond = fx.Binary("-", x, fx.Variable(name))
-            return Timed(
-                spans=met.spans,
-                name=name,
-                kind="jump",
-                value=stands,
-                distances=(beyond, fx.Binary("-", fx.ONE, beyond)),
-                changes=(-1, 1),
-            )
+        def distances(entry: fx.Variable) -> tuple[FlatExpression, ...]:
+            beyond = fx.Binary("-", x, entry)
+            return beyond, fx.Binary("-", fx.ONE, beyond)
 
-        return self._timed_entry(text, stands, make)
+        return self._timed(met, text, "jump", fx.Function("floor", (x,)), distances, (-1, 1))
 
     def piece(self, met: Met, text: str, x: FlatExpression, borders: Sequence[float]) -> fx.Variable:
         """The number of the interval between `borders` in which x, of time alone, is: k from borders[k - 1] on, up to
         borders[k]."""
+        ends = [fx.Number(border) for border in borders]
+
+        def distances(entry: fx.Variable) -> tuple[FlatExpression, ...]:
+            below = chosen_by_number(entry, [fx.Number(-math.inf), *ends])
+            above = chosen_by_number(entry, [*ends, fx.Number(math.inf)])
+            return fx.Binary("-", x, below), fx.Binary("-", above, x)
+
         stands = chosen(x, borders, [fx.Number(float(k)) for k in range(len(borders) + 1)])
+        return self._timed(met, text, "corner", stands, distances, (-1, 1))
 
+    def _timed(
+        self,
+        met: Met,
+        text: str,
+        kind: Literal["relation", "jump", "corner"],
+        stands: FlatExpression,
+        distances: Callable[[fx.Variable], tuple[FlatExpression, ...]],
+        changes: tuple[int, ...],
+    ) -> fx.Variable:
         def make(name: str) -> Timed:
-            ends = [fx.Number(border) for border in borders]
-            below = chosen_by_number(fx.Variable(name), [fx.Number(-float("inf")), *ends])
-            above = chosen_by_number(fx.Variable(name), [*ends, fx.Number(float("inf"))])
-            return Timed(
-                spans=met.spans,
-                name=name,
-                kind="corner",
-                value=stands,
-                distances=(fx.Binary("-", x, below), fx.Binary("-", above, x)),
-                changes=(-1, 1),
-            )
+            away = distances(fx.Variable(name))
+            return Timed(spans=met.spans, name=name, kind=kind, value=stands, distances=away, changes=changes)
 
-        return self._timed_entry(text, stands, make)
-
-    def _timed_entry(self, text: str, what: FlatExpression, make: Callable[[str], Timed]) -> fx.Variable:
-        for name in names(text):
-            if name in self._relations:
-                continue
-            known = self._timed.get(name)
-            if known is None:
-                self._timed[name] = (what, make(name))
-                return fx.Variable(name)
-            if known[0] == what:
-                return fx.Variable(name)
-        raise AssertionError("there is always one more name")
+        return fx.Variable(entered(self._known, text, make))

@@ -8,11 +8,11 @@ from typing import TypeAlias
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.reached import reached
-from lagdsl.flat.ways import ways
+from lagdsl.flat.ways import held, ways
 from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
 
-_JUMPING = ("floor", "ceil", "mod")
+_JUMPING = ("floor", "ceil", "mod", "wrap")
 _Below: TypeAlias = Callable[[fx.FlatExpression], tuple[fx.FlatExpression, ...]]
 
 
@@ -33,13 +33,8 @@ def branching(flat: fm.FlatModel, met: Sequence[Met], below: _Below) -> frozense
         id(each.expression)
         for each in functions
         if (id(each.expression) in bending and (each.pieces is None or each.pieces.sharp))
-        or (id(each.expression) in jumping and _jumps(each.expression))
+        or (id(each.expression) in jumping and each.function in _JUMPING)
     )
-
-
-def held(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    """Residuals of constraints of position level, without those of contacts."""
-    return [x for each in flat.constraints if each.level == "position" and not each.contact for x in each.residuals]
 
 
 def _bends_row(flat: fm.FlatModel, row: fx.FlatExpression, each: Met, below: _Below) -> bool:
@@ -50,7 +45,3 @@ def _bends_row(flat: fm.FlatModel, row: fx.FlatExpression, each: Met, below: _Be
         return False
     beside = reached(flat, [row], lambda x: () if x is each.expression else below(x))
     return any(isinstance(x, fx.Variable) and x.name in moving for x in beside)
-
-
-def _jumps(expression: fx.FlatExpression) -> bool:
-    return isinstance(expression, fx.Function) and expression.name in _JUMPING

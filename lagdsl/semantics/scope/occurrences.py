@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import field
 from itertools import count
+from typing import TypeVar
 
 from lagdsl.flat.events import (
     INITIAL,
@@ -27,6 +28,8 @@ from lagdsl.units import Dimension
 # Names are the text, as far as this.
 _LONGEST = 80
 
+Entry = TypeVar("Entry")
+
 
 @mutable_record()
 class ForceLaws:
@@ -38,11 +41,9 @@ class ForceLaws:
 
     def feedback(self, text: str, spans: Spans, value: FlatExpression, dimension: Dimension) -> Variable:
         """The entry in place of a value in a load that depends on the motion that it causes."""
-        for name in names(text):
-            if name not in self.feedbacks:
-                self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
-                return Variable(name)
-        raise AssertionError("there is always one more name")
+        name = next(name for name in _names(text) if name not in self.feedbacks)
+        self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
+        return Variable(name)
 
 
 @mutable_record()
@@ -60,14 +61,7 @@ class Occurrences:
 
     def clock(self, text: str, spans: Spans, start: FlatExpression, period: FlatExpression) -> str:
         """The name of the clock; the same one again ticks at the same instants."""
-        for name in names(text):
-            known = self.clocks.get(name)
-            if known is None:
-                self.clocks[name] = Clock(spans=spans, name=name, start=start, period=period)
-                return name
-            if (known.start, known.period) == (start, period):
-                return name
-        raise AssertionError("there is always one more name")
+        return entered(self.clocks, text, lambda name: Clock(spans=spans, name=name, start=start, period=period))
 
     def condition(self, text: str) -> str:
         """A name for what a condition of a clause was before."""
@@ -76,14 +70,9 @@ class Occurrences:
 
     def memory(self, text: str, spans: Spans, value: FlatExpression, *, truth: bool) -> str:
         """The name of what a value that no clause assigns was before; the same value again has the same name."""
-        for name in names(f"value {text}"):
-            known = self.memories.get(name)
-            if known is None:
-                self.memories[name] = Memory(spans=spans, name=name, value=value, truth=truth)
-                return name
-            if known.value == value:
-                return name
-        raise AssertionError("there is always one more name")
+        return entered(
+            self.memories, f"value {text}", lambda name: Memory(spans=spans, name=name, value=value, truth=truth)
+        )
 
     def events(self) -> Events:
         return Events(
@@ -99,10 +88,15 @@ class Occurrences:
         )
 
 
-def names(text: str) -> Iterator[str]:
+def _names(text: str) -> Iterator[str]:
     """The text on one line, then the same with numbers."""
     plain = " ".join(text.split())
     plain = plain if len(plain) <= _LONGEST else f"{plain[: _LONGEST - 2]} …"
     yield plain
     for number in count(2):
         yield f"{plain} ({number})"
+
+
+def entered(known: dict[str, Entry], text: str, make: Callable[[str], Entry]) -> str:
+    """The name of what `make` gives, now among those that are `known`; the same one again has the same name."""
+    return next(name for name in _names(text) if known.setdefault(name, own := make(name)) == own)

@@ -16,8 +16,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Relation
 from lagdsl.flat.reached import reached, switch
-from lagdsl.flat.ways import ways
-from lagdsl.semantics.discontinuities.velocities import held
+from lagdsl.flat.ways import held, ways
 
 
 def check_corners(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
