@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -31,11 +31,10 @@ if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
     from lagdsl.mechanics.equations import Equations
     from lagdsl.program.program import Program
+    from lagdsl.settings.structure import Reading
     from lagdsl.structure.points import Geometry
     from lagdsl.structure.structure import Structure
 
-StructureOf: TypeAlias = "Callable[[FlatModel, Mapping[str, str]], dict[str, float]]"
-"""Structural parameters of a model among assignments."""
 Route: TypeAlias = Literal["graph", "textbook"]
 """The derivation of the functions: on the graph, or literally as in a textbook, by SymPy."""
 
@@ -87,8 +86,13 @@ def flatten_unit(
     `model` names one of several classes; `structural` gives structural parameters other values, in SI units.
     `unknowns` are coordinates that stay unknowns where their joint is cut.
     """
+    numbers = structural or {}
     with deep_recursion():
-        flat = flatten(unit, sink, model=model, structural=structural or {}, unknowns=unknowns)
+        flat = flatten(unit, sink, model=model, structural=lambda each, _: numbers.get(each.name), unknowns=unknowns)
+        if flat is not None and numbers:
+            from lagdsl.settings.structure import check_structure
+
+            check_structure(flat, numbers, sink)
         if flat is None or sink.has_errors:
             return None
         check_physics(flat, sink)
@@ -118,50 +122,29 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
 
 
 def _structured(
-    unit: nodes.Unit,
-    sink: Sink,
-    model: str | None,
-    pairs: Mapping[str, str],
-    structure: StructureOf | None = None,
+    unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[str, str], read: Reading | None = None
 ) -> FlatModel | None:
     """The flat model with the structural parameters of `pairs`, before physics is checked; coordinates of cut joints
-    whose starts are set are unknowns of it.
+    whose starts are set are unknowns of it."""
+    from lagdsl.settings.settings import one_value
+    from lagdsl.settings.structure import StructuralTexts, check_structure
+    from lagdsl.settings.unknowns import coordinates_of
 
-    The model says which names are structural, and other values of these may bring others: it is flattened anew until
-    nothing is left to set. Only the diagnostics of the last one count.
-    """
-    from lagdsl.settings.settings import structure_of
-    from lagdsl.settings.unknowns import unknowns_of
-
-    read = structure_of if structure is None else structure
-    chosen: dict[str, float] = {}
-    unknowns: frozenset[str] = frozenset()
-    for left in range(len(pairs), -1, -1):
-        found = Sink()
-        flat = flatten(unit, found, model=model, structural=chosen, unknowns=unknowns)
-        wanted = read(flat, pairs) if flat is not None else chosen
-        kept = unknowns | unknowns_of(flat, pairs) if flat is not None else unknowns
-        if (wanted, kept) == (chosen, unknowns) or left == 0:
-            break
-        chosen, unknowns = wanted, kept
-    for diagnostic in found.diagnostics:
-        sink.add(diagnostic)
-    return flat
+    texts = StructuralTexts(pairs, read or (lambda target, text: one_value(target, text).value))
+    flat = flatten(unit, sink, model=model, structural=texts.value, unknowns=coordinates_of(pairs))
+    if flat is not None:
+        check_structure(flat, texts.of(flat), sink)
+    return None if sink.has_errors else flat
 
 
 def flatten_for_runs(
-    file: SourceFile,
-    sink: Sink,
-    *,
-    model: str | None,
-    pairs: Mapping[str, str],
-    structure: StructureOf | None = None,
+    file: SourceFile, sink: Sink, *, model: str | None, pairs: Mapping[str, str], read: Reading | None = None
 ) -> FlatModel | None:
-    """The flat model with the structural parameters of `pairs` only, as `structure` reads them (`structure_of` unless
-    given): all other values are for its runs. Raises SettingError for values that do not fit."""
+    """The flat model with the structural parameters of `pairs` only, as `read` reads them (one value unless given): all
+    other values are for its runs. Raises SettingError for values that do not fit."""
     unit = parse_file(file, sink)
     with deep_recursion():
-        flat = _structured(unit, sink, model, pairs, structure) if unit is not None else None
+        flat = _structured(unit, sink, model, pairs, read) if unit is not None else None
         if flat is None or sink.has_errors:
             return None
         check_physics(flat, sink)

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Discrete
 from lagdsl.flat.limits import check_limits
@@ -26,7 +25,7 @@ from lagdsl.semantics.events.whens import check_targets
 from lagdsl.semantics.expressions.expressions import elaborate
 from lagdsl.semantics.expressions.inline import check_function
 from lagdsl.semantics.scope.contents import Contents
-from lagdsl.semantics.scope.context import Context, Conventions
+from lagdsl.semantics.scope.context import Context, Conventions, Structural
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.instance_diagnostics import InstanceSink
 from lagdsl.semantics.scope.limits import MAX_COMPONENTS
@@ -52,7 +51,7 @@ def flatten(
     unit: nodes.Unit,
     sink: Sink,
     model: str | None = None,
-    structural: Mapping[str, float] | None = None,
+    structural: Structural = lambda parameter, alike: None,
     *,
     plain: Iterable[str] = (),
     unknowns: Iterable[str] = (),
@@ -60,13 +59,13 @@ def flatten(
 ) -> FlatModel | None:
     """The flat model of the class `model` (default: the last complete one that nothing else in the file uses).
 
-    `structural` gives structural parameters other values, in SI units; `plain` ones are elaborated as parameters.
-    `unknowns` are coordinates that stay unknowns where their joint is cut. None after errors, which are in `sink`.
+    `structural` gives structural parameters other values; `plain` ones are elaborated as parameters. `unknowns` are
+    coordinates that stay unknowns where their joint is cut. None after errors, which are in `sink`.
     `incomplete`: `unit` lacks statements of the text, so that nothing is said of names that nothing declares.
     """
     current = Current()
     found = InstanceSink(current)
-    conventions = Conventions(unit.span.file, structural or {}, plain=frozenset(plain), unknowns=frozenset(unknowns))
+    conventions = Conventions(unit.span.file, structural, plain=frozenset(plain), unknowns=frozenset(unknowns))
     ctx = Context(found, Definitions(), elaborate, conventions, current)
     ctx.reports.incomplete = incomplete
     flat = None
@@ -84,7 +83,7 @@ def scope_of(unit: nodes.Unit) -> Scope:
     """The names of a file and what its imports lead to, for who looks names up without a model; reports nothing."""
     current = Current()
     with deep_recursion():
-        return file_scope(Context(Sink(), Definitions(), elaborate, Conventions(unit.span.file, {}), current), unit)
+        return file_scope(Context(Sink(), Definitions(), elaborate, Conventions(unit.span.file), current), unit)
 
 
 def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]:
@@ -234,12 +233,4 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_limits(flat, {}, ctx.sink)
     check_corners(flat, dependence, ctx.sink)
     check_changing_inertia(flat, dependence, ctx.sink)
-    _check_overrides(ctx, contents)
     return None if ctx.sink.has_errors else flat
-
-
-def _check_overrides(ctx: Context, contents: Contents) -> None:
-    names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
-    for name in ctx.conventions.overrides:
-        if name not in names:
-            ctx.sink.report("E0222", None, name=name, help=did_you_mean(name, names))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import field
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
@@ -37,6 +37,11 @@ class Resolver(Protocol):
     def friction(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None: ...
 
 
+Structural: TypeAlias = Callable[[flat_model.Parameter, Callable[[], Sequence[str]]], "float | None"]
+"""The value of a structural parameter from outside, in SI units; None: that of the model. The second argument gives the
+names of the parameter in all elements of the arrays of components around it."""
+
+
 class Places(Protocol):
     """State of the kinematic assembly: frames, coordinates and components."""
 
@@ -56,13 +61,13 @@ class Conventions:
     """Options that the caller and the class set for the whole model.
 
     `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
-    `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units. `plain` are
+    `annotation(units = "none")`. `structural` sets values from outside. `plain` are
     structural parameters that are elaborated as parameters. `unknowns` are coordinates whose starts are set from
     outside: they stay unknowns where their joint is cut.
     """
 
     home: SourceFile
-    overrides: Mapping[str, float]
+    structural: Structural = lambda parameter, alike: None
     units: bool = True
     plain: frozenset[str] = frozenset()
     unknowns: frozenset[str] = frozenset()
