@@ -66,7 +66,9 @@ class _Guards:
         self._flat = flat
         self._met = {id(each.expression): each for each in met}
         self._truths = {id(each.expression) for each in met if each.located and _is_truth(each.expression)}
-        self._branching = branching(flat, met, lambda x: () if id(x) in self._truths else operands(x))
+        functions = [each for each in met if each.located and id(each.expression) not in self._truths]
+        moving = [each for each in functions if each.order >= Order.CONFIGURATION]
+        self._branching = branching(flat, moving, self._truths)
         whole = {id(each.expression) for each in met if each.located and _is_whole(each.expression)}
         known = {id(each.expression) for each in met if each.order == Order.STILL}
         self._steps = self._truths | (whole & (self._branching | known)) if whole & self._branching else set()
