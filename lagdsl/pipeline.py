@@ -93,8 +93,12 @@ def flatten_unit(
             from lagdsl.settings.structure import check_structure
 
             check_structure(flat, numbers, sink)
-        if flat is None or sink.has_errors:
-            return None
+        return _checked(flat, sink)
+
+
+def _checked(flat: FlatModel | None, sink: Sink) -> FlatModel | None:
+    """The same after the checks of its physics; None after errors."""
+    if flat is not None and not sink.has_errors:
         check_physics(flat, sink)
     return None if sink.has_errors else flat
 
@@ -114,11 +118,7 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
         if flat is None:
             return None
         chosen = settings(flat, pairs, sink)
-        if sink.has_errors:
-            return None
-        flat = with_values(flat, chosen.parameters, chosen.start)
-        check_physics(flat, sink)
-    return None if sink.has_errors else flat
+        return _checked(with_values(flat, chosen.parameters, chosen.start), sink)
 
 
 def _structured(
@@ -144,11 +144,7 @@ def flatten_for_runs(
     other values are for its runs. Raises SettingError for values that do not fit."""
     unit = parse_file(file, sink)
     with deep_recursion():
-        flat = _structured(unit, sink, model, pairs, read) if unit is not None else None
-        if flat is None or sink.has_errors:
-            return None
-        check_physics(flat, sink)
-    return None if sink.has_errors else flat
+        return _checked(_structured(unit, sink, model, pairs, read), sink) if unit is not None else None
 
 
 def flatten_file(

@@ -12,7 +12,7 @@ from lagdsl.pipeline import flatten_set, flatten_unit, parse_file
 from lagdsl.settings.failure import SettingError
 from lagdsl.source import SourceFile
 
-# How many elements there are, and which of them have parameters of their own, follows from values of others.
+# Values of some decide how many elements there are, and so which others can be set.
 TEXT = """model Bar
   structural parameter Integer n(min = 1, max = 9) = 1;
   coordinate Real x[n];

@@ -50,7 +50,7 @@ def discontinuities(flat: fm.FlatModel, met: Sequence[Met], sink: Sink) -> fm.Fl
     guards = _Guards(flat, met)
     flat = replace(flat, named=tuple(map(guards.steady, flat.named)))
     known, flat = rewritten((tuple(met), flat), guards.rule)
-    flat = replace(flat, events=replace(flat.events, relations=guards.entries.relations, timed=guards.entries.timed))
+    flat = replace(flat, events=guards.entries.added(flat.events))
     kinks = [now for each, now in zip(met, known, strict=True) if guards.is_kink(each)]
     jump = next((each for each in kinks if each.located and each.function in ("floor", "ceil", "mod")), None)
     if jump is not None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Literal
 
 from lagdsl.flat import expression as fx
-from lagdsl.flat.events import Relation, Timed
+from lagdsl.flat.events import Events, Relation, Timed
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators.pieces import chosen, chosen_by_number
 from lagdsl.semantics.scope.occurrences import entered
@@ -20,13 +21,11 @@ class Entries:
     def __init__(self) -> None:
         self._known: dict[str, Relation | Timed] = {}
 
-    @property
-    def relations(self) -> tuple[Relation, ...]:
-        return tuple(each for each in self._known.values() if isinstance(each, Relation))
-
-    @property
-    def timed(self) -> tuple[Timed, ...]:
-        return tuple(each for each in self._known.values() if isinstance(each, Timed))
+    def added(self, events: Events) -> Events:
+        """`events` with these."""
+        known = self._known.values()
+        relations = tuple(each for each in known if isinstance(each, Relation))
+        return replace(events, relations=relations, timed=tuple(each for each in known if isinstance(each, Timed)))
 
     def relation(self, met: Met, text: str, difference: FlatExpression, *, strict: bool) -> fx.Variable:
         """The truth of `difference > 0` or, where it is not `strict`, of `difference >= 0`."""

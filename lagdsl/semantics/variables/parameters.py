@@ -43,11 +43,10 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
         _text(ctx, symbol)
         return
     expected = Expected(f"`{symbol.short}`", info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
-    value: Value | None = None
-    bounds: list[Bounds] | None = None
-    if symbol.kind == "structural" and not shape:
-        bounds = _bounds(ctx, symbol, expected)
-        value = _given(ctx, symbol, expected, bounds[0])
+    bounds = _bounds(ctx, symbol, expected)
+    value: Value | None = (
+        _given(ctx, symbol, expected, bounds[0]) if symbol.kind == "structural" and not shape else None
+    )
     if value is None:
         if binding is None:
             code = "E0303" if symbol.kind == "parameter" else "E0337"
@@ -57,7 +56,6 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
         if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
             return
     assert isinstance(value, Scalar | Array)
-    bounds = _bounds(ctx, symbol, expected) if bounds is None else bounds
     sign = attributes.text(ctx, attributes.attributes(ctx, symbol).get("symbol"))
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
