@@ -28,9 +28,9 @@ class Pieces:
 class Met:
     """A discontinuity as it stands in the text: a relation, `abs`, `floor`, `sign`, a table between values that move.
 
-    `expression` is its node in the flat model, `text` what the guard is called, `function` what the text calls (""
-    of relations), `order` that of the operands. Not `located`: in `noEvent`, or the cut of `atan2`. A table has
-    `pieces`; every other function shows its operands itself.
+    `expression` is its node in the flat model, which the pass knows by identity, `text` the name of the guard,
+    `function` what the text calls ("" of relations), `order` that of the operands. Not `located`: in `noEvent`, or the
+    cut of `atan2`. A table has `pieces`; every other function shows its operands itself.
     """
 
     expression: FlatExpression
