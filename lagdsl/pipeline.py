@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
     from lagdsl.mechanics.equations import Equations
     from lagdsl.program.program import Program
+    from lagdsl.settings.structure import Reading
+    from lagdsl.structure.points import Geometry
     from lagdsl.structure.structure import Structure
 
-StructureOf: TypeAlias = "Callable[[FlatModel, Mapping[str, str]], dict[str, float]]"
-"""Structural parameters of a model among assignments."""
 Route: TypeAlias = Literal["graph", "textbook"]
 """The derivation of the functions: on the graph, or literally as in a textbook, by SymPy."""
 
@@ -86,10 +86,19 @@ def flatten_unit(
     `model` names one of several classes; `structural` gives structural parameters other values, in SI units.
     `unknowns` are coordinates that stay unknowns where their joint is cut.
     """
+    numbers = structural or {}
     with deep_recursion():
-        flat = flatten(unit, sink, model=model, structural=structural or {}, unknowns=unknowns)
-        if flat is None or sink.has_errors:
-            return None
+        flat = flatten(unit, sink, model=model, structural=lambda each, _: numbers.get(each.name), unknowns=unknowns)
+        if flat is not None and numbers:
+            from lagdsl.settings.structure import check_structure
+
+            check_structure(flat, numbers, sink)
+        return _checked(flat, sink)
+
+
+def _checked(flat: FlatModel | None, sink: Sink) -> FlatModel | None:
+    """The same after the checks of its physics; None after errors."""
+    if flat is not None and not sink.has_errors:
         check_physics(flat, sink)
     return None if sink.has_errors else flat
 
@@ -109,62 +118,33 @@ def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mappi
         if flat is None:
             return None
         chosen = settings(flat, pairs, sink)
-        if sink.has_errors:
-            return None
-        flat = with_values(flat, chosen.parameters, chosen.start)
-        check_physics(flat, sink)
-    return None if sink.has_errors else flat
+        return _checked(with_values(flat, chosen.parameters, chosen.start), sink)
 
 
 def _structured(
-    unit: nodes.Unit,
-    sink: Sink,
-    model: str | None,
-    pairs: Mapping[str, str],
-    structure: StructureOf | None = None,
+    unit: nodes.Unit, sink: Sink, model: str | None, pairs: Mapping[str, str], read: Reading | None = None
 ) -> FlatModel | None:
     """The flat model with the structural parameters of `pairs`, before physics is checked; coordinates of cut joints
-    whose starts are set are unknowns of it.
+    whose starts are set are unknowns of it."""
+    from lagdsl.settings.settings import one_value
+    from lagdsl.settings.structure import StructuralTexts, check_structure
+    from lagdsl.settings.unknowns import coordinates_of
 
-    The model says which names are structural, and other values of these may bring others: it is flattened anew until
-    nothing is left to set. Only the diagnostics of the last one count.
-    """
-    from lagdsl.settings.settings import structure_of
-    from lagdsl.settings.unknowns import unknowns_of
-
-    read = structure_of if structure is None else structure
-    chosen: dict[str, float] = {}
-    unknowns: frozenset[str] = frozenset()
-    for left in range(len(pairs), -1, -1):
-        found = Sink()
-        flat = flatten(unit, found, model=model, structural=chosen, unknowns=unknowns)
-        wanted = read(flat, pairs) if flat is not None else chosen
-        kept = unknowns | unknowns_of(flat, pairs) if flat is not None else unknowns
-        if (wanted, kept) == (chosen, unknowns) or left == 0:
-            break
-        chosen, unknowns = wanted, kept
-    for diagnostic in found.diagnostics:
-        sink.add(diagnostic)
-    return flat
+    texts = StructuralTexts(pairs, read or (lambda target, text: one_value(target, text).value))
+    flat = flatten(unit, sink, model=model, structural=texts.value, unknowns=coordinates_of(pairs))
+    if flat is not None:
+        check_structure(flat, texts.of(flat), sink)
+    return None if sink.has_errors else flat
 
 
 def flatten_for_runs(
-    file: SourceFile,
-    sink: Sink,
-    *,
-    model: str | None,
-    pairs: Mapping[str, str],
-    structure: StructureOf | None = None,
+    file: SourceFile, sink: Sink, *, model: str | None, pairs: Mapping[str, str], read: Reading | None = None
 ) -> FlatModel | None:
-    """The flat model with the structural parameters of `pairs` only, as `structure` reads them (`structure_of` unless
-    given): all other values are for its runs. Raises SettingError for values that do not fit."""
+    """The flat model with the structural parameters of `pairs` only, as `read` reads them (one value unless given): all
+    other values are for its runs. Raises SettingError for values that do not fit."""
     unit = parse_file(file, sink)
     with deep_recursion():
-        flat = _structured(unit, sink, model, pairs, structure) if unit is not None else None
-        if flat is None or sink.has_errors:
-            return None
-        check_physics(flat, sink)
-    return None if sink.has_errors else flat
+        return _checked(_structured(unit, sink, model, pairs, read), sink) if unit is not None else None
 
 
 def flatten_file(
@@ -180,23 +160,19 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
 
     Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
     """
-    from lagdsl.flat.row_factors import row_factors, with_row_factors
+    from lagdsl.mechanics.equations import form_equations
     from lagdsl.mechanics.idle_loads import report_idle_loads
     from lagdsl.mechanics.invariants import report_proofs
     from lagdsl.mechanics.solve import solve
-    from lagdsl.structure.constraints import report_row_factors
-    from lagdsl.structure.structure import flag_redundant
+    from lagdsl.structure.structure import analyze, constraint_space, flag_redundant
 
-    found = Sink()
-    equations, program, structure = _analyzed(flat, route, found)
-    more = structure.space.row_factors.tolist()
-    if not found.has_errors and any(factor != 1.0 for factor in more):
-        found = Sink()
-        report_row_factors(flat, structure.space, found)
-        flat = with_row_factors(flat, [own * factor for own, factor in zip(row_factors(flat), more, strict=True)])
-        equations, program, structure = _analyzed(flat, route, found)
-    for diagnostic in found.diagnostics:
-        sink.add(diagnostic)
+    with deep_recursion():
+        equations = form_equations(flat)
+        program = _arrange(equations, route)
+    space = constraint_space(flat, program)
+    if any(space.row_factors != 1.0):
+        equations, program, space = _multiplied(equations, program, space, sink)
+    structure = analyze(flat, space, sink)
     if sink.has_errors:
         return None
     program = flag_redundant(program, structure)
@@ -218,15 +194,19 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     )
 
 
-def _analyzed(flat: FlatModel, route: Route, sink: Sink) -> tuple[Equations, Program, Structure]:
-    """Errors, warnings and notes about the constraints go to `sink`."""
-    from lagdsl.mechanics.equations import form_equations
-    from lagdsl.structure.structure import analyze
+def _multiplied(
+    equations: Equations, program: Program, space: Geometry, sink: Sink
+) -> tuple[Equations, Program, Geometry]:
+    """All with the rows of constraints that are far smaller than others multiplied, which N0612 tells."""
+    from lagdsl.mechanics import equations as formed
+    from lagdsl.program.passes.row_factors import with_row_factors
+    from lagdsl.structure.constraints import report_row_factors
+    from lagdsl.structure.functions import ProgramFunctions
 
-    with deep_recursion():
-        equations = form_equations(flat)
-        program = _arrange(equations, route)
-    return equations, program, analyze(flat, program, sink)
+    factors = space.row_factors.tolist()
+    report_row_factors(equations.flat, space.row_factors, sink)
+    program = with_row_factors(program, factors)
+    return formed.with_row_factors(equations, factors), program, space.multiplied(ProgramFunctions(program))
 
 
 def _arrange(equations: Equations, route: Route) -> Program:

@@ -129,8 +129,8 @@ def _laws(system: System, here: Flow) -> list[_Law]:
     if not system.flat.events.frictions:
         return []
     slip, _, limit, sticking, _, gain = system.engine.evaluate("friction", *here.point.arguments, here.qdd, here.lam)
-    w, rows = here.point.w, system.engine.layout.instants.friction_rows
-    factors = {each.name: each.factors[0] for each in system.flat.constraints if each.friction and each.factors}
+    layout = system.engine.layout
+    w, rows = here.point.w, layout.instants.friction_rows
     return [
         _Law(
             name=each.friction.name,
@@ -141,7 +141,7 @@ def _laws(system: System, here: Flow) -> list[_Law]:
             limit=float(limit[k]),
             sticking=float(sticking[k]),
             gain=gain[k],
-            factor=factors.get(each.friction.name, 1.0),
+            factor=layout.row_factor(rows[each.slips][0]),
         )
         for k, each in enumerate(placed_frictions(system, w))
         if each.acts

@@ -12,7 +12,6 @@ from lagdsl.api.names import Given, Value, entries, known, numbers
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.target import Kind, Target, targets
 
@@ -32,7 +31,7 @@ class Described(Interface):
         self._compilation = compilation
         self._layout = compilation.program.layout
         self._aliases = dict(self._layout.aliases)
-        self._row_factors = np.array(row_factors(compilation.flat))
+        self._row_factors = np.array(self._layout.row_factors or (1.0,))
 
     def __repr__(self) -> str:
         return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"

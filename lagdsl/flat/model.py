@@ -302,7 +302,7 @@ class Constraint(Item):
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
     `contact`: it is there while the contact of that name is closed, and identically satisfied else; `friction`: while
     the friction of that name sticks. `switched`: it depends on discretes in another way, so that it may be there at
-    some times only. `factors` are the powers of two by which the equations multiply the rows; none where all are one.
+    some times only.
     """
 
     name: str
@@ -310,7 +310,6 @@ class Constraint(Item):
     residuals: tuple[FlatExpression, ...]
     dimension: Dimension
     level: Literal["position", "velocity"]
-    factors: tuple[float, ...] = ()
     normalisation: bool = False
     closure: Closure | None = None
     node: bool = False

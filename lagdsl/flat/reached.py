@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import assert_never
+from typing import TypeAlias, assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.traversal import operands, step_expressions
 
+Below: TypeAlias = Callable[[fx.FlatExpression], tuple[fx.FlatExpression, ...]]
+
 
 def reached(
     flat: fm.FlatModel,
     roots: Iterable[fx.FlatExpression],
-    below: Callable[[fx.FlatExpression], tuple[fx.FlatExpression, ...]] = operands,
+    below: Below = operands,
 ) -> Iterator[fx.FlatExpression]:
     """Every expression below the roots, also behind names, once; `below` gives the operands that are followed."""
     named = {item.name: item for item in flat.named}

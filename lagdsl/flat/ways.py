@@ -24,3 +24,8 @@ def differentiated(flat: fm.FlatModel) -> list[fx.FlatExpression]:
     """Arguments of `der` in the kinetic energy and in terms of the Lagrangian, scalars and vectors."""
     terms = [term.value for term in flat.energies if term.kind in ("kinetic", "lagrangian")]
     return [x.operand for x in reached(flat, terms) if isinstance(x, fx.Derivative)]
+
+
+def held(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    """Residuals of constraints of position level, without those of contacts."""
+    return [x for each in flat.constraints if each.level == "position" and not each.contact for x in each.residuals]

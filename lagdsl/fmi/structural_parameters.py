@@ -114,7 +114,8 @@ class _Trials:
 
     def _flatten(self, names: Iterable[str]) -> FlatModel | None:
         sink = Sink()
-        found = flatten(self._unit, sink, self._flat.name, self._overrides, plain=names)
+        given = self._overrides
+        found = flatten(self._unit, sink, self._flat.name, lambda each, _: given.get(each.name), plain=names)
         return None if sink.has_errors else found
 
     def _like_the_given(self, tried: FlatModel) -> FlatModel:

@@ -44,8 +44,7 @@ class Provider:
         found = self._dynamics.energies.inertial_elements
         match expression:
             case flat.Multiplier(row):
-                multiplier, factor = symbols.rows[row]
-                return self._lowering.graph.multiply(factor, multiplier)
+                return symbols.rows[row]
             case flat.FrameReaction(frame, kind):
                 return self._frame_reaction(frame, kind)
             case flat.ReactionAlong():

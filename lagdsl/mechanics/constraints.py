@@ -34,9 +34,7 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
         refuse_accelerations(lowering.graph, nodes, constraint.spans, f"constraint `{constraint.name}`")
         residuals += nodes
         levels += [constraint.level == "position"] * len(nodes)
-    factors = [factor for _, factor in lowering.symbols.rows.values()]
-    scaled = [lowering.graph.multiply(by, node) for by, node in zip(factors, residuals, strict=True)]
-    return Rows(tuple(scaled), tuple(levels))
+    return Rows(tuple(residuals), tuple(levels))
 
 
 def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[list[int]]:

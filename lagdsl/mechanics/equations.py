@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import replace
+
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import constraints
@@ -39,3 +43,17 @@ def form_equations(flat: FlatModel) -> Equations:
     return Equations(
         flat=flat, graph=graph, symbols=symbols, lowering=lowering, dynamics=found, energies=totals, rows=rows
     )
+
+
+def with_row_factors(equations: Equations, factors: Sequence[float]) -> Equations:
+    """The same with rows times `factors` (nc,), and for all that is lowered from now on with the multipliers of the
+    text as these times those of the rows."""
+    flat, graph = equations.flat, equations.graph
+    powers = [graph.constant(factor) for factor in factors]
+    symbols = copy(equations.symbols)
+    symbols.rows = {name: graph.multiply(by, lam) for (name, lam), by in zip(symbols.rows.items(), powers, strict=True)}
+    lowering = Lowering(graph, flat, symbols)
+    share_positions(lowering, flat)
+    lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies)
+    residuals = tuple(graph.multiply(by, row) for by, row in zip(powers, equations.rows.residuals, strict=True))
+    return replace(equations, symbols=symbols, lowering=lowering, rows=replace(equations.rows, residuals=residuals))

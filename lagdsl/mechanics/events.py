@@ -58,7 +58,7 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
     which it opens, relations see zero."""
     symbols = lowering.symbols
     rows = [row for each in flat.constraints if each.contact for row in each.rows]
-    forces = [symbols.rows[row][0] for row in rows]
+    forces = [symbols.rows[row] for row in rows]
     pushing = {force: lowering.graph.binary(Op.MAX, force, lowering.graph.constant(0.0)) for force in forces}
     differences = [lowering.scalar(each.difference) for each in flat.events.relations]
     return Substitution(lowering.graph, pushing).of_all(differences)
@@ -192,9 +192,7 @@ def impacts(flat: FlatModel) -> list[Contact | Impact]:
 def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     graph = lowering.graph
     found = impacts(flat)
-    factors = [lowering.symbols.rows[each.name][1] for each in flat.events.contacts]  # gaps are as their rows are
-    plain = [lowering.scalar(each.gap) for each in found]
-    told = [graph.multiply(by, gap) for by, gap in zip(factors, plain, strict=False)] + plain[len(factors) :]
+    told = [lowering.scalar(each.gap) for each in found]
     contacts = flat.events.contacts
     one_way = {place for place, each in enumerate(contacts) if each.one_way}
     gaps = [graph.zero if place in one_way else gap for place, gap in enumerate(told)]
@@ -203,8 +201,7 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     rows = [driven[place] if place in one_way else row for place, row in enumerate(moved)]
     unknown = graph.constant(-1.0)
     capture_speed = [
-        unknown if each.capture_speed is None else graph.multiply(by, lowering.scalar(each.capture_speed))
-        for by, each in zip(factors, contacts, strict=True)
+        unknown if each.capture_speed is None else lowering.scalar(each.capture_speed) for each in contacts
     ]
     brief = _brief(graph, flat.experiment)
     zeno_time = [brief if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]

@@ -12,21 +12,17 @@ from lagdsl.program.program import Function, Program, matrix_block, vector_block
 
 
 def friction_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
-    """`friction` of a model with dry friction; none for others. Slips and forces are as the rows of the equations and
-    their multipliers are, which may be powers of two of those in the text."""
+    """`friction` of a model with dry friction; none for others."""
     frictions = flat.events.frictions
     if not frictions:
         return ()
     graph, symbols = lowering.graph, lowering.symbols
-    rows = {each.name: each.rows for each in flat.constraints if each.friction}
     slips, limits, sticking = [], [], []
     for each in frictions:
         lowering.place = each.spans
-        factor = symbols.rows[rows[each.name][0]][1]
-        slips += [graph.multiply(factor, lowering.scalar(slip)) for slip in each.slips]
-        limits.append(graph.divide(lowering.scalar(each.limit), factor))
-        at_rest = each.limit if each.sticking is None else each.sticking
-        sticking.append(graph.divide(lowering.scalar(at_rest), factor))
+        slips += [lowering.scalar(slip) for slip in each.slips]
+        limits.append(lowering.scalar(each.limit))
+        sticking.append(lowering.scalar(each.limit if each.sticking is None else each.sticking))
     blocks = (
         vector_block("slip", slips),
         matrix_block("jacobian", jacobian(graph, slips, symbols.qd), len(symbols.qd)),

@@ -58,6 +58,9 @@ class Layout:
     `parameters` are the independent ones, with their default values beside them.
 
     `definitions` are those of the function `definition`, where the program has it.
+    `row_factors` are powers of two by which the rows of constraints are multiplied, see
+    `program/passes/row_factors.py`; where it is empty, none is. A multiplier in the text is that of the program times
+    this.
     `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
     `inertial` are the inertial parameters of the function `regressor`, `frames` and `points` those of the function
     `kinematics`, where the program has them.
@@ -78,6 +81,7 @@ class Layout:
     outputs: tuple[Slot, ...]
     constraints: tuple[Slot, ...]
     position_level: tuple[bool, ...]
+    row_factors: tuple[float, ...] = ()
     redundant: tuple[bool, ...]
     invariants: tuple[Slot, ...]
     assertions: tuple[str, ...]
@@ -88,6 +92,9 @@ class Layout:
     components: tuple[int, ...] = ()
     speeds: tuple[bool, ...] = ()
     aliases: tuple[tuple[str, str], ...] = ()
+
+    def row_factor(self, row: int) -> float:
+        return self.row_factors[row] if self.row_factors else 1.0
 
     def size(self, group: Group) -> int:
         """Length of the argument array of `group`."""

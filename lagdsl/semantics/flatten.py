@@ -6,12 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Discrete
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
-from lagdsl.flat.quantity import Spans
 from lagdsl.semantics.assembly.assemble import assemble
 from lagdsl.semantics.assembly.assembly import Assembly
 from lagdsl.semantics.classes import annotations as notes
@@ -21,12 +19,13 @@ from lagdsl.semantics.classes.declare import instance_of
 from lagdsl.semantics.classes.expand import collect
 from lagdsl.semantics.classes.inheritance import expand_short
 from lagdsl.semantics.classes.selection import file_scope, functions_of, select
+from lagdsl.semantics.discontinuities.discontinuities import discontinuities
 from lagdsl.semantics.events.event_order import check_events, with_switches
 from lagdsl.semantics.events.whens import check_targets
 from lagdsl.semantics.expressions.expressions import elaborate
 from lagdsl.semantics.expressions.inline import check_function
 from lagdsl.semantics.scope.contents import Contents
-from lagdsl.semantics.scope.context import Context, Conventions
+from lagdsl.semantics.scope.context import Context, Conventions, Structural
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.instance_diagnostics import InstanceSink
 from lagdsl.semantics.scope.limits import MAX_COMPONENTS
@@ -39,12 +38,7 @@ from lagdsl.semantics.variables.attributes import attributes
 from lagdsl.semantics.variables.rates import check_inputs, check_linear
 from lagdsl.semantics.variables.resolver import Definitions, every
 from lagdsl.semantics.variables.scale_points import check_difference
-from lagdsl.semantics.wellformed.corners import (
-    check_changing_inertia,
-    check_corners,
-    over_which_velocities_jump,
-    with_corners,
-)
+from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners
 from lagdsl.semantics.wellformed.feedback import with_feedback
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -57,7 +51,7 @@ def flatten(
     unit: nodes.Unit,
     sink: Sink,
     model: str | None = None,
-    structural: Mapping[str, float] | None = None,
+    structural: Structural = lambda parameter, alike: None,
     *,
     plain: Iterable[str] = (),
     unknowns: Iterable[str] = (),
@@ -65,27 +59,13 @@ def flatten(
 ) -> FlatModel | None:
     """The flat model of the class `model` (default: the last complete one that nothing else in the file uses).
 
-    `structural` gives structural parameters other values, in SI units; `plain` ones are elaborated as parameters.
-    `unknowns` are coordinates that stay unknowns where their joint is cut. None after errors, which are in `sink`.
+    `structural` gives structural parameters other values; `plain` ones are elaborated as parameters. `unknowns` are
+    coordinates that stay unknowns where their joint is cut. None after errors, which are in `sink`.
     `incomplete`: `unit` lacks statements of the text, so that nothing is said of names that nothing declares.
     """
-    conventions = Conventions(unit.span.file, structural or {}, plain=frozenset(plain), unknowns=frozenset(unknowns))
-    flat, found, branches = _attempt(unit, model, conventions, incomplete)
-    while not branches <= conventions.branches:
-        # a corner in the way of a mass or in a constraint is an event, which is known only once these are
-        conventions = replace(conventions, branches=branches | conventions.branches)
-        flat, found, branches = _attempt(unit, model, conventions, incomplete)
-    for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
-        sink.add(diagnostic)
-    return flat if not sink.has_errors else None
-
-
-def _attempt(
-    unit: nodes.Unit, model: str | None, conventions: Conventions, incomplete: bool
-) -> tuple[FlatModel | None, Sink, frozenset[Spans]]:
-    """The flat model, what there is to say, and the functions whose branches should have been events."""
     current = Current()
     found = InstanceSink(current)
+    conventions = Conventions(unit.span.file, structural, plain=frozenset(plain), unknowns=frozenset(unknowns))
     ctx = Context(found, Definitions(), elaborate, conventions, current)
     ctx.reports.incomplete = incomplete
     flat = None
@@ -94,14 +74,16 @@ def _attempt(
             flat = _flatten(ctx, unit, model, incomplete)
         except RecursionError:
             found.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
-    return flat, found, frozenset() if flat is None else over_which_velocities_jump(ctx.product.corners, flat)
+    for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
+        sink.add(diagnostic)
+    return flat if not sink.has_errors else None
 
 
 def scope_of(unit: nodes.Unit) -> Scope:
     """The names of a file and what its imports lead to, for who looks names up without a model; reports nothing."""
     current = Current()
     with deep_recursion():
-        return file_scope(Context(Sink(), Definitions(), elaborate, Conventions(unit.span.file, {}), current), unit)
+        return file_scope(Context(Sink(), Definitions(), elaborate, Conventions(unit.span.file), current), unit)
 
 
 def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]:
@@ -236,9 +218,12 @@ def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
 
 
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
-    """Checks that need a model without errors."""
+    """Discontinuities, and checks that need a model without errors."""
+    dimensions = {id(load): dimension for load, dimension in ctx.product.solved}
+    solved = [dimensions.get(id(load)) for load in flat.loads]
+    flat = discontinuities(flat, ctx.product.met, ctx.sink)
     dependence = Dependence(flat)
-    flat = with_feedback(ctx.product.solved, flat, dependence)
+    flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
@@ -247,16 +232,5 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
     check_corners(flat, dependence, ctx.sink)
-    flat = with_corners(ctx.product.corners, flat)
     check_changing_inertia(flat, dependence, ctx.sink)
-    if ctx.reports.jump is not None:
-        ctx.sink.report("N0309", ctx.reports.jump.span, name=ctx.reports.jump.function.span.text)
-    _check_overrides(ctx, contents)
     return None if ctx.sink.has_errors else flat
-
-
-def _check_overrides(ctx: Context, contents: Contents) -> None:
-    names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
-    for name in ctx.conventions.overrides:
-        if name not in names:
-            ctx.sink.report("E0222", None, name=name, help=did_you_mean(name, names))

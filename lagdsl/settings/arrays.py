@@ -14,7 +14,11 @@ _BRACES = re.compile(r"\s*\{(.*)\}\s*([^{}]*?)\s*", re.DOTALL)
 
 def family(name: str, known: Iterable[str]) -> list[str]:
     """The elements of the array `name`, in their order; none where it is no array."""
-    return [each for each in known if each != name and "[" in each and _SUBSCRIPT.sub("", each) == name]
+    return [each for each in known if each != name and "[" in each and without_subscripts(each) == name]
+
+
+def without_subscripts(name: str) -> str:
+    return _SUBSCRIPT.sub("", name)
 
 
 def spread(pairs: Mapping[str, str], known: Iterable[str]) -> dict[str, str]:

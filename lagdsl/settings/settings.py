@@ -11,9 +11,10 @@ from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
 from lagdsl.settings.aliases import by_own_names
-from lagdsl.settings.arrays import family, spread
+from lagdsl.settings.arrays import spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
-from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, to_vary, value_of
+from lagdsl.settings.literal import Literal
+from lagdsl.settings.target import Target, find, lacks_unit, note_lacking_unit, targets, to_vary, value_of
 
 _DECIMAL_COMMA = re.compile(r"[^,:]*[0-9],[0-9][^,:]*")
 
@@ -47,8 +48,7 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     known = targets(flat)
     for name, text in spread(by_own_names(flat, pairs), known).items():
         target = find(flat, name, known)
-        _require_one(name, text, "`lag sweep --set` takes ranges and lists")
-        given = value_of(target, text)
+        given = one_value(target, text)
         if lacks_unit(target, given):
             note_lacking_unit(target, text, given.value, sink)
         kinds = {"parameter": result.parameters, "structural": result.structural, "start": result.start}
@@ -56,12 +56,10 @@ def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
     return result
 
 
-def structure_of(flat: FlatModel, pairs: Mapping[str, str]) -> dict[str, float]:
-    """Values for the structural parameters of this model among the assignments; names of the others may be known only
-    with these. Raises SettingError for values that do not fit."""
-    known = targets(flat, ("structural",))
-    chosen = {name: text for name, text in pairs.items() if name in known or family(name, known)}
-    return settings(flat, chosen, Sink()).structural
+def one_value(target: Target, text: str) -> Literal:
+    """The value in SI units. Raises SettingError where it is none of `target`, or several."""
+    _require_one(target.name, text, "`lag sweep --set` takes ranges and lists")
+    return value_of(target, text)
 
 
 def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str, float]:

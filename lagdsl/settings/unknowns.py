@@ -13,8 +13,12 @@ _NAME = re.compile(r"(?:der\()?([^()\[\]]+)(?:\[[^\]]*\])*\)?(?:\[[^\]]*\])*")
 def unknowns_of(flat: FlatModel, names: Iterable[str]) -> frozenset[str]:
     """Coordinates of `flat` that follow from others at present, without indices, among those whose starts have these
     names: `B.q.start`, `der(B.q)`, `ball.e[1].start`."""
-    computed = {_coordinate(output.name) for output in flat.outputs if output.joint is not None}
-    return frozenset(_coordinate(name) for name in names) & computed
+    return coordinates_of(names) & coordinates_of(output.name for output in flat.outputs if output.joint is not None)
+
+
+def coordinates_of(names: Iterable[str]) -> frozenset[str]:
+    """The coordinates, without indices, of these if they are names of starts."""
+    return frozenset(map(_coordinate, names))
 
 
 def _coordinate(name: str) -> str:

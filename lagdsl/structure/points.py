@@ -89,6 +89,11 @@ class Geometry:
     row_factors: Floats
     pattern: Flags
 
+    def multiplied(self, functions: Functions) -> Geometry:
+        """The same with `functions` whose rows are multiplied by `row_factors`."""
+        sizes = self.row_sizes * self.row_factors
+        return replace(self, functions=functions, row_sizes=sizes, row_factors=np.ones(len(sizes)))
+
     @property
     def components(self) -> Indices:
         """Numbers of the components of the coordinates (nq,); all are one where nobody tells."""

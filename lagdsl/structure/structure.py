@@ -21,7 +21,7 @@ from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.inertia import report_massless
 from lagdsl.structure.moments import other_moments
 from lagdsl.structure.names import contact_rows
-from lagdsl.structure.points import Functions, Geometry, Probe, geometry, probes
+from lagdsl.structure.points import Geometry, Probe, geometry, probes
 from lagdsl.structure.rates import report_integrable, report_nonlinear
 from lagdsl.structure.rigid import report_rigid
 
@@ -55,9 +55,16 @@ class Structure:
         return self.coordinates - self.rank
 
 
-def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
-    """Ranks, redundancy and inertia of `program`; what is wrong goes to `sink`."""
-    found = examine(flat, ProgramFunctions(program), sink)
+def constraint_space(flat: FlatModel, program: Program) -> Geometry:
+    """The constraints of `program` as functions of q, with the sizes and factors of their rows."""
+    with np.errstate(all="ignore"):
+        return geometry(flat, ProgramFunctions(program))
+
+
+def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
+    """Ranks, redundancy and inertia of the program behind `space`; what is wrong goes to `sink`."""
+    with np.errstate(all="ignore"):  # rows may be of any size, and are told where they are none
+        found = _examined(flat, space, sink)
     contacts = contact_rows(flat)
     redundant = tuple(flag and row not in contacts for row, flag in enumerate(found.dependence.redundant))
     return Structure(
@@ -68,7 +75,7 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
-        space=found.space,
+        space=space,
         points=tuple(found.points),
     )
 
@@ -79,24 +86,16 @@ def flag_redundant(program: Program, structure: Structure) -> Program:
 
 
 @record()
-class Examination:
+class _Examination:
     """The numeric findings."""
 
     dependence: Dependence
     position_rank: int
     rank: int
-    space: Geometry
     points: list[Probe]
 
 
-def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
-    """The same for any implementation of the program's functions."""
-    with np.errstate(all="ignore"):  # rows may be of any size, and are told where they are none
-        return _examined(flat, functions, sink)
-
-
-def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
-    space = geometry(flat, functions)
+def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
     impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
     rows = space.position_rows
     points = [] if impossible else probes(flat, space, rows)
@@ -116,7 +115,7 @@ def _examined(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     report_massless(flat, space, points, sink)
     holonomic = set(rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
-    return Examination(found, sum(row in holonomic for row in kept), len(kept), space, points)
+    return _Examination(found, sum(row in holonomic for row in kept), len(kept), points)
 
 
 def structure_text(structure: Structure) -> str:

@@ -77,6 +77,11 @@ def structures(flat: FlatModel, pairs: Mapping[str, str]) -> list[dict[str, floa
     return variants(plan([flat], chosen, None, 0, Sink()))
 
 
+def first_of(target: Target, text: str) -> float | None:
+    """The value in the first run; None for a distribution, which `plan` refuses for a structural parameter."""
+    return None if _is_drawn(text) else axis_of(target, text, Sink()).values[0]
+
+
 def _is_drawn(text: str) -> bool:
     call = CALL.fullmatch(text)
     return call is not None and call[1] != "linspace"

@@ -18,7 +18,6 @@ from lagdsl.flat.model import (
     RateForce,
     RigidBody,
 )
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial
@@ -120,7 +119,7 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         extra=Add(*declared["lagrangian"]),
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
-        residuals=tuple(Integer(int(by)) * row for row, by in zip(rows, row_factors(flat), strict=True)),
+        residuals=tuple(rows),
     )
 
 

@@ -10,7 +10,6 @@ from sympy import Add, Expr, Integer
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.model import FlatModel
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force, held_rates
 from lagdsl.textbook.convert import Converter, Mechanical, Style
@@ -42,7 +41,7 @@ class MechanicalValues:
         match node:
             case flat.Multiplier(row):
                 rows = [name for constraint in self.model.constraints for name in constraint.rows]
-                return Integer(int(row_factors(self.model)[rows.index(row)])) * self.symbols.lam[rows.index(row)]
+                return self.symbols.lam[rows.index(row)]
             case flat.SystemEnergy(kind):
                 return self._energy(kind)
             case flat.GeneralizedMomentum(coordinate):

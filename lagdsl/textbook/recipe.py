@@ -18,7 +18,6 @@ from sympy import Add, Expr, Symbol, cos, sin
 
 from lagdsl.flat.listing import computed_outputs
 from lagdsl.flat.model import Constraint, Definition, FlatModel, Output
-from lagdsl.flat.row_factors import without_row_factors
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     AppliedForce,
@@ -136,7 +135,7 @@ class Recipe:
 
 def recipe(flat: FlatModel) -> Recipe:
     """The derivation of `flat`, written out if the model is of modest extent."""
-    prepared = familiar(without_row_factors(flat))
+    prepared = familiar(flat)
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
     short = short_equations(prepared.flat, found) if found.reasons else None

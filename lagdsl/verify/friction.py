@@ -96,12 +96,11 @@ class _Motion:
 
     def _natural(self, index: int) -> float:
         """The slip where coordinates move by their natural sizes in the time of the motion."""
-        here, instants = self._flow(0), self.system.engine.layout.instants
+        here, layout = self._flow(0), self.system.engine.layout
         sizes = coordinate_sizes(self.system.flat, self.system.program, self.p)
         jacobian = self.system.engine.evaluate("friction", *here.point.arguments, here.qdd, here.lam)[1]
-        row = next(each for each in self.system.flat.constraints if each.name == instants.frictions[index])
-        factor = row.factors[0] if row.factors else 1.0
         own = list(placed_frictions(self.system, here.point.w))[index].slips
+        factor = layout.row_factor(layout.instants.friction_rows[own][0])
         slips = np.abs(jacobian[own]) @ sizes / factor
         return float(np.max(slips)) / (float(np.ptp(self.rows.time)) or 1.0)
 

@@ -6,8 +6,7 @@ import pytest
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import check, flatten_file
-from lagdsl.semantics.flatten import flatten
+from lagdsl.pipeline import check, flatten_file, flatten_unit
 from lagdsl.signals.table_io import write_table
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse
@@ -31,7 +30,7 @@ def test_asked_for_a_structural_parameter_that_is_not_there():
     sink = Sink()
     unit = parse(SourceFile("a.lag", TWO), sink)
     assert unit is not None
-    assert flatten(unit, sink, structural={"counts": 2.0}) is None
+    assert flatten_unit(unit, sink, structural={"counts": 2.0}) is None
     (diagnostic,) = sink.diagnostics
     assert (diagnostic.code, diagnostic.help) == ("E0222", "did you mean `count`?")
 

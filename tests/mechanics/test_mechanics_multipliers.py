@@ -13,7 +13,7 @@ from lagdsl.mechanics.solve import solve
 from lagdsl.program.program import Program
 from lagdsl.structure import redundant_multipliers
 from lagdsl.structure.points import probes
-from lagdsl.structure.structure import Structure, analyze
+from lagdsl.structure.structure import Structure, analyze, constraint_space
 
 FOUR_BARS = """model FourBars
   structural parameter Integer N = {n};
@@ -54,7 +54,7 @@ def compiled(text: str) -> tuple[Program, Structure]:
     sink = Sink()
     equations = form_equations(flat)
     program = arrange(equations, dense=True)
-    structure = analyze(flat, program, sink)
+    structure = analyze(flat, constraint_space(flat, program), sink)
     assert not sink.has_errors, sink.diagnostics
     return solve(equations, program, structure), structure
 

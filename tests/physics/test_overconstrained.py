@@ -10,7 +10,7 @@ from derived_programs import derive
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.structure.structure import analyze, structure_text
+from lagdsl.structure.structure import analyze, constraint_space, structure_text
 
 AROUND = ("A", "B", "C", "D")
 
@@ -27,7 +27,7 @@ AROUND = ("A", "B", "C", "D")
 )
 def test_one_degree_of_freedom(text: str, rank: int) -> None:
     flat = linkages.flat_model(text)
-    structure = analyze(flat, derive(flat), Sink())
+    structure = analyze(flat, constraint_space(flat, derive(flat)), Sink())
     assert structure.freedom == 1 and structure.rank == rank
     assert structure.redundant.count(False) == rank
 
@@ -37,7 +37,7 @@ def test_bennett_with_a_wrong_length_is_rigid_or_open(error: float) -> None:
     """Beyond rounding the dimensions are not special any more: the loop has no motion."""
     flat = linkages.flat_model(linkages.bennett(length_error=error))
     sink = Sink()
-    structure = analyze(flat, derive(flat), sink)
+    structure = analyze(flat, constraint_space(flat, derive(flat)), sink)
     assert structure.freedom == 0 or any(d.code in ("E0602", "E0603") for d in sink.diagnostics)
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.evaluate import Values, evaluate
 from lagdsl.semantics.flatten import flatten
+from lagdsl.settings.structure import check_structure
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse
 
@@ -19,12 +22,17 @@ PENDULUM = """model M
 """
 
 
-def run(text: str, **options: object) -> tuple[fm.FlatModel | None, Sink]:
+def run(
+    text: str, structural: Mapping[str, float] | None = None, **options: object
+) -> tuple[fm.FlatModel | None, Sink]:
     """The flat model of a text and the sink; parsing must succeed."""
-    sink = Sink()
+    sink, given = Sink(), structural or {}
     unit = parse(SourceFile("x.lag", text), sink)
     assert unit is not None, sink.diagnostics
-    return flatten(unit, sink, **options), sink  # type: ignore[arg-type]
+    flat = flatten(unit, sink, structural=lambda each, _: given.get(each.name), **options)  # type: ignore[arg-type]
+    if flat is not None:
+        check_structure(flat, given, sink)
+    return flat, sink
 
 
 def pendulum(body: str) -> tuple[fm.FlatModel | None, Sink]:

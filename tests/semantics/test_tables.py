@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 from flattening import run
@@ -11,6 +13,7 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat.evaluate import Values, evaluate
+from lagdsl.semantics.operators.pieces import chosen
 from lagdsl.semantics.operators.tables import interpolation
 
 PLACES = [0.0, 0.5, 2.0, 3.0, 4.5]
@@ -69,11 +72,16 @@ def value(expression: fx.FlatExpression, x: float) -> float:
     return evaluate(flat, expression, Values(variables={"x": x}))
 
 
+def cubic(places: Sequence[float], values: Sequence[float]) -> fx.FlatExpression:
+    pieces = interpolation(fx.Variable("x"), places, list(map(fx.Number, values)), "cubic")
+    return chosen(pieces.x, pieces.borders, pieces.values)
+
+
 @given(st.lists(st.floats(-5, 5), min_size=3, max_size=3), st.floats(-3, 5))
 def test_cubic_meets_quadratic_functions(coefficients: list[float], x: float) -> None:
     y = np.polynomial.Polynomial(coefficients)
     inside = min(max(x, PLACES[0]), PLACES[-1])
-    found = interpolation(fx.Variable("x"), PLACES, [fx.Number(float(y(at))) for at in PLACES], "cubic")
+    found = cubic(PLACES, [float(y(at)) for at in PLACES])
     assert value(found, inside) == pytest.approx(y(inside), abs=1e-12, rel=1e-12)
 
 
@@ -85,8 +93,7 @@ def depth(expression: fx.FlatExpression) -> int:
 
 def test_conditionals_are_balanced() -> None:
     points = [float(k) for k in range(1000)]
-    tree = interpolation(fx.Variable("x"), points, [fx.Number(at) for at in points], "cubic")
-    assert depth(tree) == 10
+    assert depth(cubic(points, points)) == 10
 
 
 def test_dimensions() -> None:

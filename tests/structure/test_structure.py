@@ -16,13 +16,13 @@ from lagdsl.flat.display import Display, display, display_rate, quantity_text
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import FlatModel, RotateQuaternion
 from lagdsl.structure.points import random_points
-from lagdsl.structure.structure import Structure, analyze, flag_redundant, structure_text
+from lagdsl.structure.structure import Structure, analyze, constraint_space, flag_redundant, structure_text
 from lagdsl.units.dimension import LENGTH, dimension
 
 
 def examined(flat: FlatModel) -> tuple[Structure, Sink]:
     sink = Sink()
-    return analyze(flat, derive(flat), sink), sink
+    return analyze(flat, constraint_space(flat, derive(flat)), sink), sink
 
 
 def codes(sink: Sink) -> list[str]:

@@ -225,13 +225,11 @@ def _front(
 ) -> tuple[FlatModel, list[dict[str, float]]]:
     """A flat model, and all structural settings. It is that of the first one, or of none where the first one is wrong,
     which then is a run that fails; leaves where both are wrong."""
-    from lagdsl.sweep.values import structures
+    from lagdsl.sweep.values import first_of, structures
 
     found = Sink()
     try:
-        flat = flatten_for_runs(
-            source, found, model=model_file.model, pairs=pairs, structure=lambda flat, given: structures(flat, given)[0]
-        )
+        flat = flatten_for_runs(source, found, model=model_file.model, pairs=pairs, read=first_of)
         if flat is not None:
             for diagnostic in found.diagnostics:
                 sink.add(diagnostic)

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from lagdsl.backends.c.literal import number, string
 from lagdsl.flat.model import FlatModel
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.fmi.variables.held_relations import held_relations
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.fmi.variables.variables import Kind, Table, Version
@@ -19,7 +18,6 @@ _KINDS: dict[Kind, str] = {"me": "LAG_MODEL_EXCHANGE", "cs": "LAG_CO_SIMULATION"
 def table_source(table: Table, stem: str, token: str) -> str:
     """Text of `<stem>_fmu.c`, which stands beside `<stem>.h` and `<stem>_start.c`."""
     settings, flat = table.settings, table.flat
-    factors = row_factors(flat)
     constants = [(v.attributes.type == "STRING", start) for _, v in table.of(Role.CONSTANT) for start in v.starts]
     tables = {
         "variables": ("lag_variable", [_row(variable, table.version) for variable in table.variables]),
@@ -31,7 +29,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "sizes.natural": ("double", _numbers(settings.natural)),
         "sizes.cap": ("double", _numbers(settings.caps)),
         "sizes.row_sizes": ("double", _numbers(settings.row_sizes)),
-        "row_factors": ("double", _numbers(factors if any(by != 1.0 for by in factors) else ())),
+        "row_factors": ("double", _numbers(table.program.layout.row_factors)),
         "lasting.rows": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
         "inputs.range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),

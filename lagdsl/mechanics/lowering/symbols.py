@@ -7,7 +7,6 @@ from collections.abc import Callable
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel, Input
-from lagdsl.flat.row_factors import row_factors
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.record import record
@@ -25,7 +24,7 @@ class Directions:
 
 class Symbols:
     """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative,
-    `rows` for the name of a row its multiplier and its factor."""
+    `rows` for the name of a row its multiplier as the text means it."""
 
     def __init__(self, graph: Graph, flat: FlatModel) -> None:
         time = graph.symbol(Group.TIME)
@@ -39,9 +38,8 @@ class Symbols:
         independent = [parameter for parameter in flat.parameters if not parameter.structural]
         p = graph.symbols(Group.P, len(independent))
         rows = [row for constraint in flat.constraints for row in constraint.rows]
-        factors = [graph.constant(factor) for factor in row_factors(flat)]
         self.lam = graph.symbols(Group.LAMBDA, len(rows))
-        self.rows = dict(zip(rows, zip(self.lam, factors, strict=True), strict=True))
+        self.rows = dict(zip(rows, self.lam, strict=True))
         self.coordinate_index = {item.name: index for index, item in enumerate(flat.coordinates)}
         self.by_name = {"time": time}
         self.by_name |= {item.name: graph.constant(item.value) for item in flat.parameters if item.structural}

@@ -13,7 +13,6 @@ from lagdsl.semantics.operators.event_limits import require
 from lagdsl.semantics.operators.frictions import friction_named
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of
-from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import POISON, Order, Poison, Scalar, Value, rank
 from lagdsl.semantics.types.bindings import Expected, conform
@@ -179,7 +178,7 @@ def _boolean(truth: flat.FlatExpression) -> Scalar:
 
 def _at_an_event(ctx: Context, node: nodes.Call) -> bool:
     """E0375 outside of `when`."""
-    if ctx.current.mode is not Mode.ALWAYS:
+    if ctx.current.in_clause:
         return True
     ctx.sink.report("E0375", node.span, name=node.function.span.text)
     return False

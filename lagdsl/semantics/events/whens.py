@@ -19,7 +19,6 @@ from lagdsl.semantics.operators.nested_loops import unrolled
 from lagdsl.semantics.scope.contents import Placed
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name, kind_of
-from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import Indices, Scope, Symbol
 from lagdsl.semantics.scope.values import Array, Order, Poison, Scalar, Text
 from lagdsl.semantics.types.bindings import Expected, conform
@@ -53,7 +52,7 @@ def elaborate_when(ctx: Context, placed: Placed) -> None:
     for branch in node.branches:
         conditions = _conditions(ctx, placed.scope, branch.condition)
         body = _Body(ctx)
-        with ctx.current.standing(Mode.EVENT):
+        with ctx.current.standing(in_clause=True):
             body.read(branch.body, placed.scope, None)
         memories = tuple(ctx.product.occurrences.condition(_text(branch.condition)) for _ in conditions)
         spans = (branch.condition.span, *placed.scope.spans)
@@ -70,7 +69,7 @@ def _text(condition: nodes.Expression) -> str:
 
 def _conditions(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[FlatExpression, ...]:
     """One condition, or several in braces; each of them may become true by itself."""
-    with ctx.current.standing(Mode.CONDITION):
+    with ctx.current.standing(in_clause=True):
         parts = node.elements if isinstance(node, nodes.Array) else (node,)
         found = [(part, each) for part in parts for each in _truths(ctx, scope, part)]
     for part, condition in found:

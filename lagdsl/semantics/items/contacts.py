@@ -19,6 +19,7 @@ from lagdsl.semantics.items.options import option_value, options_of
 from lagdsl.semantics.operators.angles import check_beside
 from lagdsl.semantics.operators.arithmetic import Operand, added
 from lagdsl.semantics.operators.conditions import structural_condition
+from lagdsl.semantics.operators.discontinuous import relation
 from lagdsl.semantics.operators.geometry import operand, time_derivative
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.context import Context
@@ -215,7 +216,8 @@ def _compliant(
         return None
     spans = (node.span, *scope.spans)
     depth: FlatExpression = flat.Unary("-", gap.expression)
-    touching = flat.Variable(ctx.product.occurrences.relation(f"closed({name})", spans, depth, dimension, strict=True))
+    pressed = flat.Binary(">", depth, flat.ZERO)
+    touching = relation(ctx, spans, f"closed({name})", pressed, dimension, gap.order)
     force: FlatExpression = depth
     if power != 1.0:  # where the event is located the penetration may be a negative round-off, which has no such power
         force = flat.Binary("^", flat.Function("max", (depth, flat.ZERO)), flat.Number(power))

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
-from lagdsl.semantics.operators import corners
+from lagdsl.semantics.operators.discontinuous import met, moves, relation
 from lagdsl.semantics.operators.powers import power
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
@@ -35,7 +35,6 @@ from lagdsl.semantics.scope.values import (
 )
 from lagdsl.semantics.types.dimensions import fits, joined, product, quotient, report_unequal
 from lagdsl.syntax import nodes
-from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
 
 RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
@@ -297,57 +296,25 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
+    truth = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
     # An Integer that somebody gives changes at events, too: the clauses and rows that it switches act then.
     given = highest(one, two) == Order.GIVEN
-    if (latest(one, two) == Variability.CONTINUOUS or given) and not ctx.current.quiet:
-        return _located(ctx, scope, node, one, two)
-    relation = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
-    corners.met(ctx, scope, node, relation, flat.Binary("-", one.expression, two.expression), one, two)
-    return Scalar(relation, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
+    if (moves(one, two) or given) and not ctx.current.quiet:
+        return _located(ctx, scope, node, one, two, truth)
+    met(ctx, scope, node, "", truth, one, two)
+    return Scalar(truth, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
 
 
-def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Value:
-    """The truth of a relation between what moves: it changes at events only, which are where its sides meet."""
+def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar, truth: FlatExpression) -> Value:
+    """The truth of a relation between what moves: discrete. Real numbers are the same at single instants only."""
+    text = node.span.text
     if node.operator in ("==", "<>"):
-        if "Real" not in (one.kind, two.kind):
-            return _same_number(ctx, scope, node, one, two)
-        ctx.sink.report("E0379", node.span, operator=node.operator)
-        return POISON
-    larger, smaller = (one, two) if node.operator in (">", ">=") else (two, one)
-    difference: FlatExpression = flat.Binary("-", larger.expression, smaller.expression)
-    if smaller.expression == flat.ZERO:
-        difference = larger.expression
-    place = Located(ctx, (node.span, *scope.spans), joined(one.dimension, two.dimension) or DIMENSIONLESS)
-    text, strict = scope.owner.prefix + node.span.text, node.operator in ("<", ">")
-    truth = place.truth(text, difference, strict=strict, timed=corners.is_timed(ctx, one, two))
-    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
-
-
-@record()
-class Located:
-    """Span of a relation that is located, and the dimension of its sides."""
-
-    ctx: Context
-    spans: Spans
-    dimension: Dimension
-
-    def truth(self, text: str, difference: FlatExpression, *, strict: bool, timed: bool) -> flat.Variable:
-        """Of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `timed`: of time alone."""
-        if timed:
-            return corners.truth(self.ctx, text, self.spans, difference, strict=strict, told=True)
-        found = self.ctx.product.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
-        return flat.Variable(found)
-
-
-def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Scalar:
-    """Whole numbers that somebody else gives, such as inputs, are the same where they differ by less than a half."""
-    apart = flat.Function("abs", (flat.Binary("-", one.expression, two.expression),))
-    difference = flat.Binary("-", flat.Number(0.5), apart)
-    text = f"{scope.owner.prefix}{node.left.span.text} == {node.right.span.text}"
-    name = ctx.product.occurrences.relation(text, (node.span, *scope.spans), difference, DIMENSIONLESS, strict=True)
-    truth: FlatExpression = flat.Variable(name)
-    if node.operator == "<>":
-        truth = flat.Unary("not", truth)
+        if "Real" in (one.kind, two.kind):
+            ctx.sink.report("E0379", node.span, operator=node.operator)
+            return POISON
+        text = f"{node.left.span.text} == {node.right.span.text}"
+    spans, dimension = (node.span, *scope.spans), joined(one.dimension, two.dimension)
+    relation(ctx, spans, scope.owner.prefix + text, truth, dimension, highest(one, two))
     return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 

@@ -6,8 +6,8 @@ from typing import assert_never
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.semantics.operators import corners
 from lagdsl.semantics.operators.arithmetic import Operand, added, multiplied
+from lagdsl.semantics.operators.discontinuous import met
 from lagdsl.semantics.operators.geometry import operand
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
@@ -298,14 +298,8 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
 
 
 def extreme(ctx: Context, scope: Scope, node: nodes.Node, name: str, one: Scalar, two: Scalar) -> FlatExpression:
-    """`min` or `max` of two; of time alone the one that an entry of the discretes tells."""
-    difference = flat.Binary("-", one.expression, two.expression)
-    larger = corners.of_call(ctx, scope, node, difference, one, two)
-    if larger is None:
-        value = flat.Function(name, (one.expression, two.expression))
-        return corners.met(ctx, scope, node, value, difference, one, two)
-    pair = (one.expression, two.expression) if name == "max" else (two.expression, one.expression)
-    return flat.Conditional(larger, *pair)
+    """`min` or `max` of two."""
+    return met(ctx, scope, node, name, flat.Function(name, (one.expression, two.expression)), one, two)
 
 
 def elements_of(array: Array) -> list[Scalar]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from math import pi
 
@@ -10,10 +11,11 @@ from lagdsl.diagnostics.catalog.habits import count_help
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.operators import array_functions, corners
+from lagdsl.semantics.operators import array_functions
 from lagdsl.semantics.operators.application import Application, same, scalars
-from lagdsl.semantics.operators.arithmetic import Located, divided, dot, negative
+from lagdsl.semantics.operators.arithmetic import divided, dot
 from lagdsl.semantics.operators.arrays import extreme
+from lagdsl.semantics.operators.discontinuous import met, moves
 from lagdsl.semantics.operators.tables import table
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity, row_in_braces
@@ -22,6 +24,7 @@ from lagdsl.semantics.scope.values import (
     AnyDimension,
     Array,
     Kind,
+    Order,
     Poison,
     Scalar,
     Text,
@@ -77,39 +80,15 @@ def _warn_degrees(ctx: Context, node: nodes.Node) -> None:
 
 
 def _rounded(call: Application, x: Scalar) -> Scalar:
-    """`floor` and `ceil`: a number that is constant between events where time alone or an event changes it."""
-    below = _whole(call, x.expression if call.name == "floor" else negative(x.expression), x)
-    if below is not None:
-        return Scalar(below if call.name == "floor" else negative(below), DIMENSIONLESS, Variability.DISCRETE)
-    _note_jumps(call)
-    rounded = _function(call, call.name, (x.expression,), DIMENSIONLESS)
-    return _with_corner(call, rounded, corners.at_whole_numbers(x.expression))
+    """`floor` and `ceil`: of time alone a number that is constant between instants known ahead."""
+    rounded = _met(call, _function(call, call.name, (x.expression,), DIMENSIONLESS))
+    timed = x.order == Order.STILL and not call.ctx.current.quiet
+    return replace(rounded, variability=Variability.DISCRETE) if timed and moves(x) else rounded
 
 
-def _whole(call: Application, x: FlatExpression, *values: Scalar) -> FlatExpression | None:
-    """floor(x) where its changes are events; None where it is taken as it stands."""
-    if corners.has_corner(call.ctx, *values):
-        return corners.whole(call.ctx, call.scope, call.node, x)
-    if corners.is_branch(call.ctx, call.scope, call.node, *values):
-        return corners.whole_by_parity(call.ctx, call.scope, call.node, x)
-    return None
-
-
-def _with_corner(call: Application, value: Scalar, distance: FlatExpression) -> Scalar:
-    corners.met(call.ctx, call.scope, call.node, value.expression, distance, *call.numeric)
+def _met(call: Application, value: Scalar) -> Scalar:
+    met(call.ctx, call.scope, call.node, call.name, value.expression, *call.numeric)
     return value
-
-
-def _note_jumps(call: Application) -> None:
-    """The first function whose jumps are met as they come."""
-    moving = any(value.variability == Variability.CONTINUOUS for value in call.numeric)
-    if (
-        moving
-        and call.name in ("floor", "ceil", "mod")
-        and not call.ctx.current.quiet
-        and call.ctx.reports.jump is None
-    ):
-        call.ctx.reports.jump = call.node
 
 
 def _function(
@@ -132,25 +111,17 @@ def _root(call: Application, x: Scalar) -> Value:
 def _preserving(call: Application, x: Scalar) -> Value:
     """`abs`: the dimension of the argument."""
     kind = _joint_kind(x)
-    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression, x)
-    if positive is None:
-        return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind), x.expression)
-    value = flat.Conditional(positive, x.expression, negative(x.expression))
-    return Scalar(value, x.dimension, x.variability, x.order, kind)
+    return _met(call, _function(call, call.name, (x.expression,), x.dimension, kind))
 
 
 def _sign(call: Application, value: Scalar) -> Value:
     """Of what moves: two relations, so that its jumps are events."""
-    if call.ctx.current.quiet or value.variability != Variability.CONTINUOUS:
-        sign = _function(call, "sign", (value.expression,), DIMENSIONLESS, "Integer")
-        return _with_corner(call, sign, value.expression)
-    text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", value.expression
-    place = Located(call.ctx, (call.node.span, *call.scope.spans), value.dimension or DIMENSIONLESS)
-    timed = corners.is_timed(call.ctx, value)
-    above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
-    below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
-    steps = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
-    return Scalar(steps, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
+    sign = _function(call, "sign", (value.expression,), DIMENSIONLESS, "Integer")
+    text = call.arguments[0].node.span.text
+    met(call.ctx, call.scope, call.node, call.name, sign.expression, value, text=text)
+    if call.ctx.current.quiet or not moves(value):
+        return sign
+    return Scalar(sign.expression, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
 
 
 def _pair(call: Application, *values: Scalar) -> Value:
@@ -160,17 +131,10 @@ def _pair(call: Application, *values: Scalar) -> Value:
     arguments = (values[0].expression, values[1].expression)
     if call.name == "atan2":
         angle = _function(call, call.name, arguments, DIMENSIONLESS)
-        corners.met(call.ctx, call.scope, call.node, angle.expression, arguments[0], *values, located=False)
+        met(call.ctx, call.scope, call.node, call.name, angle.expression, *values, located=False)
         return angle
     dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(*values)
-    turns = flat.Binary("/", *arguments)
-    whole = _whole(call, turns, *values)
-    if whole is not None:
-        between = flat.Binary("-", arguments[0], flat.Binary("*", whole, arguments[1]))
-        return Scalar(between, dimension, latest(*values), highest(*values), kind)
-    _note_jumps(call)
-    remainder = _function(call, call.name, arguments, dimension, kind)
-    return _with_corner(call, remainder, corners.at_whole_numbers(turns))
+    return _met(call, _function(call, call.name, arguments, dimension, kind))
 
 
 def _log10(call: Application, x: Scalar) -> Value:
@@ -199,14 +163,8 @@ def _wrap(call: Application, x: Scalar) -> Value:
         call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(x.dimension))
         return POISON
     turned = flat.Binary("+", x.expression, flat.Number(pi))
-    turn = flat.Number(2 * pi)
-    turns = flat.Binary("/", turned, turn)
-    whole = _whole(call, turns, x)
-    if whole is not None:
-        wrapped: FlatExpression = flat.Binary("-", turned, flat.Binary("*", whole, turn))
-    else:
-        wrapped = flat.Function("mod", (turned, turn))
-        corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), x)
+    wrapped = flat.Function("mod", (turned, flat.Number(2 * pi)))
+    met(call.ctx, call.scope, call.node, call.name, wrapped, x)
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
     return Scalar(shifted, DIMENSIONLESS, x.variability, x.order)
 

@@ -20,18 +20,11 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators.application import Application
 from lagdsl.semantics.operators.arithmetic import negative
-from lagdsl.semantics.operators.corners import (
-    at_borders,
-    branch_number,
-    chosen,
-    chosen_by_number,
-    has_corner,
-    is_branch,
-    met,
-    piece,
-)
+from lagdsl.semantics.operators.discontinuous import met
+from lagdsl.semantics.operators.pieces import chosen
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.naming import kind_of
+from lagdsl.semantics.scope.product import Pieces
 from lagdsl.semantics.scope.values import (
     NUMERIC,
     POISON,
@@ -69,16 +62,10 @@ def table(call: Application) -> Value:
         return POISON
     known = _numbers(call, 2, ys) if is_structural(ys) else None
     values: Sequence[FlatExpression] = ys.elements if known is None else [flat.Number(value) for value in known]
-    borders = places if method != "linear" else places[1:-1]
-    number: FlatExpression | None = None
-    if borders and has_corner(call.ctx, x):
-        number = piece(call.ctx, call.scope, call.node, x.expression, borders)
-    elif borders and is_branch(call.ctx, call.scope, call.node, x):
-        number = branch_number(call.ctx, call.scope, call.node, x, borders)
-    expression = interpolation(x.expression, places, values, method, number)
-    if borders and number is None:
-        for distance in at_borders(x.expression, borders):
-            met(call.ctx, call.scope, call.node, expression, distance, x, sharp=method == "linear")
+    pieces = interpolation(x.expression, places, values, method)
+    expression = chosen(x.expression, pieces.borders, pieces.values)
+    if pieces.borders:
+        met(call.ctx, call.scope, call.node, call.name, expression, x, pieces=pieces)
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))
 
 
@@ -134,22 +121,15 @@ def _increasing(call: Application, places: list[float]) -> bool:
 # ---- interpolation ---------------------------------------------------------------------------------------------------
 
 
-def interpolation(
-    x: FlatExpression,
-    places: Sequence[float],
-    values: Sequence[FlatExpression],
-    method: str,
-    number: FlatExpression | None = None,
-) -> FlatExpression:
-    """The expression in `x`: a balanced tree of conditionals with a polynomial of each interval at its leaves; those
-    look at the `number` of the interval, where there is one, else at x."""
+def interpolation(x: FlatExpression, places: Sequence[float], values: Sequence[FlatExpression], method: str) -> Pieces:
+    """The polynomials of the intervals, in `x`."""
     secants = [
         _times(1.0 / (b - a), _minus(after, before))
         for (a, b), (before, after) in zip(pairwise(places), pairwise(values), strict=True)
     ]
     if method == "linear":
         pieces = [_line(x, places[k], values[k], secants[k]) for k in range(len(secants))]
-        return chosen(x, places[1:-1], pieces) if number is None else chosen_by_number(number, pieces)
+        return Pieces(x, tuple(places[1:-1]), tuple(pieces), sharp=True)
     widths = [b - a for a, b in pairwise(places)]
     slopes = _bessel(widths, secants) if method == "cubic" else _monotone(widths, secants)
     pieces = [_line(x, places[0], values[0], slopes[0])]
@@ -160,7 +140,7 @@ def interpolation(
         inner = _plus(_times(1.0 / width, bend), _product(t, _times(1.0 / width**2, twist)))
         pieces.append(_plus(values[k], _product(t, _plus(slopes[k], _product(t, inner)))))
     pieces.append(_line(x, places[-1], values[-1], slopes[-1]))
-    return chosen(x, places, pieces) if number is None else chosen_by_number(number, pieces)
+    return Pieces(x, tuple(places), tuple(pieces), sharp=False)
 
 
 def _line(x: FlatExpression, place: float, value: FlatExpression, slope: FlatExpression) -> FlatExpression:

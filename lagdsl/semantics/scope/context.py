@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import field
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
-from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.product import Product
@@ -38,6 +37,11 @@ class Resolver(Protocol):
     def friction(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> FrictionValue | None: ...
 
 
+Structural: TypeAlias = Callable[[flat_model.Parameter, Callable[[], Sequence[str]]], "float | None"]
+"""The value of a structural parameter from outside, in SI units; None: that of the model. The second argument gives the
+names of the parameter in all elements of the arrays of components around it."""
+
+
 class Places(Protocol):
     """State of the kinematic assembly: frames, coordinates and components."""
 
@@ -57,16 +61,14 @@ class Conventions:
     """Options that the caller and the class set for the whole model.
 
     `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
-    `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units. `branches` are places of
-    functions of the motion whose branches change at events. `plain` are structural parameters that are elaborated as
-    parameters. `unknowns` are coordinates whose starts are set from outside: they stay unknowns where their joint is
-    cut.
+    `annotation(units = "none")`. `structural` sets values from outside. `plain` are
+    structural parameters that are elaborated as parameters. `unknowns` are coordinates whose starts are set from
+    outside: they stay unknowns where their joint is cut.
     """
 
     home: SourceFile
-    overrides: Mapping[str, float]
+    structural: Structural = lambda parameter, alike: None
     units: bool = True
-    branches: frozenset[Spans] = frozenset()
     plain: frozenset[str] = frozenset()
     unknowns: frozenset[str] = frozenset()
 
@@ -106,15 +108,13 @@ class Reports:
 
     `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
     unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must
-    have been. `jump` is the first call that jumps without an event being located. `absent` has the places of names that
-    a false condition leaves undeclared, by qualified name. `written` are the values that the text of the model
-    writes as numbers, by where they begin.
+    have been. `absent` has the places of names that a false condition leaves undeclared, by qualified name. `written`
+    are the values that the text of the model writes as numbers, by where they begin.
     """
 
     reported: set[str] = field(default_factory=set)
     incomplete: bool = False
     withheld: Span | None = None
-    jump: nodes.Call | None = None
     absent: dict[str, Span] = field(default_factory=dict)
     written: dict[int, Written] = field(default_factory=dict)
 

@@ -7,7 +7,6 @@ from contextlib import contextmanager
 from dataclasses import field
 
 from lagdsl.record import mutable_record
-from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import Indices, Scope, Symbol
 from lagdsl.syntax import nodes
 
@@ -15,13 +14,14 @@ from lagdsl.syntax import nodes
 @mutable_record()
 class Current:
     """`active` are the symbols that get their values, `scopes` the instances whose items are elaborated, `functions`
-    those that are expanded, outermost first. Relations are not located while `quiet`."""
+    those that are expanded, outermost first. Relations are not located while `quiet`. `in_clause`: it is the text of a
+    `when`."""
 
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
     functions: list[nodes.Function] = field(default_factory=list)
     quiet: bool = False
-    mode: Mode = Mode.ALWAYS
+    in_clause: bool = False
 
     @contextmanager
     def inside(self, scope: Scope) -> Iterator[None]:
@@ -42,10 +42,10 @@ class Current:
             self.quiet = before
 
     @contextmanager
-    def standing(self, mode: Mode) -> Iterator[None]:
-        """Place of the elaboration meanwhile: a definition, which holds always, a `when` or its condition."""
-        before, self.quiet, self.mode = (self.quiet, self.mode), False, mode
+    def standing(self, *, in_clause: bool = False) -> Iterator[None]:
+        """Place of the elaboration meanwhile: a definition, which holds always, or a `when`."""
+        before, self.quiet, self.in_clause = (self.quiet, self.in_clause), False, in_clause
         try:
             yield
         finally:
-            self.quiet, self.mode = before
+            self.quiet, self.in_clause = before

@@ -1,11 +1,11 @@
-"""Sources of events of a model, in order of occurrence: located relations, clocks, the start and the end."""
+"""Sources of events of a model, in order of occurrence: clauses, force laws, clocks, the start and the end."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import field
-from enum import Enum
 from itertools import count
+from typing import TypeVar
 
 from lagdsl.flat.events import (
     INITIAL,
@@ -18,8 +18,6 @@ from lagdsl.flat.events import (
     Friction,
     Limit,
     Memory,
-    Relation,
-    Timed,
     When,
 )
 from lagdsl.flat.expression import FlatExpression, Variable
@@ -30,13 +28,7 @@ from lagdsl.units import Dimension
 # Names are the text, as far as this.
 _LONGEST = 80
 
-
-class Mode(Enum):
-    """Context of an expression: it holds all the time, is the condition of a `when`, or is computed at its event."""
-
-    ALWAYS = "always"
-    CONDITION = "condition"
-    EVENT = "event"
+Entry = TypeVar("Entry")
 
 
 @mutable_record()
@@ -49,11 +41,9 @@ class ForceLaws:
 
     def feedback(self, text: str, spans: Spans, value: FlatExpression, dimension: Dimension) -> Variable:
         """The entry in place of a value in a load that depends on the motion that it causes."""
-        for name in _names(text):
-            if name not in self.feedbacks:
-                self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
-                return Variable(name)
-        raise AssertionError("there is always one more name")
+        name = next(name for name in _names(text) if name not in self.feedbacks)
+        self.feedbacks[name] = Feedback(spans=spans, name=name, value=value, dimension=dimension)
+        return Variable(name)
 
 
 @mutable_record()
@@ -62,8 +52,6 @@ class Occurrences:
 
     discretes: list[Discrete] = field(default_factory=list)
     laws: ForceLaws = field(default_factory=ForceLaws)
-    relations: dict[str, Relation] = field(default_factory=dict)
-    timed: dict[str, tuple[FlatExpression, Timed]] = field(default_factory=dict)
     whens: list[When] = field(default_factory=list)
     clocks: dict[str, Clock] = field(default_factory=dict)
     instants: set[str] = field(default_factory=set)
@@ -71,46 +59,9 @@ class Occurrences:
     memories: dict[str, Memory] = field(default_factory=dict)
     conditions: int = 0
 
-    def relation(
-        self, text: str, spans: Spans, difference: FlatExpression, dimension: Dimension, *, strict: bool
-    ) -> str:
-        """The name of the truth of `difference > 0` (or >= 0); the same relation again has the same name."""
-        for name in _names(text):
-            if name in self.timed:
-                continue
-            known = self.relations.get(name)
-            if known is None:
-                self.relations[name] = Relation(
-                    spans=spans, name=name, difference=difference, dimension=dimension, strict=strict
-                )
-                return name
-            if known.strict == strict and known.difference == difference:
-                return name
-        raise AssertionError("there is always one more name")
-
-    def entry(self, text: str, what: FlatExpression, make: Callable[[str], Timed]) -> str:
-        """The name of an entry that time alone changes; the same one again, as `what` tells, has the same name."""
-        for name in _names(text):
-            if name in self.relations:
-                continue
-            known = self.timed.get(name)
-            if known is None:
-                self.timed[name] = (what, make(name))
-                return name
-            if known[0] == what:
-                return name
-        raise AssertionError("there is always one more name")
-
     def clock(self, text: str, spans: Spans, start: FlatExpression, period: FlatExpression) -> str:
         """The name of the clock; the same one again ticks at the same instants."""
-        for name in _names(text):
-            known = self.clocks.get(name)
-            if known is None:
-                self.clocks[name] = Clock(spans=spans, name=name, start=start, period=period)
-                return name
-            if (known.start, known.period) == (start, period):
-                return name
-        raise AssertionError("there is always one more name")
+        return entered(self.clocks, text, lambda name: Clock(spans=spans, name=name, start=start, period=period))
 
     def condition(self, text: str) -> str:
         """A name for what a condition of a clause was before."""
@@ -119,14 +70,9 @@ class Occurrences:
 
     def memory(self, text: str, spans: Spans, value: FlatExpression, *, truth: bool) -> str:
         """The name of what a value that no clause assigns was before; the same value again has the same name."""
-        for name in _names(f"value {text}"):
-            known = self.memories.get(name)
-            if known is None:
-                self.memories[name] = Memory(spans=spans, name=name, value=value, truth=truth)
-                return name
-            if known.value == value:
-                return name
-        raise AssertionError("there is always one more name")
+        return entered(
+            self.memories, f"value {text}", lambda name: Memory(spans=spans, name=name, value=value, truth=truth)
+        )
 
     def events(self) -> Events:
         return Events(
@@ -134,8 +80,6 @@ class Occurrences:
             contacts=tuple(self.laws.contacts),
             frictions=tuple(self.laws.frictions),
             feedbacks=tuple(self.laws.feedbacks.values()),
-            relations=tuple(self.relations.values()),
-            timed=tuple(timed for _, timed in self.timed.values()),
             whens=tuple(self.whens),
             memories=tuple(self.memories.values()),
             clocks=tuple(self.clocks.values()),
@@ -151,3 +95,8 @@ def _names(text: str) -> Iterator[str]:
     yield plain
     for number in count(2):
         yield f"{plain} ({number})"
+
+
+def entered(known: dict[str, Entry], text: str, make: Callable[[str], Entry]) -> str:
+    """The name of what `make` gives, now among those that are `known`; the same one again has the same name."""
+    return next(name for name in _names(text) if known.setdefault(name, own := make(name)) == own)

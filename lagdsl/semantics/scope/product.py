@@ -15,16 +15,32 @@ from lagdsl.units import Dimension
 
 
 @record()
+class Pieces:
+    """`values[k]` from `borders[k - 1]` on, up to `borders[k]`. Not `sharp`: the slope is continuous there."""
+
+    x: FlatExpression
+    borders: tuple[float, ...]
+    values: tuple[FlatExpression, ...]
+    sharp: bool
+
+
+@record(kw_only=True)
 class Met:
-    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there. Not
-    `located`: in `noEvent`, or the cut of `atan2`."""
+    """A discontinuity as it stands in the text: a relation, `abs`, `floor`, `sign`, a table between values that move.
+
+    `expression` is its node in the flat model, which the pass knows by identity, `text` the name of the guard,
+    `function` what the text calls ("" of relations), `order` that of the operands. Not `located`: in `noEvent`, or the
+    cut of `atan2`. A table has `pieces`; every other function shows its operands itself.
+    """
 
     expression: FlatExpression
-    distance: FlatExpression
+    function: str
+    text: str
     spans: Spans
+    dimension: Dimension
     order: Order
-    sharp: bool
-    located: bool
+    located: bool = True
+    pieces: Pieces | None = None
 
 
 @mutable_record()
@@ -32,7 +48,7 @@ class Product:
     """`named` is sorted by its order of completion: what a definition uses was complete before it.
 
     `forces` are those of compliant contacts and of friction. `solved` are the loads that depend on the motion that
-    they cause, each with the dimension of its value. `corners` are the expressions that have one along the motion.
+    they cause, each with the dimension of its value. `met` are the discontinuities, operands before what reads them.
     `names` are taken; `unlabelled` counts the constraints, contacts and frictions that get a number for a name.
     """
 
@@ -43,7 +59,7 @@ class Product:
     forces: list[flat_model.GeneralizedForce | flat_model.RateForce] = field(default_factory=list)
     solved: list[tuple[flat_model.Load, Dimension]] = field(default_factory=list)
     occurrences: Occurrences = field(default_factory=Occurrences)
-    corners: list[Met] = field(default_factory=list)
+    met: list[Met] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
     unlabelled: Counter[str] = field(default_factory=Counter)
 

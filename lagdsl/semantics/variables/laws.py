@@ -11,7 +11,6 @@ from lagdsl.flat import model as flat_model
 from lagdsl.semantics.items import constraints, contacts, frictions
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
-from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import Indices, LabelInstance, Symbol
 from lagdsl.semantics.scope.values import POISON, ContactValue, FrictionValue
 from lagdsl.source import Span
@@ -33,7 +32,7 @@ class Laws:
             self._constraints[key] = None
             instance = symbol.made.labels[indices]
             assert isinstance(instance.node, nodes.Constraint)
-            with ctx.current.standing(Mode.ALWAYS):
+            with ctx.current.standing():
                 self._constraints[key] = constraints.make(ctx, instance.scope, instance.node, instance.name)
         return self._constraints[key]
 
@@ -45,7 +44,7 @@ class Laws:
             instance = symbol.made.labels.get(indices)
             if instance is not None:
                 assert isinstance(instance.node, nodes.Contact)
-                with ctx.current.standing(Mode.ALWAYS):
+                with ctx.current.standing():
                     self._contacts[key] = contacts.make(ctx, instance.scope, instance.node, instance.name)
         return self._contacts[key]
 
@@ -58,7 +57,7 @@ class Laws:
         with self.entered(ctx, symbol, indices, span) as free:
             instance = symbol.made.labels.get(indices)
             if free and instance is not None:
-                with ctx.current.standing(Mode.ALWAYS):
+                with ctx.current.standing():
                     self._frictions[key] = self._friction(ctx, symbol, indices, instance)
         return self._frictions.setdefault(key, None)
 

@@ -12,9 +12,9 @@ from lagdsl.flat.quantity import QuantityFields, Variability
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.instance_diagnostics import report_missing
-from lagdsl.semantics.scope.naming import kind_of
-from lagdsl.semantics.scope.scope import Indices, Symbol
-from lagdsl.semantics.scope.values import POISON, Array, Order, Poison, Scalar, Text, is_structural, rank
+from lagdsl.semantics.scope.naming import element_name, kind_of
+from lagdsl.semantics.scope.scope import Indices, InstanceArray, Symbol
+from lagdsl.semantics.scope.values import POISON, Array, Order, Poison, Scalar, Text, Value, is_structural, rank
 from lagdsl.semantics.types.bindings import Expected, bound
 from lagdsl.semantics.types.quantity_fields import quantity_fields
 from lagdsl.semantics.variables import attributes, free_parameters
@@ -42,32 +42,57 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     if info.base == "String":
         _text(ctx, symbol)
         return
-    if symbol.name in ctx.conventions.overrides and symbol.kind == "structural" and not shape:
-        number = flat.Number(float(ctx.conventions.overrides[symbol.name]))
-        given = Scalar(number, info.dimension or DIMENSIONLESS, kind=info.base)
-        symbol.made.cells[()] = _element(ctx, symbol, (), given, (None, None), quantity_fields(symbol, (), None))
-        return
-    if binding is None:
-        code = "E0303" if symbol.kind == "parameter" else "E0337"
-        report_missing(ctx, code, symbol, symbol.short)
-        return
-    what = f"`{symbol.short}`"
-    expected = Expected(what, info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
-    value = bound(ctx, binding.scope, binding.node, expected)
-    if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
-        return
-    found = attributes.attributes(ctx, symbol)
-    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape, unit=info.unit)
-    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape, unit=info.unit)
-    sign = attributes.text(ctx, found.get("symbol"))
+    expected = Expected(f"`{symbol.short}`", info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
+    bounds = _bounds(ctx, symbol, expected)
+    value: Value | None = (
+        _given(ctx, symbol, expected, bounds[0]) if symbol.kind == "structural" and not shape else None
+    )
+    if value is None:
+        if binding is None:
+            code = "E0303" if symbol.kind == "parameter" else "E0337"
+            report_missing(ctx, code, symbol, symbol.short)
+            return
+        value = bound(ctx, binding.scope, binding.node, expected)
+        if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
+            return
+    assert isinstance(value, Scalar | Array)
+    sign = attributes.text(ctx, attributes.attributes(ctx, symbol).get("symbol"))
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
-    lowest = [info.minimum if low is None else low for low in least]
-    for part, indices, low, high in zip(parts, places, lowest, most, strict=True):
+    for part, indices, pair in zip(parts, places, bounds, strict=True):
         cell = Scalar(part, expected.dimension, value.variability, value.order, value.kind)
-        symbol.made.cells[indices] = _element(
-            ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign)
-        )
+        symbol.made.cells[indices] = _element(ctx, symbol, indices, cell, pair, quantity_fields(symbol, indices, sign))
+
+
+def _bounds(ctx: Context, symbol: Symbol, expected: Expected) -> list[Bounds]:
+    """Of each element."""
+    found = attributes.attributes(ctx, symbol)
+    least, most = (
+        attributes.numbers(ctx, found.get(name), f"`{name}`", expected.dimension, expected.shape, unit=expected.unit)
+        for name in ("min", "max")
+    )
+    lowest = symbol.info.minimum if symbol.info is not None else None
+    return [(lowest if low is None else low, high) for low, high in zip(least, most, strict=True)]
+
+
+def _given(ctx: Context, symbol: Symbol, expected: Expected, bounds: Bounds) -> Scalar | None:
+    """The value of a structural parameter that is set from outside; None where it has that of the model."""
+    asked = _parameter(ctx, symbol, quantity_fields(symbol, (), None), math.nan, bounds)
+    number = ctx.conventions.structural(asked, lambda: _alike(symbol))
+    return None if number is None else Scalar(flat.Number(float(number)), expected.dimension, kind=expected.base)
+
+
+def _alike(symbol: Symbol) -> list[str]:
+    """The names of the parameter in all elements of the arrays of components around it, in their order."""
+    steps: list[list[str]] = [[symbol.short]]
+    instance = symbol.scope.owner.instance
+    while instance is not None and instance.around is not None:
+        name = instance.name.rpartition(".")[2].partition("[")[0]
+        array = instance.around.owner.entries.get(name)
+        shape = array.shape if isinstance(array, InstanceArray) else ()
+        steps.insert(0, [element_name(name, each) for each in cartesian(*(range(1, n + 1) for n in shape))])
+        instance = instance.around.owner.instance
+    return [".".join(path) for path in cartesian(*steps)]
 
 
 def _kind(ctx: Context, symbol: Symbol) -> str:
@@ -105,19 +130,25 @@ def _element(
         ctx.sink.report("E0323", place, reason=str(fault))
         return POISON
     _check_bounds(ctx, symbol, number, bounds)
-    folded = kind != "parameter"
-    parameter = flat_model.Parameter(
+    parameter = _parameter(ctx, symbol, fields, number, bounds)
+    ctx.product.parameters.append(parameter)
+    expression = flat.Number(number) if parameter.structural else flat.Variable(name)
+    return Scalar(expression, dimension, variability, Order.STILL, value.kind)
+
+
+def _parameter(
+    ctx: Context, symbol: Symbol, fields: QuantityFields, number: float, bounds: Bounds
+) -> flat_model.Parameter:
+    kind, base = _kind(ctx, symbol), symbol.info.base if symbol.info is not None else "Real"
+    return flat_model.Parameter(
         **fields,
         value=number,
         minimum=bounds[0],
         maximum=bounds[1],
-        structural=folded,
+        structural=kind != "parameter",
         constant=kind == "constant",
-        kind="Boolean" if symbol.info.base == "Boolean" else "Real" if symbol.info.base == "Real" else "Integer",
+        kind="Boolean" if base == "Boolean" else "Real" if base == "Real" else "Integer",
     )
-    ctx.product.parameters.append(parameter)
-    expression = flat.Number(number) if folded else flat.Variable(name)
-    return Scalar(expression, dimension, variability, Order.STILL, value.kind)
 
 
 def _check_bounds(ctx: Context, symbol: Symbol, number: float, bounds: Bounds) -> None:

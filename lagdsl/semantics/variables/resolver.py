@@ -15,13 +15,13 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.items import labels
+from lagdsl.semantics.operators.discontinuous import relation
 from lagdsl.semantics.operators.geometry import as_point
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.instance_diagnostics import report_missing
 from lagdsl.semantics.scope.limits import shape_fits
 from lagdsl.semantics.scope.naming import element_name, kind_of
-from lagdsl.semantics.scope.occurrences import Mode
 from lagdsl.semantics.scope.scope import LABELS, Binding, Indices, Symbol
 from lagdsl.semantics.scope.values import (
     POISON,
@@ -171,7 +171,7 @@ class Definitions(Laws):
         with self.entered(ctx, symbol, key, span) as free:
             if not free:
                 return POISON
-            with ctx.current.standing(Mode.ALWAYS):
+            with ctx.current.standing():
                 self._make(ctx, symbol, indices, key)
         if indices not in symbol.made.cells:
             if key is None:
@@ -330,11 +330,10 @@ class Definitions(Laws):
 
 def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Scalar:
     """A Boolean input is a number, 0 or 1, to those who give it; where it changes is an event."""
-    difference = flat.Binary("-", variable, flat.Number(0.5))
-    name = ctx.product.occurrences.relation(
-        f"input {variable.name}", (symbol.span, *symbol.scope.spans), difference, DIMENSIONLESS, strict=False
-    )
-    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+    above = flat.Binary(">=", flat.Binary("-", variable, flat.Number(0.5)), flat.ZERO)
+    spans = (symbol.span, *symbol.scope.spans)
+    truth = relation(ctx, spans, f"input {variable.name}", above, DIMENSIONLESS, Order.GIVEN)
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 
 def every(shape: tuple[int, ...]) -> list[Indices]:

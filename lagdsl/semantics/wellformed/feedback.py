@@ -26,15 +26,14 @@ _AXES = "xyz"
 _LONGEST = 80
 
 
-def with_feedback(
-    solved: Sequence[tuple[fm.Load, Dimension]], flat: fm.FlatModel, dependence: Dependence
-) -> fm.FlatModel:
-    """The model with entries in the loads of `solved`, each given with the dimension of its value."""
-    if not solved:
+def with_feedback(solved: Sequence[Dimension | None], flat: fm.FlatModel, dependence: Dependence) -> fm.FlatModel:
+    """The model with entries in the loads that depend on the motion that they cause: `solved` has the dimensions of
+    their values, and None for each other load."""
+    if all(dimension is None for dimension in solved):
         return flat
-    dimensions = {id(load): dimension for load, dimension in solved}
     parts = _Parts(flat, dependence)
-    loads = tuple(parts.load(load, dimensions[id(load)]) if id(load) in dimensions else load for load in flat.loads)
+    pairs = zip(flat.loads, solved, strict=True)
+    loads = tuple(load if dimension is None else parts.load(load, dimension) for load, dimension in pairs)
     events = replace(flat.events, feedbacks=(*flat.events.feedbacks, *parts.made.values()))
     return replace(flat, loads=loads, events=events)
 

@@ -1,0 +1,1 @@
+"""Jumps and bends along the motion, and what the runtime does there."""

@@ -1,0 +1,56 @@
+"""Discontinuities as they are met: a later pass decides what becomes of them (`semantics/discontinuities`)."""
+
+from __future__ import annotations
+
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.product import Met, Pieces
+from lagdsl.semantics.scope.scope import Scope
+from lagdsl.semantics.scope.values import AnyDimension, Numeric, Order, highest, latest
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
+
+
+def relation(
+    ctx: Context, spans: Spans, text: str, truth: FlatExpression, dimension: AnyDimension, order: Order
+) -> FlatExpression:
+    """A truth that changes at events only, which are where the sides of the relation meet. `text` names it."""
+    found = Met(
+        expression=truth, function="", text=text, spans=spans, dimension=dimension or DIMENSIONLESS, order=order
+    )
+    ctx.product.met.append(found)
+    return truth
+
+
+def met(
+    ctx: Context,
+    scope: Scope,
+    node: nodes.Node,
+    function: str,
+    expression: FlatExpression,
+    *values: Numeric,
+    text: str | None = None,
+    located: bool = True,
+    pieces: Pieces | None = None,
+) -> FlatExpression:
+    """The same expression, remembered where `values` move, on which its branches depend. `text` is that of the node
+    unless given. Not `located`: no instant is searched for."""
+    if moves(*values):
+        found = Met(
+            expression=expression,
+            function=function,
+            text=scope.owner.prefix + (text or node.span.text),
+            spans=(node.span, *scope.spans),
+            dimension=next((value.dimension for value in values if value.dimension is not None), DIMENSIONLESS),
+            order=highest(*values),
+            located=located and not ctx.current.quiet,
+            pieces=pieces,
+        )
+        ctx.product.met.append(found)
+    return expression
+
+
+def moves(*values: Numeric) -> bool:
+    """True for what changes between events."""
+    return latest(*values) == Variability.CONTINUOUS
