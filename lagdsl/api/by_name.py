@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 from lagdsl.api.described import Described
 from lagdsl.api.names import unknown_among
-from lagdsl.backends.python.support.kinematics import FrameKinematics, Kinematics, PointKinematics, frame_of, point_of
+from lagdsl.api.one_state import ModelFrame, ModelPoint, at_one_state, kinematic_calls_at_one_state
+from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics
+from lagdsl.backends.python.support.values import EVALUATED
 from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:
     from lagdsl.analysis.base_parameters import BaseParameters
-    from lagdsl.backends.python.support.interface import Evaluate
+    from lagdsl.backends.python.support.values import Call, Evaluate
     from lagdsl.program.program import Program
     from lagdsl.runtime.engines.broadcast import BatchEngine
 
@@ -50,14 +52,14 @@ class ByName(Described):
 
         `name` is one of `frames`. Raises UnknownName.
         """
-        return frame_of(self._kinematics_of("frame", name, self.frames), (name,), name)
+        return ModelFrame(name, self, self._kinematics_of("frame", name, self.frames))
 
     def point(self, name: str) -> PointKinematics:
         """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
 
         `name` is one of `points`. Raises UnknownName.
         """
-        return point_of(self._kinematics_of("point", name, self.points), (), (name,), name)
+        return ModelPoint(name, self, self._kinematics_of("point", name, self.points))
 
     @property
     def inertial_parameter_names(self) -> list[str]:
@@ -73,28 +75,22 @@ class ByName(Described):
         sizes = len(self.coordinates)
         return base_parameters(partial(self.regressor, 0.0), sizes, self.inertial_parameter_names)
 
-    def _kinematics_of(self, what: str, name: str, names: list[str]) -> Kinematics:
+    def _kinematics_of(self, what: str, name: str, names: list[str]) -> dict[str, Call]:
         if name not in names:
             raise unknown_among(what, name, names)
-        self._kinematic_engine(what, name)
-        return partial(self._kinematics_at, what, name)
-
-    def _kinematics_at(
-        self, what: str, name: str, t: Any, q: Any, qd: Any, z: Any = None, u: Any = None, w: Any = None, p: Any = None
-    ) -> Any:
-        engine = self._kinematic_engine(what, name)
-        return engine.evaluate_many("kinematics", *self._state(t, q, qd, z, u, w, p))
+        return self._kinematic_calls(what, name)
 
     @cached_property
-    def _kinematic_engine(self) -> Callable[[str, str], BatchEngine]:
+    def _kinematic_calls(self) -> Callable[[str, str], dict[str, Call]]:
         from lagdsl.mechanics.by_name import with_kinematics
 
         equations, program = self._compilation.equations, self._compilation.program
 
         @cache
-        def made(what: str, name: str) -> BatchEngine:
+        def made(what: str, name: str) -> dict[str, Call]:
             frames, points = ((name,), ()) if what == "frame" else ((), (name,))
-            return self._engine_of(with_kinematics(equations, program, frames, points))
+            engine = self._engine_of(with_kinematics(equations, program, frames, points))
+            return kinematic_calls_at_one_state(engine, what)
 
         return made
 
@@ -115,3 +111,19 @@ class ByName(Described):
         from lagdsl.runtime.engines.selection import engine_of
 
         return engine_of(program, self._engine.name)
+
+
+def calls_of_terms() -> dict[str, Call]:
+    """The calls of Interface whose functions are made when they are first asked for."""
+    return {name: _made_when_asked(name) for name, (function, _) in EVALUATED.items() if function in _TERMS}
+
+
+def _made_when_asked(name: str) -> Call:
+    made: list[Call] = []
+
+    def call(own: ByName, *arguments: Any) -> Any:
+        if not made:
+            made.append(at_one_state(own._terms(EVALUATED[name][0]), name))
+        return made[0](own, *arguments)
+
+    return call

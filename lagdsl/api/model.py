@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.by_name import calls_of_terms
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
+from lagdsl.api.one_state import calls_at_one_state
 from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
@@ -72,6 +74,7 @@ class Model(SmallMotions):
         self._compilation = compilation
         self._engine = engine
         self._source = source
+        self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
         """The flat model and the engine by name, from which another process compiles the same model."""
@@ -120,7 +123,7 @@ class Model(SmallMotions):
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
-        state = self._state(t, q, qd, z, u, w, p)
+        state = self.state(t, q, qd, z, u, w, p)
         return self._engine.solve_batch(cores() if threads is None else threads, *state)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ STRUCTURES = {
     "lag_range": ("equations/jacobian", "Range"),
     "lag_strided": ("batch", "Strided"),
     "lag_batch": ("batch", "Batch"),
+    "lag_call": ("call", "Call"),
     "lag_note": ("run/results", "Note"),
     "lag_extremes": ("run/extremes", "Extremes"),
     "lag_results": ("run/results", "Results"),

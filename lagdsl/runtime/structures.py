@@ -201,6 +201,21 @@ class Batch(Structure):
     ]
 
 
+class Call(Structure):
+    """lag_call."""
+
+    _fields_ = [
+        *_all(c_void_p, "model tangents"),
+        *_all(c_int, "what"),
+        *_all(Range, "x"),
+        *_all(Arguments, "at"),
+        *_all(c_void_p, "memory zero start standing solved parameters results"),
+        *_all(c_int, "prepared"),
+        *_all(c_double, "started"),
+        *_all(c_size_t, "left coordinate"),
+    ]
+
+
 class Note(Structure):
     """lag_note."""
 

@@ -15,9 +15,11 @@ from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.backends.python.support.motion import solve_motion
 from lagdsl.backends.python.support.names import real_numbers
+from lagdsl.backends.python.support.values import Call
 from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine, Floats, SingularSystem
+from lagdsl.runtime.engines.one_value import Scale
 
 
 class BatchEngine(Engine, Protocol):
@@ -38,6 +40,10 @@ class BatchEngine(Engine, Protocol):
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
         """d(qd, qdd, zd)/dx, shape (..., 2 nq + nz, nx), and dy/dx, shape (..., ny, nx), by "state" (q, qd, z), "input"
         or "parameter"."""
+        ...
+
+    def at_one_state(self, name: str, otherwise: Call, scale: Scale | None = None) -> Call:
+        """The value of this name at one state; `otherwise` takes arguments that are not those of one state."""
         ...
 
 

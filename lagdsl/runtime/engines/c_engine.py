@@ -12,22 +12,23 @@ from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
+from lagdsl.backends.python.support.values import Call
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import BY_NAME, FUNCTIONS, STATE, WRITTEN_OUT
-from lagdsl.program.lengths import sizes
+from lagdsl.program.functions import BY_NAME, STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.broadcast import Spread, spread
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.cores import Part, cores, share_out
 from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
+from lagdsl.runtime.engines.named_values import NUMBER, part_of, result_shapes, value_of
 from lagdsl.runtime.engines.native_model import NativeModel, load_compiled
 from lagdsl.runtime.engines.one_state import VECTORS, OneState
+from lagdsl.runtime.engines.one_value import Place, Scale, caller, laid_out
 from lagdsl.runtime.engines.state_jacobian import StateJacobian
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.structures import Batch, Range, Strided
 
-_NUMBER = {function.name: index for index, function in enumerate(FUNCTIONS)}
 _SINGULAR = 1
 _SOLVED = (Group.QDD, Group.LAMBDA)
 # For so many states it is worth compiling the functions of several at once; results are the same to the bit.
@@ -52,8 +53,8 @@ class CEngine:
         self._program = program
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
-        self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
-        self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
+        self._shapes = result_shapes(program)
+        self._free: list[list[Place]] = []
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
 
@@ -61,6 +62,8 @@ class CEngine:
         """Everything is computed by this model from now on."""
         self._model, self._one = model, OneState(model, self.layout)
         self._state_jacobian: StateJacobian | None = None
+        for places in self._free:
+            places.clear()
 
     @property
     def native(self) -> NativeModel:
@@ -90,7 +93,7 @@ class CEngine:
                 self._one.view[group][...] = argument
                 parameters = argument if group is Group.P else parameters
         self._one.prepare(np.asarray(parameters))
-        return split(self._one.evaluate(_NUMBER[function], self._width[function]), self._shapes[function])
+        return split(self._one.evaluate(NUMBER[function], self._width[function]), self._shapes[function])
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
@@ -104,6 +107,36 @@ class CEngine:
             raise SingularSystem(self._state_jacobian.coordinate.value, self.layout)
         return jacobian
 
+    def at_one_state(self, name: str, otherwise: Call, scale: Scale | None = None) -> Call:
+        """The value of this name (`named_values.py`) at one state, fast; `otherwise` takes other arguments. Several
+        threads may call it. `scale` is applied to the result."""
+        if "load" in self.layout.kinds:  # loads are found where all arguments are arrays
+            return otherwise
+        free = list[Place]()
+        self._free.append(free)
+
+        def make() -> Place:
+            value = value_of(self._program, name)
+            model = self._model if value.part is None else self._part(value.part)
+            return laid_out(model, self.layout, value, self._patience)
+
+        return caller(free, make, otherwise, self._heed, scale)
+
+    # After so many calls of a value the engine wants to know of it; 0: never.
+    _calls_until_attention = 0
+
+    @property
+    def _patience(self) -> int:
+        """After so many calls of a value `_heed` is told of it; 0: never."""
+        return 0
+
+    def _heed(self, status: int, given: int, place: Place) -> bool:
+        """A call of one value ended with a status that is not OK. Returns False where the memory belongs to a model
+        that is no longer used. Raises SingularSystem."""
+        if status == _SINGULAR:
+            raise SingularSystem(place[-1].call.coordinate, self.layout)
+        return True
+
     # ---- many states -------------------------------------------------------------------------------------------------
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
@@ -113,7 +146,7 @@ class CEngine:
         results = np.empty((many.count, width))
         own = Buffers(self._model)
         batch = self._batch(many, own)
-        self._runtime.batch_evaluate(self._model.model, _NUMBER[function], byref(batch), results.ctypes.data, width)
+        self._runtime.batch_evaluate(self._model.model, NUMBER[function], byref(batch), results.ctypes.data, width)
         return split(results.reshape((*many.leading, width)), self._shapes[function])
 
     def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
@@ -140,7 +173,7 @@ class CEngine:
         x are the "state" q, qd, z, the "input" u or the "parameter" p. Works on all cores.
         """
         many = self._spread(STATE, state)
-        model = self._part("parameter_tangents" if by == "parameter" else "tangents")
+        model = self._part(part_of(by))
         lengths = motion_sizes(self._program)
         first_variable, count = variables(lengths, by)
         x = Range(first_variable, count)
@@ -215,9 +248,3 @@ def _loaded(program: Program, part: str | None = None) -> NativeModel:
         return load_compiled(build(texts), model_symbol(program), constant)
     except OSError:  # a library that was cut short or made for another machine
         return load_compiled(build(texts, fresh=True), model_symbol(program), constant)
-
-
-def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:
-    """Shapes of the results of a function that the program may lack."""
-    lengths = sizes(program.layout)
-    return tuple(tuple(lengths[length] for length in result.shape) for result in BY_NAME[function].results)
