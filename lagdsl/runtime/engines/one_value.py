@@ -109,9 +109,9 @@ def caller(
 ) -> Call:
     """A function of its owner, t, q, qd, z, u, w, p, qdd and out; None stands for what is left out.
 
-    Arguments that are not those of one state as floats and arrays go to `otherwise`; a status that is not OK goes
-    to `heed`, which says whether the memory stays in use. Raises ValueError for an `out` that is not of the kind of the result. Everything that it uses is a local
-    name: they are found fastest.
+    Arguments that are not those of one state as floats and arrays go to `otherwise`; a status that is not OK goes to
+    `heed`, which says whether the memory stays in use. Raises ValueError for an `out` that is not of the kind of the
+    result. Everything that it uses is a local name: they are found fastest.
     """
     once, whole = runtime_library().bare("call_once"), slice(None)
 
