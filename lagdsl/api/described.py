@@ -32,6 +32,7 @@ class Described(Interface):
         self._compilation = compilation
         self._layout = compilation.program.layout
         self._aliases = dict(self._layout.aliases)
+        self._known_targets: dict[tuple[Kind, ...], dict[str, Target]] = {}
         self._row_factors = np.array(row_factors(compilation.flat))
 
     def __repr__(self) -> str:
@@ -95,6 +96,8 @@ class Described(Interface):
 
     def _parameter_vector(self, given: Given) -> Floats:
         """The defaults with some replaced by name, or all. Raises UnknownName and ValueError for what does not fit."""
+        if given is None:
+            return self.defaults
         values = dict(zip(self.parameters, self._layout.defaults, strict=True))
         chosen = entries("parameter" if isinstance(given, Mapping) else "p", given, self._named("parameter"))
         for parameter in self._compilation.flat.parameters:
@@ -128,7 +131,10 @@ class Described(Interface):
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
         """Targets of values, by the names of the model."""
-        return {target.key: target for target in targets(self._compilation.flat, kinds).values()}
+        if kinds not in self._known_targets:
+            found = targets(self._compilation.flat, kinds).values()
+            self._known_targets[kinds] = {target.key: target for target in found}
+        return self._known_targets[kinds]
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

@@ -17,9 +17,9 @@ from lagdsl.record import remembered
 
 
 @remembered
-def _sound(flat: FlatModel) -> dict[str, float]:
+def _sound(flat: FlatModel) -> list[dict[str, float]]:
     """The values of parameters that were found without fault last; none at first."""
-    return {}
+    return []
 
 
 def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -> None:
@@ -28,10 +28,11 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
     was wrong is not computed anew."""
     sound = _sound(flat)
     changed = None
-    if sound and sound.keys() == parameters.keys():
-        changed = {name for name, value in parameters.items() if value != sound[name]}
-        if not changed:
+    for last in sound[:1]:
+        if last == parameters:
             return
+        if last.keys() == parameters.keys():
+            changed = {name for name, value in parameters.items() if value != last[name]}
     before = len(sink.diagnostics)
     evaluator = Evaluator(flat, Values(variables=parameters))
     check_finite(flat, parameters, evaluator, sink, changed)
@@ -44,8 +45,7 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
         if wrong is not None:
             sink.report("E0334", place(limit), *around(limit), what=limit.what, expected=wrong, found=f"{value:g}")
     if len(sink.diagnostics) == before:
-        sound.clear()
-        sound.update(parameters)
+        sound[:] = [dict(parameters)]
 
 
 def check_clocks(

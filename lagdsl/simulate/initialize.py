@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 
@@ -93,7 +94,7 @@ def find_start(
         report_found(flat, engine.layout, found.p, sink)
     rows: tuple[MovedRow, ...] = ()
     if not _wrong(sink, before):
-        rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
+        rows = moved_rows(starts, found.x, partial(_cut_joints, flat, run, t, found))
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
         if not _wrong(sink, before) and flat.constraints:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
@@ -67,7 +66,7 @@ def simulate(
         check_limits(flat, values, own)
         own.raise_if_errors()
         check_clocks(flat, values, (t0, end), max_steps, own)
-        defaults = engine.evaluate("start", t0, parameters)[3]
+        q, _, _, defaults = engine.evaluate("start", t0, parameters)
         given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
         report_missing(flat, inputs or {}, own)
@@ -75,6 +74,7 @@ def simulate(
         flat=flat,
         engine=engine,
         p=parameters,
+        q=q,
         signals=given,
         start=start or {},
         tolerance=relative,
@@ -97,9 +97,12 @@ def _shown(
     motion, turns = _motion(asked, times, progress, sink)
     resolution = resolution_of(turns)
 
-    @cache
+    made: dict[int, Trajectory] = {}
+
     def again(intervals: int) -> Trajectory:
-        return _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
+        if intervals not in made:
+            made[intervals] = _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
+        return made[intervals]
 
     intervals = len(times) - 1
     if interval is None and intervals < resolution.rows:
@@ -128,6 +131,7 @@ def _motion(
             asked.p,
             given.course(t0),
             t0=t0,
+            q=asked.q,
             times=times,
             tolerance=asked.tolerance,
             solver=asked.solver,
@@ -146,6 +150,8 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
     if count == 0:
+        return np.array([t0, stop])
+    if count == 1 and stop - (t0 + step) <= 1e-9 * step:
         return np.array([t0, stop])
     times = equidistant(t0, step, count + 1)
     if stop - times[-1] > 1e-9 * step:
