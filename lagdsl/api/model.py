@@ -119,12 +119,10 @@ class Model(SmallMotions):
         of `forward_dynamics`, whatever the number of threads. Raises ValueError for shapes that do not fit and
         SingularSystem for the first state whose accelerations are not determined.
         """
-        from lagdsl.runtime.engines.cores import cores
-
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
         state = self.state(t, q, qd, z, u, w, p)
-        return self._engine.solve_batch(cores() if threads is None else threads, *state)[0]
+        return self._engine.solve_batch(threads, *state)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 

@@ -33,8 +33,8 @@ class BatchEngine(Engine, Protocol):
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
         ...
 
-    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
-        """The same as `solve_many`, by `threads` threads."""
+    def solve_batch(self, threads: int | None, *state: ArrayLike) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads; None: by as many as pay."""
         ...
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:

@@ -56,6 +56,12 @@ def value_of(program: Program, name: str) -> Value:
     )
 
 
+def whole(program: Program, function: str) -> Value:
+    """All results of a function, one after the other."""
+    count = sum(map(prod, result_shapes(program)[function]))
+    return Value(NUMBER[function], count, 0, (count,))
+
+
 def part_of(by: str) -> str:
     """The functions of several directions for derivatives by these variables."""
     return "parameter_tangents" if by == "parameter" else "tangents"

@@ -107,7 +107,7 @@ class NumpyEngine:
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate, self.layout) from None
 
-    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+    def solve_batch(self, threads: int | None, *state: ArrayLike) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
         sizes = [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in STATE]
         many = spread(sizes, state)

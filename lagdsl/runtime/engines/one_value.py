@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from lagdsl.backends.python.support.values import Call, into
+from lagdsl.backends.python.support.values import into
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import FUNCTIONS
 from lagdsl.record import record
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 _FIRST = sum(function.single for function in FUNCTIONS)
 SOLVE, OUTPUT, RATES_JACOBIAN, OUTPUT_JACOBIAN = range(_FIRST, _FIRST + 4)
 _QD, _Z, _U, _W, _P = 1, 2, 4, 8, 16
+_OTHERS = _QD | _Z | _U | _W
 _GIVEN = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P, Group.QDD)
 # What buffers say to arguments that are not of their kind.
 UNFIT = (TypeError, ValueError, BufferError, NotImplementedError)
@@ -48,6 +49,16 @@ class Value:
     shape: tuple[int, ...]
     x: tuple[int, int] = (0, 0)
     part: str | None = None
+
+
+@record()
+class Reads:
+    """Arguments that a value reads: q and qdd, which cannot be left out then, and `others` but t and p, for which
+    something stands where they are left out."""
+
+    q: bool = True
+    qdd: bool = False
+    others: bool = True
 
 
 @record()
@@ -103,10 +114,11 @@ def laid_out(model: NativeModel, layout: Layout, value: Value, calls: int) -> Pl
 def caller(
     free: list[Place],
     make: Callable[[], Place],
-    otherwise: Call,
+    otherwise: Callable[..., Any],
     heed: Callable[[int, int, Place], bool],
     scale: Scale | None,
-) -> Call:
+    reads: Reads,
+) -> Callable[..., Any]:
     """A function of its owner, t, q, qd, z, u, w, p, qdd and out; None stands for what is left out.
 
     Arguments that are not those of one state as floats and arrays go to `otherwise`; a status that is not OK goes to
@@ -114,27 +126,32 @@ def caller(
     result. Everything that it uses is a local name: they are found fastest.
     """
     once, whole = runtime_library().bare("call_once"), slice(None)
+    with_q, with_qdd, first = reads.q, reads.qdd, 0 if reads.others else _OTHERS
 
-    def call(own: Any, t: Any, q: Any, qd: Any, z: Any, u: Any, w: Any, p: Any, qdd: Any, out: Any) -> Floats:
-        place = free.pop() if free else make()
+    def call(own: Any, t: Any, q: Any, qd: Any, z: Any, u: Any, w: Any, p: Any, qdd: Any, out: Any) -> Any:
+        try:
+            place = free.pop()
+        except IndexError:
+            place = make()
         at, own_t, own_q, own_qd, own_u, own_p, own_qdd, result, copy, rest = place
         try:
             own_t[0] = t if isinstance(t, float) else _number(t)
-            own_q[whole] = q
-            given = 0
+            given = first
+            if with_q:
+                own_q[whole] = q
             if qd is not None:
                 own_qd[whole] = qd
-                given = _QD
+                given |= _QD
             if u is not None:
                 own_u[whole] = u
-                given += _U
+                given |= _U
             if p is not None:
                 own_p[whole] = p
-                given += _P
-            if qdd is not None:
+                given |= _P
+            if with_qdd:
                 own_qdd[whole] = qdd
             if z is not None or w is not None:
-                given += _put(rest, z, w)
+                given |= _put(rest, z, w)
         except UNFIT:
             free.append(place)
             return otherwise(own, t, q, qd, z, u, w, p, qdd, out)

@@ -19,7 +19,7 @@ FLOAT = np.dtype(np.float64)
 # first argument are the `Values` that it is one of.
 Call = Callable[..., Floats]
 
-# Values by the names of what users call: a result of a function of the model, accelerations or multipliers,
+# Values by the names of what users call: a result of a function of the model;
 EVALUATED = {
     "inverse_dynamics": ("inverse_dynamics", 0),
     "mass_matrix": ("mass_matrix", 0),
@@ -30,6 +30,8 @@ EVALUATED = {
     "constraint_jacobian": ("velocity_constraint", 1),
     "energy": ("energies", 0),
 }
+# These take accelerations qdd, too.
+WITH_ACCELERATIONS = ("inverse_dynamics", "regressor")
 SOLVED = {"forward_dynamics": 0, "multipliers": 1}
 # derivatives, by these variables, of the motion or of the outputs.
 OUTPUT_JACOBIANS = {by: f"output_jacobian by {by}" for by in ("state", "input", "parameter")}
@@ -76,7 +78,7 @@ class Values:
         if name in EVALUATED:
             function, place = EVALUATED[name]
             arguments = self.state(*state)
-            if function in ("inverse_dynamics", "regressor"):
+            if name in WITH_ACCELERATIONS:
                 arguments = (*arguments, self._vector("qdd", qdd, None))
             value = self._evaluate(function, *arguments)[place]
             return value / np.reshape(self._row_factors, (-1, 1)) if name == "constraint_jacobian" else value

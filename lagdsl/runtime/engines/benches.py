@@ -1,0 +1,70 @@
+"""Memory in which a model is called for many states, used again from call to call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from ctypes import c_size_t
+
+from lagdsl.graph.operation import ARGUMENT_NAMES
+from lagdsl.runtime.engines.broadcast import Spread
+from lagdsl.runtime.engines.buffers import Buffers
+from lagdsl.runtime.engines.native_model import NativeModel
+from lagdsl.runtime.engines.one_state import VECTORS
+from lagdsl.runtime.structures import Arguments, Batch, Strided
+
+
+class Bench:
+    """`batch` is what C is told; arrays that are not given are those of `single`. For one thread at a time."""
+
+    def __init__(self, model: NativeModel, single: Arguments) -> None:
+        self._own = Buffers(model)
+        self.batch, self.coordinate = Batch(), c_size_t(0)
+        for name in ("workspace", "memory", "lanes"):
+            setattr(self.batch, name, getattr(self._own, name).ctypes.data)
+        self._single = {ARGUMENT_NAMES[group]: getattr(single, ARGUMENT_NAMES[group]) for group in VECTORS}
+        self.release(self._single)
+
+    def release(self, names: Iterable[str]) -> None:
+        """Arrays of these names are no longer looked at."""
+        for name in names:
+            setattr(self.batch, name, Strided(self._single.get(name, 0), 0))
+
+
+class Benches:
+    """Those of one model that are free."""
+
+    def __init__(self, model: NativeModel, single: Arguments) -> None:
+        self._model, self._single = model, single
+        self._free: list[Bench] = []
+
+    def worker(
+        self, many: Spread, call: Callable[[Batch, int, c_size_t], None], used: list[Bench]
+    ) -> Callable[[int, int], None]:
+        """Works on parts of `many` in memory of its own, which it adds to `used`."""
+        try:
+            bench = self._free.pop()
+        except IndexError:
+            bench = Bench(self._model, self._single)
+        used.append(bench)
+        batch = bench.batch
+        places = []
+        for name, array, stride in many.arrays:
+            address = array.ctypes.data
+            setattr(batch, name, Strided(address, stride))
+            if stride:
+                places.append((getattr(batch, name), address, 8 * stride))
+
+        def part(first: int, end: int) -> None:
+            batch.count = end - first
+            for strided, address, step in places:
+                strided.first = address + first * step
+            call(batch, first, bench.coordinate)
+
+        return part
+
+    def put_back(self, used: list[Bench], many: Spread) -> None:
+        """What workers used; arrays of `many` may go."""
+        names = [name for name, _, _ in many.arrays]
+        for bench in used:
+            bench.release(names)
+        self._free += used
