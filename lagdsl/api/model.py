@@ -121,7 +121,7 @@ class Model(SmallMotions):
         """
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
-        state = self.state(t, q, qd, z, u, w, p)
+        state = self._state(t, q, qd, z, u, w, p)
         return self._engine.solve_batch(threads, *state)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------

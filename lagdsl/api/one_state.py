@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, kinematic_calls
 from lagdsl.backends.python.support.names import real_numbers
-from lagdsl.backends.python.support.values import BROADCAST, NAMED, Call, Floats, Values, whole_vector
+from lagdsl.backends.python.support.values import BROADCAST, NAMED, Call, Floats, Values, state_of, whole_vector
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.runtime.engines.named_values import KINEMATICS
 
@@ -63,7 +63,7 @@ def kinematic_calls_at_one_state(engine: BatchEngine, what: str) -> dict[str, Ca
 
 def _over_states(engine: BatchEngine, call: Call) -> Call:
     def called(own: Values, *arguments: Any) -> Floats:
-        return call(lambda *state: engine.evaluate_many("kinematics", *own.state(*state)), *arguments)
+        return call(lambda *state: engine.evaluate_many("kinematics", *state_of(own, *state)), *arguments)
 
     return called
 

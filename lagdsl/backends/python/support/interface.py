@@ -172,7 +172,7 @@ class Interface(Values):
         """pi, shape (..., n): of each body mass, first moments and inertia about the origin of its frame, of each
         mass its mass."""
         zeros = np.zeros(self._sizes.q)
-        return self._evaluate("regressor", *self.state(0.0, zeros, None, None, None, None, p), zeros)[1]
+        return self._evaluate("regressor", *self._state(0.0, zeros, None, None, None, None, p), zeros)[1]
 
     def constraint_jacobian(
         self,

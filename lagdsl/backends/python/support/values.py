@@ -77,7 +77,7 @@ class Values:
         *state, qdd = given
         if name in EVALUATED:
             function, place = EVALUATED[name]
-            arguments = self.state(*state)
+            arguments = self._state(*state)
             if name in WITH_ACCELERATIONS:
                 arguments = (*arguments, self._vector("qdd", qdd, None))
             value = self._evaluate(function, *arguments)[place]
@@ -101,15 +101,15 @@ class Values:
         w: Entries | None = None,
         p: Entries | None = None,
     ) -> tuple[Floats, ...]:
-        return self._evaluate("kinematics", *self.state(t, q, qd, z, u, w, p))
+        return self._evaluate("kinematics", *self._state(t, q, qd, z, u, w, p))
 
     def _with_loads(self, *given: Any) -> tuple[Floats, ...]:
         """t, q, qd, z, u, w, p, with the loads that depend on the motion that they cause."""
-        state = self.state(*given)
+        state = self._state(*given)
         count = self._sizes.loads
         return with_loads(self._evaluate, self._solve, count, *state) if count else state
 
-    def state(
+    def _state(
         self,
         t: ArrayLike,
         q: Entries,
@@ -196,6 +196,11 @@ def broadcasting(name: str) -> Call:
         return value if out is None else into(out, value)
 
     return call
+
+
+def state_of(own: Values, *given: Any) -> tuple[Floats, ...]:
+    """t, q, qd, z, u, w, p as arrays, with what is left out."""
+    return own._state(*given)
 
 
 BROADCAST = {name: broadcasting(name) for name in NAMED}
