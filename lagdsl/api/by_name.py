@@ -50,16 +50,18 @@ class ByName(Described):
     def frame(self, name: str) -> FrameKinematics:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
 
-        `name` is one of `frames`. Raises UnknownName.
+        `name` is one of `frames`, or a component that has one frame only. Raises UnknownName.
         """
-        return ModelFrame(name, self, self._kinematics_of("frame", name, self.frames))
+        own = _own_name("frame", name, self.frames)
+        return ModelFrame(own, self, self._kinematic_calls("frame", own))
 
     def point(self, name: str) -> PointKinematics:
         """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
 
-        `name` is one of `points`. Raises UnknownName.
+        `name` is one of `points`, or a component that has one point only. Raises UnknownName.
         """
-        return ModelPoint(name, self, self._kinematics_of("point", name, self.points))
+        own = _own_name("point", name, self.points)
+        return ModelPoint(own, self, self._kinematic_calls("point", own))
 
     @property
     def inertial_parameter_names(self) -> list[str]:
@@ -74,11 +76,6 @@ class ByName(Described):
 
         sizes = len(self.coordinates)
         return base_parameters(partial(self.regressor, 0.0), sizes, self.inertial_parameter_names)
-
-    def _kinematics_of(self, what: str, name: str, names: list[str]) -> dict[str, Call]:
-        if name not in names:
-            raise unknown_among(what, name, names)
-        return self._kinematic_calls(what, name)
 
     @cached_property
     def _kinematic_calls(self) -> Callable[[str, str], dict[str, Call]]:
@@ -127,3 +124,13 @@ def _made_when_asked(name: str) -> Call:
         return made[0](own, *arguments)
 
     return call
+
+
+def _own_name(what: str, name: str, names: list[str]) -> str:
+    """The one of `names` that is called so, or that is the only one of a component. Raises UnknownName."""
+    if name in names:
+        return name
+    inside = [each for each in names if each.rpartition(".")[0] == name]
+    if len(inside) == 1:
+        return inside[0]
+    raise unknown_among(what, name, inside or names)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial, wraps
+from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +14,7 @@ from lagdsl.api.by_name import calls_of_terms
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.api.one_state import calls_at_one_state
-from lagdsl.api.small_motions import SmallMotions
+from lagdsl.api.small_motions import SmallMotions, with_starts
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
 from lagdsl.diagnostics import Sink
@@ -34,19 +34,6 @@ if TYPE_CHECKING:
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
-P = ParamSpec("P")
-T = TypeVar("T")
-
-
-def _with_starts(method: Callable[Concatenate[Model, P], T]) -> Callable[Concatenate[Model, P], T]:
-    """`method`, called of a model that has the starts that are given among its own."""
-
-    @wraps(method)
-    def called(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> T:
-        start = kwargs.get("start")
-        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
-
-    return called
 
 
 class Model(SmallMotions):
@@ -126,14 +113,10 @@ class Model(SmallMotions):
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 
-    def _of_starts(self, start: Mapping[str, object] | None) -> Model:
-        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
-        from lagdsl.api.unknowns import with_unknowns
+    def _made_of(self, compilation: Compilation) -> Self:
+        return type(self)(compilation, self._engine_of(compilation.program), self._source)
 
-        found = with_unknowns(self._compilation, self._source, start or {})
-        return self if found is None else Model(found, self._engine_of(found.program), self._source)
-
-    @_with_starts
+    @with_starts
     def initial_state(
         self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
@@ -146,7 +129,7 @@ class Model(SmallMotions):
         p = self._parameter_vector(parameters)
         return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
 
-    @_with_starts
+    @with_starts
     def simulate(
         self,
         *,
@@ -194,7 +177,7 @@ class Model(SmallMotions):
             raise
         return Trajectory.of(motion, page)
 
-    @_with_starts
+    @with_starts
     def simulate_many(
         self,
         *,
