@@ -9,7 +9,16 @@ import numpy as np
 
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, kinematic_calls
 from lagdsl.backends.python.support.names import real_numbers
-from lagdsl.backends.python.support.values import BROADCAST, NAMED, Call, Floats, Values, state_of, whole_vector
+from lagdsl.backends.python.support.values import (
+    BROADCAST,
+    NAMED,
+    WITH_ACCELERATIONS,
+    Call,
+    Floats,
+    Values,
+    state_of,
+    whole_vector,
+)
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.runtime.engines.named_values import KINEMATICS
 
@@ -70,24 +79,29 @@ def _over_states(engine: BatchEngine, call: Call) -> Call:
 
 def _fast(engine: BatchEngine, name: str, broadcast: Call, scale: Any = None) -> Call:
     """Numbers and sequences of one state become arrays first; `broadcast` takes the rest."""
-    lengths = [(ARGUMENT_NAMES[group], engine.layout.size(group)) for group in _VECTORS]
+    needed = (Group.Q, Group.QDD) if name in WITH_ACCELERATIONS else (Group.Q,)
+    kinds = [(ARGUMENT_NAMES[group], engine.layout.size(group), group in needed) for group in _VECTORS]
 
     def otherwise(own: Any, *arguments: Any) -> Floats:
         *given, out = arguments
-        plain = _plain(lengths, *given)
+        plain = _plain(kinds, *given)
         return broadcast(own, *arguments) if plain is None else call(own, *plain, out)
 
     call = engine.at_one_state(name, otherwise, scale)
     return broadcast if call is otherwise else call
 
 
-def _plain(lengths: Sequence[tuple[str, int]], t: Any, *vectors: Any) -> tuple[Any, ...] | None:
-    """The arguments as a float and arrays of one state, None where they are not those of one, or entries by name.
-    Raises ValueError for what is no number or of a wrong length."""
+def _plain(kinds: Sequence[tuple[str, int, bool]], t: Any, *vectors: Any) -> tuple[Any, ...] | None:
+    """The arguments as a float and arrays of one state, None where they are not those of one, or entries by name;
+    `kinds` are names, lengths, and what cannot be left out. Raises ValueError for what is no number or of a wrong
+    length."""
     if any(isinstance(each, Mapping) for each in vectors):
         return None
-    given = zip(lengths, vectors, strict=True)
-    arrays = [None if each is None else whole_vector(name, each, length) for (name, length), each in given]
+    given = zip(kinds, vectors, strict=True)
+    arrays = [
+        whole_vector(name, each, length) if needed or each is not None else None
+        for (name, length, needed), each in given
+    ]
     time = real_numbers("t", t)
     if time.ndim or any(each is not None and each.ndim != 1 for each in arrays):
         return None

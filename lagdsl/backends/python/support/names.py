@@ -15,6 +15,8 @@ def real_numbers(name: str, value: ArrayLike) -> Floats:
     """An array of floats. Raises ValueError for what is none, complex numbers included: NumPy would drop the imaginary
     parts."""
     try:
+        if value is None:
+            raise TypeError("there is nothing")
         given = np.asarray(value)
         if np.iscomplexobj(given):
             raise TypeError("these are complex")
