@@ -229,6 +229,23 @@ def test_a_singular_state_is_told_and_the_next_one_computed() -> None:
         out[:] = 7.0
 
 
+def test_rows_that_the_equations_multiply_are_those_of_the_text() -> None:
+    """The second row is multiplied by a power of two of about 1e5. Half of the load is in both, in the multipliers of
+    least norm of rows of equal length."""
+    subject = model(
+        source="model W coordinate Length x, y; kinetic 1/2*1 kg*(der(x)^2 + der(y)^2); force 1 N on x;"
+        " constraint big: x = y; constraint small: 1e-5*x = 1e-5*y; end W;"
+    )
+    zero = np.zeros(2)
+    assert subject._row_factors[1] > 1.0
+    out = np.zeros((2, 2))
+    assert subject.constraint_jacobian(0.0, zero, out=out) is out
+    np.testing.assert_array_equal(out, [[1.0, -1.0], [1e-5, -1e-5]])
+    np.testing.assert_allclose(subject.multipliers(0.0, zero, zero) @ out, [-0.5, 0.5], rtol=1e-14)
+    for call, given in ((subject.constraint_jacobian, 1), (subject.multipliers, 2)):
+        assert np.array_equal(call(0.0, *[zero] * given), call(0.0, *[zero[None]] * given)[0])
+
+
 def test_several_threads_may_call_one_model() -> None:
     subject = model()
     given = arguments(subject, 8)

@@ -1,16 +1,31 @@
 #include "lag/call.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "lag/dynamics.h"
 
+/* To the bit. */
+static int equal(size_t count, const double *a, const double *b)
+{
+    for (size_t i = 0; i < count; ++i) {
+        uint64_t bits[2];
+        memcpy(bits, a + i, sizeof *bits);
+        memcpy(bits + 1, b + i, sizeof *bits);
+        if (bits[0] != bits[1]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Computes what only parameters change, where they did. */
 static lag_status prepare(lag_call *call, const lag_arguments *at, int given)
 {
-    const size_t size = call->model->np * sizeof(double);
+    const size_t count = call->model->np;
     const int wanted = (given & LAG_GIVEN_P) != 0 ? LAG_PREPARED_GIVEN : LAG_PREPARED_DEFAULTS;
-    if (call->prepared == wanted && (wanted == LAG_PREPARED_DEFAULTS || memcmp(call->parameters, at->p, size) == 0)) {
+    if (call->prepared == wanted && (wanted == LAG_PREPARED_DEFAULTS || equal(count, call->parameters, at->p))) {
         return LAG_OK;
     }
     call->prepared = LAG_PREPARED_NONE;
@@ -18,7 +33,7 @@ static lag_status prepare(lag_call *call, const lag_arguments *at, int given)
     const lag_status status = lag_prepare(call->model, at);
     if (status == LAG_OK) {
         call->prepared = wanted;
-        memcpy(call->parameters, at->p, wanted == LAG_PREPARED_GIVEN ? size : 0);
+        memcpy(call->parameters, at->p, wanted == LAG_PREPARED_GIVEN ? count * sizeof(double) : 0);
     }
     return status;
 }
