@@ -17,6 +17,7 @@ from lagdsl.api.one_state import calls_at_one_state
 from lagdsl.api.small_motions import SmallMotions, with_starts
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
+from lagdsl.backends.python.support.values import Entries, given_once
 from lagdsl.diagnostics import Sink
 from lagdsl.runtime.engines.broadcast import differentiating, solving
 from lagdsl.settings.aliases import by_own_names
@@ -91,25 +92,31 @@ class Model(SmallMotions):
     def batch(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
         *,
         threads: int | None = None,
+        inputs: Entries | None = None,
+        parameters: Entries | None = None,
+        out: Floats | None = None,
     ) -> Floats:
-        """Accelerations qdd (..., nq) of many states and parameter sets, on all cores: `forward_dynamics` for a crowd.
+        """Accelerations qdd (..., nq) of many states and parameter sets: `forward_dynamics` for a crowd.
 
-        All arguments broadcast over their leading axes. `threads` is the number of cores to use. The results are those
-        of `forward_dynamics`, whatever the number of threads. Raises ValueError for shapes that do not fit and
+        All arguments broadcast over their leading axes. `threads` is the number of cores to use; left out, one, and all
+        where the work takes longer than threads take to start. The results are those of `forward_dynamics`, whatever
+        the number of threads; `out` is an array for them. Raises ValueError for shapes that do not fit and
         SingularSystem for the first state whose accelerations are not determined.
         """
+        u = u if inputs is None else given_once("u", u, "inputs", inputs)
+        p = p if parameters is None else given_once("p", p, "parameters", parameters)
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
         state = self._state(t, q, qd, z, u, w, p)
-        return self._engine.solve_batch(threads, *state)[0]
+        return self._engine.solve_batch(threads, *state, out=out)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 

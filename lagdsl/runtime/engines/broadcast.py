@@ -33,8 +33,8 @@ class BatchEngine(Engine, Protocol):
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
         ...
 
-    def solve_batch(self, threads: int | None, *state: ArrayLike) -> tuple[Floats, ...]:
-        """The same as `solve_many`, by `threads` threads; None: by as many as pay."""
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads; None: by as many as pay. `out` is an array for qdd."""
         ...
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
@@ -128,3 +128,12 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
             whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
             arrays.append((name, whole, 1 if length is None else length))
     return Spread(leading, prod(leading), tuple(arrays))
+
+
+def apart(many: Spread, out: Floats) -> Spread:
+    """`many` with copies of the arrays that lie where `out` does: it is written while they are read."""
+    arrays = (
+        (name, array.copy() if np.may_share_memory(array, out) else array, stride)
+        for name, array, stride in many.arrays
+    )
+    return Spread(many.leading, many.count, tuple(arrays))

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
-from lagdsl.backends.python.support.values import WITH_ACCELERATIONS, Call
+from lagdsl.backends.python.support.values import WITH_ACCELERATIONS, Call, require_room
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import BY_NAME, STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.benches import Bench, Benches
-from lagdsl.runtime.engines.broadcast import Spread, spread
+from lagdsl.runtime.engines.broadcast import Spread, apart, spread
 from lagdsl.runtime.engines.cores import PART, share_out
 from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.engines.named_values import NUMBER, part_of, result_shapes, value_of, whole
@@ -190,11 +190,16 @@ class CEngine:
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
         return self.solve_batch(1, *state)
 
-    def solve_batch(self, threads: int | None, *state: ArrayLike) -> tuple[Floats, ...]:
-        """`solve_many` with the states shared out to threads, None: as many as pay; they run while C works."""
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
+        """`solve_many` with the states shared out to threads, None: as many as pay; they run while C works. `out` is an
+        array for qdd."""
         many = self._spread(STATE, state)
         model = self._part("states") if many.count >= self._crowd else self._model
-        found = [np.empty((*many.leading, size)) for size in map(self.layout.size, _SOLVED)]
+        shapes = [(*many.leading, size) for size in map(self.layout.size, _SOLVED)]
+        if out is not None:
+            require_room(out, shapes[0])
+            many = apart(many, out)
+        found = [np.empty(shapes[0]) if out is None else out, np.empty(shapes[1])]
         (qdd, n), (lam, m) = ((block.ctypes.data, 8 * block.shape[-1]) for block in found)
         forward_dynamics = self._runtime.batch_forward_dynamics
 

@@ -19,7 +19,7 @@ from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.motion import solve_motion
-from lagdsl.backends.python.support.values import Call
+from lagdsl.backends.python.support.values import Call, into
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
@@ -107,7 +107,7 @@ class NumpyEngine:
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate, self.layout) from None
 
-    def solve_batch(self, threads: int | None, *state: ArrayLike) -> tuple[Floats, ...]:
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
         sizes = [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in STATE]
         many = spread(sizes, state)
@@ -123,7 +123,8 @@ class NumpyEngine:
             qdd[first:end], lam[first:end] = self.solve_many(*of_part)
 
         share_out(many.count, threads, lambda: part)
-        return tuple(block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
+        accelerations, multipliers = (block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
+        return accelerations if out is None else into(out, accelerations), multipliers
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
         """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem."""
