@@ -24,8 +24,8 @@ def _sound(flat: FlatModel) -> list[dict[str, float]]:
 
 def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -> None:
     """E0334 for each limit that does not hold for these values of parameters, E0329 and E0506 for what they make
-    infinite or negative; those left out have their defaults. What parameters decide that are as they were when nothing
-    was wrong is not computed anew."""
+    infinite or negative; those left out have their defaults. Only values that follow from parameters that changed since
+    nothing was wrong are computed anew."""
     sound = _sound(flat)
     changed = None
     for last in sound[:1]:

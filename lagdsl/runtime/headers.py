@@ -81,8 +81,8 @@ def _evaluated(results: int) -> Any:
 def structures_text() -> str:
     """The module `lagdsl.runtime.structures`."""
     (version,) = re.findall(r"#define LAG_MODEL_VERSION (\d+)u", _header("model"))
-    what = ", ".join(f'"{name.lower()}"' for name, _ in _enumerators("event_notice", "LAG_"))
-    parts = [_HEAD, f"VERSION = {version}\n\n# lag_event_kind.\nWHAT = {_wrapped(what)}\n"]
+    what = " ".join(name.lower() for name, _ in _enumerators("event_notice", "LAG_"))
+    parts = [_HEAD, f'VERSION = {version}\n\n# lag_event_kind.\nWHAT = [name for name, _ in _all(None, "{what}")]\n']
     for name, (header, prefix) in _ENUMERATIONS.items():
         values = "".join(f"    {each} = {value}\n" for each, value in _enumerators(header, prefix))
         parts.append(f'\n\nclass {name}(IntEnum):\n    """Of lag/{header}.h."""\n\n{values}')
@@ -153,8 +153,3 @@ def _header(name: str) -> str:
     version = re.findall(r"#define LAG_MODEL_VERSION \d+u", text)
     bare = re.sub(r"/\*.*?\*/|^#.*?$", "", text, flags=re.DOTALL | re.MULTILINE)
     return " ".join([*version, *bare.split()])
-
-
-def _wrapped(entries: str) -> str:
-    """A tuple as the formatter writes it: on one line, or one entry on each."""
-    return f"({entries})" if len(entries) < 110 else "(\n" + "".join(f"    {e},\n" for e in entries.split(", ")) + ")"

@@ -26,22 +26,12 @@ def _evaluated(results: int) -> Any:
 VERSION = 7
 
 # lag_event_kind.
-WHAT = (
-    "before",
-    "tick",
-    "true",
-    "false",
-    "opened",
-    "closed",
-    "impact",
-    "reinit",
-    "terminate",
-    "after",
-    "jump",
-    "slips",
-    "sticks",
-    "reverses",
-)
+WHAT = [
+    name
+    for name, _ in _all(
+        None, "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
+    )
+]
 
 
 class Status(IntEnum):
@@ -205,12 +195,10 @@ class Call(Structure):
     """lag_call."""
 
     _fields_ = [
-        *_all(c_void_p, "model tangents"),
-        *_all(c_int, "what"),
-        *_all(Range, "x"),
+        *_all(c_void_p, "model tangents memory zero start standing solved parameters results"),
         *_all(Arguments, "at"),
-        *_all(c_void_p, "memory zero start standing solved parameters results"),
-        *_all(c_int, "prepared"),
+        *_all(Range, "x"),
+        *_all(c_int, "what prepared"),
         *_all(c_double, "started"),
         *_all(c_size_t, "left coordinate"),
     ]

@@ -90,7 +90,7 @@ def settings_of(
 
 @record()
 class _Measures:
-    """What follows from the model, its start values and their time. Nobody can write to the arrays."""
+    """Settings that follow from the model, its start values and their time. Nobody can write to the arrays."""
 
     start: Start
     scales: Scales
@@ -100,7 +100,7 @@ class _Measures:
 
 @remembered
 def _last(flat: FlatModel) -> list[tuple[object, _Measures]]:
-    """Those of the last start values, with these."""
+    """Settings for the last start values, with these."""
     return []
 
 

@@ -152,7 +152,7 @@ def test_few_states_stay_in_one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_memory_serves_one_call_after_the_other(model: Model) -> None:
-    """What one call left there counts in no other: parameters, inputs, another number of states."""
+    """No call sees what another one left there: parameters, inputs, another number of states."""
     states = _states(8)
     alone = model.batch(**states)
     model.batch(0.0, states["q"][:40], np.zeros(2))

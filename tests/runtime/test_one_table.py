@@ -14,7 +14,7 @@ from lagdsl.program.functions import ALONG_MANY, COUNTED, FUNCTIONS, OPTIONAL, S
 from lagdsl.resources import c_folder, sources_in
 from lagdsl.runtime import generate, structures
 from lagdsl.runtime.building.build import build
-from lagdsl.runtime.engines.c_engine import VECTORS
+from lagdsl.runtime.engines.one_state import VECTORS
 from lagdsl.runtime.engines.native_model import native_model
 from lagdsl.runtime.headers import STRUCTURES, structures_text
 from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, SignalKind, Status

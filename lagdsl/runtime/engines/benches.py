@@ -31,7 +31,7 @@ class Bench:
 
 
 class Benches:
-    """Those of one model that are free."""
+    """Free memory of one model."""
 
     def __init__(self, model: NativeModel, single: Arguments) -> None:
         self._model, self._single = model, single
@@ -63,7 +63,7 @@ class Benches:
         return part
 
     def put_back(self, used: list[Bench], many: Spread) -> None:
-        """What workers used; arrays of `many` may go."""
+        """Takes back the memory of workers; arrays of `many` may go."""
         names = [name for name, _, _ in many.arrays]
         for bench in used:
             bench.release(names)

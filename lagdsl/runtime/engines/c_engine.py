@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from ctypes import byref, c_size_t
+from functools import cached_property
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -18,10 +19,11 @@ from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import BY_NAME, STATE
 from lagdsl.program.program import Program
-from lagdsl.runtime.engines.benches import Bench, Benches
+from lagdsl.runtime.engines.benches import Bench
 from lagdsl.runtime.engines.broadcast import Spread, apart, spread
 from lagdsl.runtime.engines.cores import PART, share_out
 from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
+from lagdsl.runtime.engines.memory import Memory
 from lagdsl.runtime.engines.named_values import NUMBER, part_of, result_shapes, value_of, whole
 from lagdsl.runtime.engines.native_model import NativeModel, load_compiled
 from lagdsl.runtime.engines.one_state import OneState
@@ -58,7 +60,7 @@ class CEngine:
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
-        self._free: list[list[Place]] = []
+        self._memory = Memory()
         self._wholes: dict[str, Callable[[Sequence[ArrayLike]], Floats | None]] = {}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
@@ -67,9 +69,7 @@ class CEngine:
         """Everything is computed by this model from now on."""
         self._model, self._one = model, OneState(model, self.layout)
         self._state_jacobian: StateJacobian | None = None
-        self._benches: dict[int, Benches] = {}
-        for places in self._free:
-            places.clear()
+        self._memory.clear()
 
     @property
     def native(self) -> NativeModel:
@@ -124,8 +124,7 @@ class CEngine:
     def _caller(
         self, told: Callable[[], Value], otherwise: Callable[..., Any], reads: Reads, scale: Scale | None = None
     ) -> Callable[..., Any]:
-        free = list[Place]()
-        self._free.append(free)
+        free = self._memory.of_a_value()
 
         def make() -> Place:
             value = told()
@@ -245,7 +244,7 @@ class CEngine:
         largest: int = PART,
     ) -> None:
         """`call` for all states, in parts."""
-        benches = self._benches.setdefault(model.address, Benches(model, self._one.arguments))
+        benches = self._memory.of_many(model, self._one.arguments)
         used: list[Bench] = []
         share_out(many.count, threads, lambda: benches.worker(many, call, used), largest)
         benches.put_back(used, many)
@@ -271,9 +270,13 @@ class CEngine:
         return _loaded(self._program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
-        return spread(
-            [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in groups], arguments
-        )
+        return spread([self._signature[group] for group in groups], arguments)
+
+    @cached_property
+    def _signature(self) -> dict[Group, tuple[str, int | None]]:
+        """Names of arguments and their lengths, None for the time."""
+        sizes = {group: None if group is Group.TIME else self.layout.size(group) for group in ARGUMENT_NAMES}
+        return {group: (name, sizes[group]) for group, name in ARGUMENT_NAMES.items()}
 
 
 def opened(library: Path, program: Program) -> NativeModel:

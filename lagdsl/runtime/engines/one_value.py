@@ -34,7 +34,7 @@ SOLVE, OUTPUT, RATES_JACOBIAN, OUTPUT_JACOBIAN = range(_FIRST, _FIRST + 4)
 _QD, _Z, _U, _W, _P = 1, 2, 4, 8, 16
 _OTHERS = _QD | _Z | _U | _W
 _GIVEN = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P, Group.QDD)
-# What buffers say to arguments that are not of their kind.
+# Exceptions of buffers for arguments that are not of their kind.
 UNFIT = (TypeError, ValueError, BufferError, NotImplementedError)
 
 
@@ -63,7 +63,7 @@ class Reads:
 
 @record()
 class Rest:
-    """What a call seldom looks at: the structure, where z and w go; and what must live as long."""
+    """Parts that a call seldom looks at: the structure, where z and w go; and what must live as long."""
 
     call: Structure
     z: memoryview
@@ -173,7 +173,7 @@ def _number(t: Any) -> int:
 
 
 def _put(rest: Rest, z: Any, w: Any) -> int:
-    """What few models have; returns which of them are given."""
+    """States and discretes, which few models have; returns which of them are given."""
     if z is not None:
         rest.z[:] = z
     if w is not None:

@@ -320,12 +320,12 @@ class Interface(Values):
 
         Raises KeyError.
         """
-        return frame_of(self._kinematics, self._frames, name)
+        return frame_of(self._kinematics, self._places[0], name)
 
     def point(self, name: str) -> PointKinematics:
         """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd. Raises
         KeyError."""
-        return point_of(self._kinematics, self._frames, self._points, name)
+        return point_of(self._kinematics, *self._places, name)
 
 
 def interface_over(

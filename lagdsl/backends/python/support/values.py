@@ -63,7 +63,7 @@ class Values:
         aliases: Mapping[str, str] | None = None,
     ) -> None:
         self._names, self._aliases = names, aliases or {}
-        self._frames, self._points = frames, points
+        self._places = frames, points
         self._evaluate = evaluate
         self._solve = solve
         self._differentiate = differentiate

@@ -26,9 +26,6 @@ enum { LAG_PREPARED_NONE, LAG_PREPARED_DEFAULTS, LAG_PREPARED_GIVEN };
 typedef struct lag_call {
     const lag_model *model;
     const lag_tangents *tangents; /* for Jacobians, or null */
-    int what;                     /* a lag_function, or one of the values above */
-    lag_range x;                  /* variables of Jacobians */
-    lag_arguments at;             /* what is given; and the workspace, lag_jacobian_workspace() */
     double *memory;               /* lag_jacobian_memory() */
     double *zero;                 /* (nq) zeros */
     double *start;                /* (2 nq + nz + nu) */
@@ -36,6 +33,9 @@ typedef struct lag_call {
     double *solved;               /* (nq + nc) */
     double *parameters;           /* (np) those of LAG_PREPARED_GIVEN */
     double *results;
+    lag_arguments at;             /* what is given; and the workspace, lag_jacobian_workspace() */
+    lag_range x;                  /* variables of Jacobians */
+    int what;                     /* a lag_function, or one of the values above */
     int prepared;                 /* LAG_PREPARED_NONE at first */
     double started;               /* time of `start`, if it is known; not a number at first */
     size_t left;                  /* so many calls until one tells LAG_ATTENTION; 0: none does */
