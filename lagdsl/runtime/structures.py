@@ -26,12 +26,8 @@ def _evaluated(results: int) -> Any:
 VERSION = 7
 
 # lag_event_kind.
-WHAT = [
-    name
-    for name, _ in _all(
-        None, "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
-    )
-]
+_WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
+WHAT = _WHAT.split()
 
 
 class Status(IntEnum):

@@ -61,7 +61,6 @@ class CEngine:
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
         self._memory = Memory()
-        self._wholes: dict[str, Callable[[Sequence[ArrayLike]], Floats | None]] = {}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
 
@@ -135,7 +134,7 @@ class CEngine:
 
     def _whole(self, function: str) -> Callable[[Sequence[ArrayLike]], Floats | None]:
         """All results of a function of one state, from its arguments; None for several states."""
-        known = self._wholes.get(function)
+        known = self._memory.wholes.get(function)
         if known is None:
             groups = BY_NAME[function].arguments
             places = [_ORDER.index(group) for group in groups]
@@ -151,7 +150,7 @@ class CEngine:
                 found: Floats | None = call(None, *given, None)
                 return found
 
-            self._wholes[function] = known
+            self._memory.wholes[function] = known
         return known
 
     @property

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
+from numpy.typing import ArrayLike
+
 from lagdsl.runtime.engines.benches import Benches
+from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.one_value import Place
 from lagdsl.runtime.structures import Arguments
 
 
 class Memory:
-    """That of one engine."""
+    """That of one engine; `wholes` are functions of one state, by name, which have it."""
 
     def __init__(self) -> None:
+        self.wholes: dict[str, Callable[[Sequence[ArrayLike]], Floats | None]] = {}
         self._places: list[list[Place]] = []
         self._benches: dict[int, Benches] = {}
 
