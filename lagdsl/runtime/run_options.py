@@ -80,7 +80,7 @@ def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> i
     else:
         own = np.array(values, dtype=kind)
     kept.append(own)
-    return int(own.ctypes.data)
+    return int(own.__array_interface__["data"][0])  # sooner there than `ctypes.data`
 
 
 @remembered

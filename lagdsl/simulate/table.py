@@ -22,12 +22,11 @@ def trajectory(
 ) -> Trajectory:
     """All rows so far."""
     heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
-    results = run.results
-    rows = results.rows()
+    rows, extremes = run.results.rows(), run.results.extremes()
     table = np.ascontiguousarray(rows[:, places].T)
-    low, high = (
-        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)])[places] for ends in run.results.extremes()
-    )
+    ends = np.full((2, 1 + rows.shape[1]), np.nan)
+    ends[:, 1 : 1 + extremes.shape[1]] = np.where(np.isfinite(extremes), extremes, np.nan)
+    low, high = ends[:, places]
     energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
     return Trajectory(
         model=flat.name,
