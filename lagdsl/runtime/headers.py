@@ -82,7 +82,7 @@ def structures_text() -> str:
     """The module `lagdsl.runtime.structures`."""
     (version,) = re.findall(r"#define LAG_MODEL_VERSION (\d+)u", _header("model"))
     what = " ".join(name.lower() for name, _ in _enumerators("event_notice", "LAG_"))
-    parts = [_HEAD, f'VERSION = {version}\n\n# lag_event_kind.\n_WHAT = "{what}"\nWHAT = _WHAT.split()\n']
+    parts = [_HEAD, f'VERSION = {version}\n\n# lag_event_kind.\n_WHAT = "{what}"\nWHAT = tuple(_WHAT.split())\n']
     for name, (header, prefix) in _ENUMERATIONS.items():
         values = "".join(f"    {each} = {value}\n" for each, value in _enumerators(header, prefix))
         parts.append(f'\n\nclass {name}(IntEnum):\n    """Of lag/{header}.h."""\n\n{values}')

@@ -27,7 +27,7 @@ VERSION = 7
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
-WHAT = _WHAT.split()
+WHAT = tuple(_WHAT.split())
 
 
 class Status(IntEnum):

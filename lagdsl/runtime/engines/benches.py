@@ -22,12 +22,21 @@ class Bench:
         for name in ("workspace", "memory", "lanes"):
             setattr(self.batch, name, getattr(self._own, name).ctypes.data)
         self._single = {ARGUMENT_NAMES[group]: getattr(single, ARGUMENT_NAMES[group]) for group in VECTORS}
-        self.release(self._single)
+        self._strided: dict[str, Strided] = {
+            name: getattr(self.batch, name) for name, *kind in Batch._fields_ if kind == [Strided]
+        }
+        self.release(self._strided)
+
+    def point(self, name: str, address: int, stride: int) -> Strided:
+        """The array of this name begins there."""
+        strided = self._strided[name]
+        strided.first, strided.stride = address, stride
+        return strided
 
     def release(self, names: Iterable[str]) -> None:
         """Arrays of these names are no longer looked at."""
         for name in names:
-            setattr(self.batch, name, Strided(self._single.get(name, 0), 0))
+            self.point(name, self._single.get(name, 0), 0)
 
 
 class Benches:
@@ -49,10 +58,10 @@ class Benches:
         batch = bench.batch
         places = []
         for name, array, stride in many.arrays:
-            address = array.ctypes.data
-            setattr(batch, name, Strided(address, stride))
+            address = array.__array_interface__["data"][0]
+            strided = bench.point(name, address, stride)
             if stride:
-                places.append((getattr(batch, name), address, 8 * stride))
+                places.append((strided, address, 8 * stride))
 
         def part(first: int, end: int) -> None:
             batch.count = end - first
