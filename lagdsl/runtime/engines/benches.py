@@ -12,6 +12,9 @@ from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.one_state import VECTORS
 from lagdsl.runtime.structures import Arguments, Batch, Strided
 
+# Doubles that are kept for the next call; memory as large as this is made as fast as it is used.
+_LARGEST = 1 << 21
+
 
 class Bench:
     """`batch` is what C is told; arrays that are not given are those of `single`. For one thread at a time."""
@@ -76,4 +79,5 @@ class Benches:
         names = [name for name, _, _ in many.arrays]
         for bench in used:
             bench.release(names)
-        self._free += used
+        if self._model.workspace + self._model.memory + self._model.lanes < _LARGEST:
+            self._free += used

@@ -18,7 +18,7 @@ from lagdsl.backends.python.support.values import into
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import FUNCTIONS
 from lagdsl.record import record
-from lagdsl.runtime.engines.buffers import Buffers, aligned
+from lagdsl.runtime.engines.buffers import aligned
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.structures import Call as Structure
@@ -79,7 +79,6 @@ Scale: TypeAlias = tuple[np.ufunc, Floats]
 
 def laid_out(model: NativeModel, layout: Layout, value: Value, calls: int) -> Place:
     """The memory of a call of `value`; after so many `calls`, unless 0, one tells ATTENTION."""
-    own = Buffers(model)
     given = {group: np.zeros(layout.size(group)) for group in _GIVEN}
     lengths = {name: layout.size(group) for group, name in ARGUMENT_NAMES.items() if group is not Group.TIME}
     n, m = lengths["q"], lengths["lam"]
@@ -90,24 +89,26 @@ def laid_out(model: NativeModel, layout: Layout, value: Value, calls: int) -> Pl
         "solved": n + m,
         "parameters": lengths["p"],
         "results": value.count,
+        # That of the system, which is as large as M, only where the equations are solved.
+        "memory": model.memory if value.what >= SOLVE or layout.size(Group.W) else 0,
     }
     # one number more than needed everywhere, so that every pointer points at something
     arrays = {name: aligned(size + 1) for name, size in memory.items()}
     spare = np.zeros(max(lengths.values()) + 1)
     call = Structure(what=value.what, x=Range(*value.x), started=nan, left=calls)
     call.model, call.tangents = model.address, _address(model.part)
-    call.memory = own.memory.ctypes.data
     for name, array in arrays.items():
         setattr(call, name, array.ctypes.data)
     for name in lengths:
         setattr(call.at, name, spare.ctypes.data)
     for group, array in given.items():
         setattr(call.at, ARGUMENT_NAMES[group], array.ctypes.data)
-    call.at.workspace, call.at.context = own.workspace.ctypes.data, model.context
+    workspace = aligned(model.workspace + 1)
+    call.at.workspace, call.at.context = workspace.ctypes.data, model.context
     time = memoryview(call).cast("B")[Structure.at.offset :][:8].cast("d")
     result = arrays["results"][value.first : value.first + prod(value.shape)].reshape(value.shape)
     first = (given[group].data for group in (Group.Q, Group.QD, Group.U, Group.P, Group.QDD))
-    rest = Rest(call, given[Group.Z].data, given[Group.W].data, (own, arrays, spare, model))
+    rest = Rest(call, given[Group.Z].data, given[Group.W].data, (workspace, arrays, spare, model))
     return (byref(call), time, *first, result, result.copy, rest)
 
 
