@@ -44,8 +44,11 @@ class Model(SmallMotions):
     `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
     model, for `w` with relations as they stand. A parameter that is found with the start has its guess there:
     `initial_state().p` are the values that were found.
-    Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). Names and order of the entries stand in
-    `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
+
+    Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). One state goes to C at once; `out` is an array
+    of float64 for the result, of its shape and in one piece. `inputs` and `parameters` are other names of `u` and `p`.
+    Names and order of the entries stand in `coordinates`, `states`, `inputs`, `parameters`, `outputs` and
+    `constraints`.
     """
 
     def __init__(self, compilation: Compilation, engine: BatchEngine, source: SourceFile | None = None) -> None:

@@ -20,9 +20,12 @@ class Interface(Values):
     These are the states z (..., nz), inputs u (..., nu), discretes w (..., nw) and parameters p (..., np); left out,
     they have the initial values and defaults of the model, or zeros. All arguments broadcast over their leading axes.
     Entries stand in the order of the tables of names, in the SI units told there. Or they are given by name, an array
-    by its own: `u={"tau": [1.0, 2.0]}`; q and qd then need all coordinates. Loads in w that depend on accelerations or
-    multipliers are found, from those given. Raises ValueError for an array of a wrong length and for unknown or missing
-    names, SingularSystem (an ArithmeticError) where the accelerations are not determined, LoadsNotFound (another one).
+    by its own: `u={"tau": [1.0, 2.0]}`; q and qd then need all coordinates. `inputs` and `parameters` are other names
+    of u and p. `out` is an array of float64 for the result, of its shape and in one piece, which is returned.
+
+    Loads in w that depend on accelerations or multipliers are found, from those given. Raises ValueError for an array
+    of a wrong length and for unknown or missing names, SingularSystem (an ArithmeticError) where the accelerations are
+    not determined, LoadsNotFound (another one).
     """
 
     def forward_dynamics(
