@@ -149,7 +149,7 @@ def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float],
 
 @remembered
 def _flags(told: Start) -> tuple[Flags, Flags, NDArray[np.intp]]:
-    """Which starts are fixed, which are written (2 nq + nz,), and the places of the first rates of quaternions."""
+    """Flags of fixed and of written starts (2 nq + nz,), and the places of the first rates of quaternions."""
     flags = np.array(told.written, dtype=np.uint8)
     return np.array(told.fixed, dtype=np.bool_), (flags & WRITTEN) != 0, np.flatnonzero(flags & QUATERNION)
 
