@@ -8,6 +8,7 @@ from ctypes import c_size_t
 from lagdsl.graph.operation import ARGUMENT_NAMES
 from lagdsl.runtime.engines.broadcast import Spread
 from lagdsl.runtime.engines.buffers import Buffers
+from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.one_state import VECTORS
 from lagdsl.runtime.structures import Arguments, Batch, Strided
@@ -60,7 +61,7 @@ class Benches:
         used.append(bench)
         batch = bench.batch
         places = []
-        for name, array, stride in many.arrays:
+        for name, array, stride in _filled(many):
             address = array.__array_interface__["data"][0]
             strided = bench.point(name, address, stride)
             if stride:
@@ -76,8 +77,13 @@ class Benches:
 
     def put_back(self, used: list[Bench], many: Spread) -> None:
         """Takes back the memory of workers; arrays of `many` may go."""
-        names = [name for name, _, _ in many.arrays]
+        names = [name for name, _, _ in _filled(many)]
         for bench in used:
             bench.release(names)
         if self._model.workspace + self._model.memory + self._model.lanes < _LARGEST:
             self._free += used
+
+
+def _filled(many: Spread) -> list[tuple[str, Floats, int]]:
+    """Arrays that have entries; nobody looks at the others."""
+    return [each for each in many.arrays if each[1].size]

@@ -122,7 +122,7 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
     for (name, length), array in zip(signature, given, strict=True):
         own = () if length is None else (length,)
         if array.shape == own:
-            arrays.append((name, np.ascontiguousarray(array), 0))
+            arrays.append((name, array if array.flags.c_contiguous else np.ascontiguousarray(array), 0))
         else:
             shape = leading + own
             whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
