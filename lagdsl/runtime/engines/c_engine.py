@@ -44,9 +44,10 @@ _LARGEST_PART = 4096
 
 
 class CEngine:
-    """Engine over compiled C. One object must not be used by several threads at once.
+    """Engine over compiled C. `solve`, `evaluate` and `jacobian` are for one thread at a time, the others for several.
 
-    Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
+    Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C; what
+    `at_one_state` gives is fast at one state.
     The functions of several states, or of several directions of derivatives, at once are compiled when first needed.
     `library` was compiled from the C files of the program; without one, that is done here.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
