@@ -3,6 +3,7 @@
 in_peers.py where                              folders and versions of what is installed
 in_peers.py casadi ARM N WAY FILE.c            Lagrange's equations by CasADi, as C; WAY is one of WAYS
 in_peers.py pinocchio ARM N STATES.npy OUT.npy forward dynamics at many states
+in_peers.py calls ARM N MUJOCO.xml             single calls of what is installed, at the state of calls.states
 in_peers.py motion PROBLEM                     integrators of others on a problem of peer_motion.py
 """
 
@@ -127,6 +128,16 @@ def forward(arm: Arm, given: Path, out: Path) -> dict[str, float]:
     """Pinocchio's articulated-body algorithm at every row of q and qd."""
     import pinocchio as pin
 
+    model = pinocchio_model(arm)
+    data, n = model.createData(), len(arm.links)
+    rows = np.load(given)
+    np.save(out, np.array([pin.aba(model, data, row[:n], row[n:], np.zeros(n)).copy() for row in rows]))
+    return {"states": len(rows)}
+
+
+def pinocchio_model(arm: Arm):
+    import pinocchio as pin
+
     model = pin.Model()
     model.gravity.linear = np.array(arm.gravity)
     for i, link in enumerate(arm.links):
@@ -135,10 +146,60 @@ def forward(arm: Arm, given: Path, out: Path) -> dict[str, float]:
         inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         joint = model.addJoint(i, pin.JointModelRZ(), place, f"j{i}")
         model.appendBodyToJoint(joint, pin.Inertia(link.mass, np.array(link.center), inertia), pin.SE3.Identity())
-    data, n = model.createData(), len(arm.links)
-    rows = np.load(given)
-    np.save(out, np.array([pin.aba(model, data, row[:n], row[n:], np.zeros(n)).copy() for row in rows]))
-    return {"states": len(rows)}
+    return model
+
+
+def single_calls(arm: Arm, xml: Path) -> dict[str, object]:
+    """Least CPU microseconds of a call, and results, by `peer kind` as calls.py names them."""
+    n, installed = len(arm.links), where()
+    q, qd, qdd = np.random.default_rng(11).uniform(-1.0, 1.0, (3, n))
+    zero, work, values = np.zeros(n), {}, {}
+    if "pinocchio" in installed:
+        import pinocchio as pin
+
+        model = pinocchio_model(arm)
+        data, axes = model.createData(), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        last = model.addFrame(pin.Frame("last", n, pin.SE3.Identity(), pin.FrameType.OP_FRAME))
+        data = model.createData()
+        work["pinocchio forward"] = lambda: pin.aba(model, data, q, qd, zero)
+        work["pinocchio mass"] = lambda: pin.crba(model, data, q)
+        work["pinocchio inverse"] = lambda: pin.rnea(model, data, q, qd, qdd)
+        work["pinocchio jacobian"] = lambda: pin.computeFrameJacobian(model, data, q, last, axes)
+        work["pinocchio energy"] = lambda: pin.computeMechanicalEnergy(model, data, q, qd)
+        upper = np.triu(pin.crba(model, data, q))
+        values["pinocchio mass"] = upper + np.triu(upper, 1).T
+    if "casadi" in installed:
+        f = casadi_function(arm, "space")
+        work["casadi forward"] = lambda: f(q, qd)
+        values["casadi forward"] = np.array(f(q, qd)).ravel()
+    if "mujoco" in installed:
+        import mujoco
+
+        body = mujoco.MjModel.from_xml_path(str(xml))
+        state = mujoco.MjData(body)
+
+        def forward_in_mujoco():
+            state.qpos[:], state.qvel[:] = q, qd
+            mujoco.mj_forward(body, state)
+            return state.qacc
+
+        work["mujoco forward"] = forward_in_mujoco
+    values = {name: np.array(call()).copy() for name, call in work.items()} | values
+    return {
+        "times": {name: _least(call) for name, call in work.items()},
+        "values": {name: value.tolist() for name, value in values.items()},
+    }
+
+
+def _least(call, blocks=200, calls=100):
+    """As calls.least."""
+    found = []
+    for _ in range(blocks):
+        start = time.process_time()
+        for _ in range(calls):
+            call()
+        found.append(time.process_time() - start)
+    return min(found) / calls * 1e6
 
 
 def main() -> None:
@@ -151,7 +212,9 @@ def main() -> None:
         answer = measure(rest[0])
     else:
         arm = ARMS[rest[0]](int(rest[1]))
-        if command == "casadi":
+        if command == "calls":
+            answer = single_calls(arm, Path(rest[2]))
+        elif command == "casadi":
             answer = generate(arm, rest[2], Path(rest[3]))
         else:
             answer = forward(arm, Path(rest[2]), Path(rest[3]))

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import auto
+import calls
 import living_page
 import motion
 import sizes_page
@@ -48,6 +49,7 @@ def page(found: dict[str, Results]) -> str:
     ]
     for key, section in (
         ("arm", _arm),
+        ("calls", calls.section),
         ("chains", _chains),
         ("text", _text),
         ("growth", _growth),

@@ -8,6 +8,7 @@ import subprocess
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import contest
 import serial
@@ -60,6 +61,11 @@ def run(*arguments: str | Path) -> str:
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(command)}: {done.stderr.strip()[-500:]}")
     return done.stdout
+
+
+def calls(arm: str, n: int, xml: Path) -> dict[str, dict[str, Any]]:
+    """Microseconds of calls of their Python functions at one state, `times`, and what these give, `values`."""
+    return dict(json.loads(run("calls", arm, str(n), xml)))
 
 
 def casadi(arm: str, n: int, way: str, flags: tuple[tuple[str, ...], ...], runs: int = 0) -> list[Generated]:

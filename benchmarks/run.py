@@ -16,6 +16,7 @@ import accuracy
 import arm
 import auto
 import bulk
+import calls
 import chains
 import figures
 import fmus
@@ -38,6 +39,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "text": text.measure,
     "tape": tape.measure,
     "arm": arm.measure,
+    "calls": calls.measure,
     "chains": chains.measure,
     "accuracy": accuracy.measure,
     "growth": growth.measure,

@@ -145,6 +145,7 @@ def targets(found: Results) -> list[Target]:
             (growth("four_bars", "evaluation"),),
             "growth",
         ),
+        *_calls(found.get("calls", {})),
         *_starts(found.get("start", {})),
         *_motions(found),
         *_tapes(found),
@@ -190,6 +191,39 @@ def _living_pages(found: Results) -> list[Target]:
         ),
         Target(
             "a picture of 100 links, drawn by software [ms]", (50,), (17,), (1e3 / hundred["frames"],), "living_page"
+        ),
+    ]
+
+
+def _calls(found: Results) -> list[Target]:
+    times, runs = found.get("times", {}), found.get("runs", {})
+    kinds = ("forward", "mass", "inverse", "jacobian")
+    ours = tuple(times.get(f"lagdsl {kind}") for kind in kinds)
+    theirs = times.get("pinocchio forward")
+    ratio = ours[0] / theirs if ours[0] and theirs else None
+    ahead = [row["default"] / row["one"] for row in found.get("batch", [])]
+    return [
+        Target(
+            "a call in Python at one state, 7-axis arm: forward dynamics / M / inverse dynamics / Jacobian [us]",
+            (3, 3, 3, 3),
+            (1.6, 1.6, 1.6, 1.6),
+            ours,
+            "calls",
+        ),
+        Target("forward dynamics, against Pinocchio's ABA, both from Python", (1,), (0.8,), (ratio,), "calls"),
+        Target(
+            "`simulate` over 1 ms: double pendulum / panda / Stewart platform / robot arm [ms]",
+            (0.1, 0.2, 0.3, 0.3),
+            (0.05, 0.1, 0.15, 0.15),
+            tuple(runs.get(name) for name in ("double_pendulum", "robots/panda", "stewart_platform", "robot_arm")),
+            "calls",
+        ),
+        Target(
+            "`batch` with its own number of threads against one, worst of 500 to 20 000 states",
+            (1.05,),
+            (1.0,),
+            (max(ahead, default=None),),
+            "calls",
         ),
     ]
 

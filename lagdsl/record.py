@@ -10,18 +10,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import MISSING, Field, dataclass, field
+from functools import wraps
 from operator import attrgetter
 from typing import Any, NamedTuple, TypeVar, dataclass_transform
+from weakref import ref
 
 _Class = TypeVar("_Class", bound=type)
+_Subject = TypeVar("_Subject")
+_Found = TypeVar("_Found")
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
-def record(*, kw_only: bool = False) -> Callable[[_Class], _Class]:
-    """Make the decorated class a record; `kw_only` as for dataclasses. Inherited fields come first."""
+def record(*, kw_only: bool = False, weak: bool = False) -> Callable[[_Class], _Class]:
+    """Make the decorated class a record; `kw_only` as for dataclasses. Inherited fields come first. Of a `weak` one can
+    be `remembered` what follows from it."""
 
     def decorate(cls: _Class) -> _Class:
-        return _with_slots(cls, kw_only)  # type: ignore[no-any-return]
+        return _with_slots(cls, kw_only, weak=weak)  # type: ignore[no-any-return]
 
     return decorate
 
@@ -36,7 +41,24 @@ def mutable_record() -> Callable[[_Class], _Class]:
     return decorate
 
 
-def _with_slots(cls: Any, kw_only: bool, by_value: bool = True) -> Any:
+def remembered(function: Callable[[_Subject], _Found]) -> Callable[[_Subject], _Found]:
+    """`function` of a weak record, called once for each object; what it found is kept as long as the object lives, to
+    which it must not refer. Nobody may change it."""
+    known: dict[int, tuple[ref[_Subject], _Found]] = {}
+
+    @wraps(function)
+    def found(subject: _Subject) -> _Found:
+        key = id(subject)
+        if key not in known:
+            value = function(subject)
+            known[key] = ref(subject, lambda _: known.pop(key, None)), value
+            return value
+        return known[key][1]
+
+    return found
+
+
+def _with_slots(cls: Any, kw_only: bool, by_value: bool = True, weak: bool = False) -> Any:
     """The class anew, with slots; what belongs to a dataclass besides comes with its first object."""
     names = cls.__annotations__
     taken = {slot for base in cls.__mro__[1:] for slot in base.__dict__.get("__slots__", ())}
@@ -47,7 +69,11 @@ def _with_slots(cls: Any, kw_only: bool, by_value: bool = True) -> Any:
         _complete(made)
         made.__init__(self, *arguments, **named)
 
-    members |= {"__slots__": own, "__qualname__": cls.__qualname__, "__declared__": (cls, kw_only)}
+    members |= {
+        "__slots__": (*own, "__weakref__") if weak else own,
+        "__qualname__": cls.__qualname__,
+        "__declared__": (cls, kw_only),
+    }
     members |= {"__init__": first_init, "__setstate__": _restore}
     shared: dict[str, object] = {"__repr__": _text, "__dataclass_fields__": _Later()}
     shared |= {"__eq__": _equal, "__hash__": _hash} if by_value else {}

@@ -10,7 +10,7 @@ from dataclasses import field, fields, replace
 import pytest
 
 import lagdsl.record
-from lagdsl.record import mutable_record, record
+from lagdsl.record import mutable_record, record, remembered
 from lagdsl.source import SourceFile
 from lagdsl.units.dimension import LENGTH
 
@@ -153,3 +153,29 @@ def test_threads_may_make_the_first_objects(monkeypatch):
 
     monkeypatch.setattr("lagdsl.record._initializer", interrupted)
     assert Shared(2) == others[0][0] and others[0][1:] == (False, "Shared(a=4)")
+
+
+def test_what_follows_from_a_record_is_found_once_and_forgotten_with_it():
+    @record(weak=True)
+    class Subject:
+        a: int
+
+    found: list[int] = []
+
+    @remembered
+    def twice(subject: Subject) -> int:
+        found.append(subject.a)
+        return 2 * subject.a
+
+    one, same = Subject(1), Subject(1)
+    assert [twice(one), twice(one), twice(same), twice(replace(one, a=4))] == [2, 2, 2, 8]
+    assert found == [1, 1, 4]
+    for k in range(50):  # each lies where the one before it did
+        assert twice(Subject(k)) == 2 * k
+    assert pickle.loads(pickle.dumps(FlatSubject(3))) == FlatSubject(3)
+    assert twice(copy.copy(same)) == 2
+
+
+@record(weak=True)
+class FlatSubject:
+    a: int

@@ -7,13 +7,15 @@ from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from lagdsl.api.described import Described
-from lagdsl.backends.python.support.kinematics import FrameKinematics, Kinematics, PointKinematics, frame_of, point_of
+from lagdsl.api.one_state import ModelFrame, ModelPoint, at_one_state, kinematic_calls_at_one_state
+from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics
+from lagdsl.backends.python.support.values import EVALUATED
 from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:
     from lagdsl.analysis.base_parameters import BaseParameters
-    from lagdsl.backends.python.support.interface import Evaluate
+    from lagdsl.backends.python.support.values import Call, Evaluate
     from lagdsl.program.program import Program
     from lagdsl.runtime.engines.broadcast import BatchEngine
 
@@ -48,16 +50,18 @@ class ByName(Described):
     def frame(self, name: str) -> FrameKinematics:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
 
-        `name` is one of `frames`. Raises UnknownName.
+        `name` is one of `frames`, or a component that has one frame only. Raises UnknownName.
         """
-        return frame_of(self._kinematics_of("frame", name, self.frames), (name,), name)
+        own = _own_name("frame", name, self.frames)
+        return ModelFrame(own, self, self._kinematic_calls("frame", own))
 
     def point(self, name: str) -> PointKinematics:
         """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
 
-        `name` is one of `points`. Raises UnknownName.
+        `name` is one of `points`, or a component that has one point only. Raises UnknownName.
         """
-        return point_of(self._kinematics_of("point", name, self.points), (), (name,), name)
+        own = _own_name("point", name, self.points)
+        return ModelPoint(own, self, self._kinematic_calls("point", own))
 
     @property
     def inertial_parameter_names(self) -> list[str]:
@@ -73,28 +77,17 @@ class ByName(Described):
         sizes = len(self.coordinates)
         return base_parameters(partial(self.regressor, 0.0), sizes, self.inertial_parameter_names)
 
-    def _kinematics_of(self, what: str, name: str, names: list[str]) -> Kinematics:
-        if name not in names:
-            raise unknown_among(what, name, names)
-        self._kinematic_engine(what, name)
-        return partial(self._kinematics_at, what, name)
-
-    def _kinematics_at(
-        self, what: str, name: str, t: Any, q: Any, qd: Any, z: Any = None, u: Any = None, w: Any = None, p: Any = None
-    ) -> Any:
-        engine = self._kinematic_engine(what, name)
-        return engine.evaluate_many("kinematics", *self._state(t, q, qd, z, u, w, p))
-
     @cached_property
-    def _kinematic_engine(self) -> Callable[[str, str], BatchEngine]:
+    def _kinematic_calls(self) -> Callable[[str, str], dict[str, Call]]:
         from lagdsl.mechanics.by_name import with_kinematics
 
         equations, program = self._compilation.equations, self._compilation.program
 
         @cache
-        def made(what: str, name: str) -> BatchEngine:
+        def made(what: str, name: str) -> dict[str, Call]:
             frames, points = ((name,), ()) if what == "frame" else ((), (name,))
-            return self._engine_of(with_kinematics(equations, program, frames, points))
+            engine = self._engine_of(with_kinematics(equations, program, frames, points))
+            return kinematic_calls_at_one_state(engine, what)
 
         return made
 
@@ -115,3 +108,29 @@ class ByName(Described):
         from lagdsl.runtime.engines.selection import engine_of
 
         return engine_of(program, self._engine.name)
+
+
+def calls_of_terms() -> dict[str, Call]:
+    """The calls of Interface whose functions are made when they are first asked for."""
+    return {name: _made_when_asked(name) for name, (function, _) in EVALUATED.items() if function in _TERMS}
+
+
+def _made_when_asked(name: str) -> Call:
+    made: list[Call] = []
+
+    def call(own: ByName, *arguments: Any) -> Any:
+        if not made:
+            made.append(at_one_state(own._terms(EVALUATED[name][0]), name))
+        return made[0](own, *arguments)
+
+    return call
+
+
+def _own_name(what: str, name: str, names: list[str]) -> str:
+    """The one of `names` that is called so, or that is the only one of a component. Raises UnknownName."""
+    if name in names:
+        return name
+    inside = [each for each in names if each.rpartition(".")[0] == name]
+    if len(inside) == 1:
+        return inside[0]
+    raise unknown_among(what, name, inside or names)

@@ -32,6 +32,7 @@ class Described(Interface):
         self._layout = compilation.program.layout
         self._aliases = dict(self._layout.aliases)
         self._row_factors = np.array(self._layout.row_factors or (1.0,))
+        self._known_targets: dict[tuple[Kind, ...], dict[str, Target]] = {}
 
     def __repr__(self) -> str:
         return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"
@@ -94,6 +95,8 @@ class Described(Interface):
 
     def _parameter_vector(self, given: Given) -> Floats:
         """The defaults with some replaced by name, or all. Raises UnknownName and ValueError for what does not fit."""
+        if given is None:
+            return self.defaults
         values = dict(zip(self.parameters, self._layout.defaults, strict=True))
         chosen = entries("parameter" if isinstance(given, Mapping) else "p", given, self._named("parameter"))
         for parameter in self._compilation.flat.parameters:
@@ -127,7 +130,10 @@ class Described(Interface):
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
         """Targets of values, by the names of the model."""
-        return {target.key: target for target in targets(self._compilation.flat, kinds).values()}
+        if kinds not in self._known_targets:
+            found = targets(self._compilation.flat, kinds).values()
+            self._known_targets[kinds] = {target.key: target for target in found}
+        return self._known_targets[kinds]
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from lagdsl.api.names import quantity
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -27,6 +29,19 @@ def signals_of(flat: FlatModel, inputs: Mapping[str, Signal | str] | Path | str 
     found = in_si(tables or {}, flat, sink)
     sink.raise_if_errors()
     return found
+
+
+def inputs_at(flat: FlatModel, inputs: Mapping[str, Signal | str] | Path | str | None, t: float) -> dict[str, float]:
+    """The values at time t of the inputs that are given as for a simulation. Raises CompilationFailed for unknown names
+    and tables that do not reach t."""
+    from lagdsl.signals.inputs import given_inputs, signals
+
+    sink = Sink()
+    given = signals_of(flat, inputs)
+    found = signals(flat, np.zeros(len(flat.inputs)), given, (t, t), sink)
+    sink.raise_if_errors()
+    told = zip(flat.inputs, found.at(t).tolist(), given_inputs(flat, given), strict=True)
+    return {item.name: value for item, value, flag in told if flag}
 
 
 def _signal(flat: FlatModel, name: str, signal: Signal | str) -> Signal:

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.by_name import calls_of_terms
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
+from lagdsl.api.one_state import calls_at_one_state
 from lagdsl.api.stepped import Stepped
 from lagdsl.api.unknowns import with_starts
 from lagdsl.api.watch import watched
 from lagdsl.backends.python.sizes import argument_names, motion_sizes
+from lagdsl.backends.python.support.values import Entries, given_once
 from lagdsl.diagnostics import Sink
 from lagdsl.runtime.engines.broadcast import differentiating, solving
 from lagdsl.settings.aliases import by_own_names
@@ -43,8 +46,11 @@ class Model(Stepped):
     `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
     model, for `w` with relations as they stand. A parameter that is found with the start has its guess there:
     `initial_state().p` are the values that were found.
-    Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). Names and order of the entries stand in
-    `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
+
+    Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). One state goes to C at once; `out` is an array
+    of float64 for the result, of its shape and in one piece. `inputs` and `parameters` are other names of `u` and `p`.
+    Names and order of the entries stand in `coordinates`, `states`, `inputs`, `parameters`, `outputs` and
+    `constraints`.
     """
 
     def __init__(self, compilation: Compilation, engine: BatchEngine, source: SourceFile | None = None) -> None:
@@ -61,6 +67,7 @@ class Model(Stepped):
         self._compilation = compilation
         self._engine = engine
         self._source = source
+        self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
         """The flat model and the engine by name, from which another process compiles the same model."""
@@ -90,36 +97,36 @@ class Model(Stepped):
     def batch(
         self,
         t: ArrayLike,
-        q: ArrayLike,
-        qd: ArrayLike,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
+        q: Entries,
+        qd: Entries,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
         *,
         threads: int | None = None,
+        inputs: Entries | None = None,
+        parameters: Entries | None = None,
+        out: Floats | None = None,
     ) -> Floats:
-        """Accelerations qdd (..., nq) of many states and parameter sets, on all cores: `forward_dynamics` for a crowd.
+        """Accelerations qdd (..., nq) of many states and parameter sets: `forward_dynamics` for a crowd.
 
-        All arguments broadcast over their leading axes. `threads` is the number of cores to use. The results are those
-        of `forward_dynamics`, whatever the number of threads. Raises ValueError for shapes that do not fit and
+        All arguments broadcast over their leading axes. `threads` is the number of cores to use; left out, one, and all
+        where the work takes longer than threads take to start. The results are those of `forward_dynamics`, whatever
+        the number of threads; `out` is an array for them. Raises ValueError for shapes that do not fit and
         SingularSystem for the first state whose accelerations are not determined.
         """
-        from lagdsl.runtime.engines.cores import cores
-
+        u = u if inputs is None else given_once("u", u, "inputs", inputs)
+        p = p if parameters is None else given_once("p", p, "parameters", parameters)
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
         state = self._state(t, q, qd, z, u, w, p)
-        return self._engine.solve_batch(cores() if threads is None else threads, *state)[0]
+        return self._engine.solve_batch(threads, *state, out=out)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 
-    def _of_starts(self, start: Mapping[str, object] | None) -> Model:
-        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
-        from lagdsl.api.unknowns import with_unknowns
-
-        found = with_unknowns(self._compilation, self._source, start or {})
-        return self if found is None else Model(found, self._engine_of(found.program), self._source)
+    def _made_of(self, compilation: Compilation) -> Self:
+        return type(self)(compilation, self._engine_of(compilation.program), self._source)
 
     @with_starts
     def initial_state(

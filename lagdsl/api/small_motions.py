@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Self
 
 from numpy.typing import ArrayLike
 
-from lagdsl.api.names import Given, entries
+from lagdsl.api.inputs import inputs_at
+from lagdsl.api.names import Given, Value, entries
 from lagdsl.api.shown import Shown
+from lagdsl.api.unknowns import with_starts
+from lagdsl.backends.python.support.values import given_once
 from lagdsl.diagnostics import Sink
 from lagdsl.settings.aliases import by_own_names
 
@@ -20,11 +24,29 @@ if TYPE_CHECKING:
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
     from lagdsl.api.modes import Modes
+    from lagdsl.pipeline import Compilation
+    from lagdsl.signals.inputs import Signal
 
 
 class SmallMotions(Shown):
-    """A model near one of its states."""
+    """A model near one of its states.
 
+    Starts, parameters and inputs have the same names and forms as for `simulate`; `q`, `qd`, `z`, `p` and `u` take
+    whole vectors, too.
+    """
+
+    def _of_starts(self, start: Mapping[str, object] | None) -> Self:
+        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
+        from lagdsl.api.unknowns import with_unknowns
+
+        found = with_unknowns(self._compilation, self._source, start or {})
+        return self if found is None else self._made_of(found)
+
+    def _made_of(self, compilation: Compilation) -> Self:
+        """A model as this one, of another compilation."""
+        raise NotImplementedError
+
+    @with_starts
     def linearize(
         self,
         *,
@@ -34,6 +56,9 @@ class SmallMotions(Shown):
         z: Given = None,
         u: Given = None,
         p: Given = None,
+        start: Mapping[str, Value] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         sink: Sink | None = None,
     ) -> Linearization:
         """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
@@ -44,8 +69,11 @@ class SmallMotions(Shown):
         """
         from lagdsl.analysis.where import linearize
 
-        return linearize(self._system, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
+        return linearize(
+            self._system, self._where(t, (q, qd, z), u, p, start, parameters, inputs), Sink() if sink is None else sink
+        )
 
+    @with_starts
     def modes(
         self,
         *,
@@ -55,6 +83,9 @@ class SmallMotions(Shown):
         z: Given = None,
         u: Given = None,
         p: Given = None,
+        start: Mapping[str, Value] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         trim: bool = False,
         sink: Sink | None = None,
     ) -> Modes:
@@ -65,9 +96,10 @@ class SmallMotions(Shown):
         """
         from lagdsl.api.modes import modes_of
 
-        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
         return modes_of(self._system, where, Sink() if sink is None else sink, self._source)
 
+    @with_starts
     def vary(
         self,
         name: str,
@@ -79,6 +111,9 @@ class SmallMotions(Shown):
         z: Given = None,
         u: Given = None,
         p: Given = None,
+        start: Mapping[str, Value] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         trim: bool = False,
     ) -> Variation:
         """Eigenvalues for `values` of the parameter, input or start value `name`, and `.thresholds` between them.
@@ -89,9 +124,10 @@ class SmallMotions(Shown):
         from lagdsl.analysis.where import vary
         from lagdsl.api.texts import grid_of
 
-        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
         return vary(self._system, where, name, grid_of(self._compilation.flat, name, values), Sink())
 
+    @with_starts
     def trim(
         self,
         *,
@@ -104,6 +140,9 @@ class SmallMotions(Shown):
         z: Given = None,
         u: Given = None,
         p: Given = None,
+        start: Mapping[str, Value] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
     ) -> Equilibrium:
         """The equilibrium nearest to a state: `.point` with `.q .qd .z .u`.
 
@@ -113,7 +152,7 @@ class SmallMotions(Shown):
         """
         from lagdsl.analysis.where import trim
 
-        chosen = self._where(t, q, qd, z, u, p)
+        chosen = self._where(t, (q, qd, z), u, p, start, parameters, inputs)
         where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
         return trim(self._system, where, Sink())
 
@@ -123,15 +162,32 @@ class SmallMotions(Shown):
 
         return System(self._compilation.flat, self._compilation.program, self._engine)
 
-    def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
+    def _where(
+        self,
+        t: float | None,
+        state: tuple[Given, Given, Given],
+        u: Given,
+        p: Given,
+        start: Mapping[str, Value] | None,
+        parameters: Mapping[str, Value] | None,
+        inputs: Mapping[str, Signal | str] | Path | str | None,
+    ) -> Where:
         from lagdsl.analysis.where import Where
 
-        starts = self._named("start")
+        if inputs is not None and u is not None:
+            raise ValueError("u and inputs are two names of one argument: give one of them")
+        if parameters is not None:
+            p = given_once("p", p, "parameters", parameters)
+        starts, flat = self._named("start"), self._compilation.flat
         coordinates, states = ({name: starts[name] for name in names} for names in (self.coordinates, self.states))
-        flat = self._compilation.flat
-        q, qd = (by_own_names(flat, given) if isinstance(given, Mapping) else given for given in (q, qd))
+        q, qd, z = (by_own_names(flat, given) if isinstance(given, Mapping) else given for given in state)
         rates = entries("qd", qd, coordinates).items()
-        start = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
-        inputs = entries("u", u, self._named("input"))
-        start |= entries("z", z, states)
-        return Where(p=self._parameter_vector(p), t=t, start=start, inputs=inputs)
+        found = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
+        found |= entries("z", z, states)
+        for name, value in self._start_values(start).items():
+            if name in found:
+                raise ValueError(f"the start of `{name}` is given twice")
+            found[name] = value
+        time = flat.experiment.start_time if t is None else t
+        given = entries("u", u, self._named("input")) if inputs is None else inputs_at(flat, inputs, time)
+        return Where(p=self._parameter_vector(p), t=t, start=found, inputs=given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
@@ -27,10 +27,6 @@ _Options: TypeAlias = "tuple[float | None, str, float | None]"
 
 class Stepped(SmallMotions):
     """A model whose motion goes on step by step."""
-
-    def _of_starts(self, start: Mapping[str, object] | None) -> Self:
-        """This model; with starts of joints that close loops the same with their coordinates as unknowns."""
-        raise NotImplementedError
 
     @with_starts
     def session(

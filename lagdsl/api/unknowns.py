@@ -37,6 +37,9 @@ def with_starts(method: Callable[Concatenate[M, P], T]) -> Callable[Concatenate[
 def with_unknowns(compilation: Compilation, source: SourceFile | None, names: Iterable[str]) -> Compilation | None:
     """The model of `source` with these starts among its own. None where it has them, and for a model that is not that
     of its text any longer: with fixed parameters, or without a text."""
+    names = list(names)
+    if not names:
+        return None
     from lagdsl.pipeline import compile_flat, flatten_unit, parse_file
 
     flat = compilation.flat

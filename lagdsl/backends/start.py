@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.flat.traversal import postorder
-from lagdsl.record import record
+from lagdsl.record import record, remembered
 
 # Flags of a start value: LAG_WRITTEN, LAG_QUATERNION of lag/model.h.
 WRITTEN, QUATERNION = 1, 2
@@ -15,7 +15,7 @@ WRITTEN, QUATERNION = 1, 2
 _LARGEST = 1.7976931348623157e308
 
 
-@record()
+@record(weak=True)
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
     entries (`minimum` and `maximum`: of q; `free` and what begins with `parameter`: of p), as lag/model.h tells it.
@@ -34,6 +34,7 @@ class Start:
     parameter_maximum: tuple[float, ...] = ()
 
 
+@remembered
 def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
     """Free parameters: initialization solves for them."""
     return tuple(parameter for parameter in flat.parameters if parameter.free)

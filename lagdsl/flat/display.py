@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from lagdsl.flat.model import Coordinate
 from lagdsl.flat.quantity import Quantity
 from lagdsl.record import record
@@ -26,6 +28,11 @@ def display(quantity: Quantity) -> Display:
     text = quantity.display_unit or ("deg" if quantity.type_name == "Angle" else None)
     if text is None:
         return Display("" if quantity.unit == "1" else quantity.unit)
+    return _display_in(text)
+
+
+@lru_cache(maxsize=1024)
+def _display_in(text: str) -> Display:
     definition = parse_unit(text)
     return Display(text, 1.0 / definition.factor, -definition.offset / definition.factor)
 

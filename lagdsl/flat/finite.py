@@ -6,7 +6,7 @@ The constant `inf` is a bound that is none; what is made of it may be infinite, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Item, Variability
 from lagdsl.flat.spans import around, place
 from lagdsl.flat.traversal import operands, postorder
+from lagdsl.record import record, remembered
 
 _STEADY = (Variability.CONSTANT, Variability.STRUCTURAL, Variability.PARAMETER)
 _MOST_SHOWN = 4
@@ -30,31 +31,73 @@ def is_unbounded(value: fx.FlatExpression) -> bool:
     return any(isinstance(node, fx.Number) and math.isinf(node.value) for node in postorder(value, {}))
 
 
-def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
+@record()
+class Decided:
+    """A value that parameters alone determine: `names` stand in it, `parameters` (all of them) decide it."""
+
+    item: Item
+    subject: str
+    value: fx.FlatExpression
+    names: tuple[str, ...]
+    unbounded: bool
+    parameters: frozenset[str]
+
+
+@remembered
+def decided(flat: FlatModel) -> tuple[Decided, ...]:
+    """Definitions first, each after those that it needs."""
+    reach = {parameter.name: frozenset({parameter.name}) for parameter in flat.parameters}
+    found = []
+    for item, subject, value in _steady(flat, set(reach)):
+        names = names_in(value)
+        deciding = frozenset[str]().union(*(reach[name] for name in names if name in reach))
+        found.append(Decided(item, subject, value, names, is_unbounded(value), deciding))
+        if isinstance(item, Definition):
+            reach[item.name] = deciding
+    return tuple(found)
+
+
+def names_in(value: fx.FlatExpression) -> tuple[str, ...]:
+    """Names of variables, in the order of their first occurrence."""
+    return tuple(dict.fromkeys(node.name for node in postorder(value, {}) if isinstance(node, fx.Variable)))
+
+
+def check_finite(
+    flat: FlatModel,
+    parameters: Mapping[str, float],
+    evaluator: Evaluator,
+    sink: Sink,
+    changed: Set[str] | None = None,
+) -> None:
     """E0329 for each dependent parameter, start of a discrete variable, mass, inertia and gravity that is infinite or
-    no number, E0506 for a mass that values other than the defaults make negative."""
+    no number, E0506 for a mass that values other than the defaults make negative.
+
+    Where all was well before parameters `changed`, only what these decide is computed.
+    """
     values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
     units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
     unbounded = {name for name, value in values.items() if math.isinf(value)}
     if not parameters:  # those that are found with the start have guesses only
         unbounded |= {parameter.name for parameter in flat.parameters if parameter.free}
-    for item, subject, value in _decided(flat, values):
-        names = dict.fromkeys(node.name for node in postorder(value, {}) if isinstance(node, fx.Variable))
-        known = told if not told.isdisjoint(names) else None
-        if subject not in _WEIGHTS and (not unbounded.isdisjoint(names) or is_unbounded(value)):
+    for each in decided(flat):
+        known = told if not told.isdisjoint(each.names) else None
+        if each.subject not in _WEIGHTS and (not unbounded.isdisjoint(each.names) or each.unbounded):
             known = unbounded
-        number = 0.0 if known is not None else _number(evaluator, value)
-        if not math.isfinite(number):
-            shown = [f"{name} = {values[name]:g}{units[name]}" for name in names if name in values]
-            sink.report("E0329", place(item), *around(item), subject=subject, conditions=_conditions(shown))
-            known = told
-        elif parameters and number < 0.0 and subject in _WEIGHTS and not subject.startswith("product"):
-            sink.report(
-                "E0506", place(item), *around(item), what=subject, value=f"{number:.6g}", unit=_WEIGHTS[subject]
-            )
-        if known is not None and isinstance(item, Definition):
-            known.add(item.name)
+        if known is None and (changed is None or not changed.isdisjoint(each.parameters)):
+            number = _number(evaluator, each.value)
+            if not math.isfinite(number):
+                shown = [f"{name} = {values[name]:g}{units[name]}" for name in each.names if name in values]
+                conditions = _conditions(shown)
+                sink.report("E0329", place(each.item), *around(each.item), subject=each.subject, conditions=conditions)
+                known = told
+            elif parameters and number < 0.0 and each.subject in _WEIGHTS and not each.subject.startswith("product"):
+                told_value, unit = f"{number:.6g}", _WEIGHTS[each.subject]
+                sink.report(
+                    "E0506", place(each.item), *around(each.item), what=each.subject, value=told_value, unit=unit
+                )
+        if known is not None and isinstance(each.item, Definition):
+            known.add(each.item.name)
     _check_gravity(flat, values, evaluator, sink)
 
 
@@ -69,9 +112,8 @@ def _conditions(shown: list[str]) -> str:
     return f" with {' and '.join(shown[:_MOST_SHOWN])}" if shown else ""
 
 
-def _decided(flat: FlatModel, values: Mapping[str, float]) -> Iterator[tuple[Item, str, fx.FlatExpression]]:
-    """Values that parameters alone determine, definitions first, each after those that it needs."""
-    steady = set(values)
+def _steady(flat: FlatModel, steady: set[str]) -> Iterator[tuple[Item, str, fx.FlatExpression]]:
+    """Values that parameters alone determine; `steady` are the names of these."""
     for item in flat.named:
         if isinstance(item, Definition) and item.variability in _STEADY:
             steady.add(item.name)

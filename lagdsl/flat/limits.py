@@ -13,13 +13,29 @@ from lagdsl.flat.events import Limit
 from lagdsl.flat.finite import check_finite
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.spans import around, place
+from lagdsl.record import remembered
+
+
+@remembered
+def _sound(flat: FlatModel) -> list[dict[str, float]]:
+    """The values of parameters that were found without fault last; none at first."""
+    return []
 
 
 def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -> None:
     """E0334 for each limit that does not hold for these values of parameters, E0329 and E0506 for what they make
-    infinite or negative; those left out have their defaults."""
+    infinite or negative; those left out have their defaults. Only values that follow from parameters that changed since
+    nothing was wrong are computed anew."""
+    sound = _sound(flat)
+    changed = None
+    for last in sound[:1]:
+        if last == parameters:
+            return
+        if last.keys() == parameters.keys():
+            changed = {name for name, value in parameters.items() if value != last[name]}
+    before = len(sink.diagnostics)
     evaluator = Evaluator(flat, Values(variables=parameters))
-    check_finite(flat, parameters, evaluator, sink)
+    check_finite(flat, parameters, evaluator, sink, changed)
     for limit in flat.events.limits:
         try:
             value = evaluator.scalar(limit.value)
@@ -28,12 +44,16 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
         wrong = found_wrong(limit, value)
         if wrong is not None:
             sink.report("E0334", place(limit), *around(limit), what=limit.what, expected=wrong, found=f"{value:g}")
+    if len(sink.diagnostics) == before:
+        sound[:] = [dict(parameters)]
 
 
 def check_clocks(
     flat: FlatModel, parameters: Mapping[str, float], span: tuple[float, float], most: int, sink: Sink
 ) -> None:
     """E0858 for each clock that ticks more than `most` times in `span` [s]: the run could not end."""
+    if not flat.events.clocks:
+        return
     evaluator = Evaluator(flat, Values(variables=parameters))
     for clock in flat.events.clocks:
         first, period = evaluator.scalar(clock.start), evaluator.scalar(clock.period)

@@ -368,7 +368,7 @@ class Experiment:
     stop_time_explicit: bool = False
 
 
-@record(kw_only=True)
+@record(kw_only=True, weak=True)
 class FlatModel:
     """One complete model. `observed` are named values that need the solved motion: nothing refers to them by name."""
 

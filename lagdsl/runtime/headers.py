@@ -21,6 +21,7 @@ STRUCTURES = {
     "lag_range": ("equations/jacobian", "Range"),
     "lag_strided": ("batch", "Strided"),
     "lag_batch": ("batch", "Batch"),
+    "lag_call": ("call", "Call"),
     "lag_note": ("run/results", "Note"),
     "lag_extremes": ("run/extremes", "Extremes"),
     "lag_results": ("run/results", "Results"),
@@ -81,8 +82,8 @@ def _evaluated(results: int) -> Any:
 def structures_text() -> str:
     """The module `lagdsl.runtime.structures`."""
     (version,) = re.findall(r"#define LAG_MODEL_VERSION (\d+)u", _header("model"))
-    what = ", ".join(f'"{name.lower()}"' for name, _ in _enumerators("event_notice", "LAG_"))
-    parts = [_HEAD, f"VERSION = {version}\n\n# lag_event_kind.\nWHAT = {_wrapped(what)}\n"]
+    what = " ".join(name.lower() for name, _ in _enumerators("event_notice", "LAG_"))
+    parts = [_HEAD, f'VERSION = {version}\n\n# lag_event_kind.\n_WHAT = "{what}"\nWHAT = tuple(_WHAT.split())\n']
     for name, (header, prefix) in _ENUMERATIONS.items():
         values = "".join(f"    {each} = {value}\n" for each, value in _enumerators(header, prefix))
         parts.append(f'\n\nclass {name}(IntEnum):\n    """Of lag/{header}.h."""\n\n{values}')
@@ -153,8 +154,3 @@ def _header(name: str) -> str:
     version = re.findall(r"#define LAG_MODEL_VERSION \d+u", text)
     bare = re.sub(r"/\*.*?\*/|^#.*?$", "", text, flags=re.DOTALL | re.MULTILINE)
     return " ".join([*version, *bare.split()])
-
-
-def _wrapped(entries: str) -> str:
-    """A tuple on few lines, which the formatter is to leave as they are."""
-    return "(\n    " + "\n    ".join(textwrap.wrap(entries, _WIDTH)) + "\n)  # fmt: skip"

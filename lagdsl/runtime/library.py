@@ -32,6 +32,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "batch_evaluate": (_STATUS, (_AT, c_int, _AT, _AT, _SIZE)),
     "batch_forward_dynamics": (_STATUS, (_AT, _AT, _AT, _AT, _AT, _AT)),
     "batch_jacobian": (_STATUS, (_AT, _AT, _AT, Range, _AT, _AT, _AT)),
+    "call_once": (_STATUS, (_AT, c_int)),
     "motion_memory": (_SIZE, (_AT,)),
     "motion_place": (None, (_AT, _AT, _AT)),
     "motion_parameters": (_STATUS, (_AT, _AT)),
@@ -113,6 +114,13 @@ class Runtime:
         function.argtypes = arguments
         function.restype = result
         setattr(self, name, function)
+        return function
+
+    def bare(self, name: str) -> ctypes._NamedFuncPointer:
+        """A function of PROTOTYPES that does not convert its arguments, which takes longer than the call itself: they
+        have to be objects of ctypes, or ints."""
+        function = self._library[f"lag_{name}"]
+        function.restype = PROTOTYPES[name][0]
         return function
 
 

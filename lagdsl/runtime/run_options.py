@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.start import Start as StartTold
-from lagdsl.record import record
+from lagdsl.record import record, remembered
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.held_inputs import HeldInputs
 from lagdsl.runtime.library import Runtime
@@ -26,9 +26,9 @@ class RunSettings:
     """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, inputs that are held over
     steps, or a function of time and of whether the value before a jump is wanted. `method` is the name of one of the
     runtime, or None for the automatic choice; `step` is the length of the steps of those that do not choose it.
-    `group`, `natural`, `cap`: (2 nq + nz,),
-    see lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
-    wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
+    `group`, `natural`, `cap`: (2 nq + nz,), see lag/methods/accuracy.h. Of the rows whose `lasting` (nc,) is not zero
+    `general` are independent in general. Rows are wanted at `times`; `invariant_tolerance` (ni,) None: nothing is
+    watched."""
 
     p: Floats
     inputs: RunInputs
@@ -36,7 +36,7 @@ class RunSettings:
     group: Floats
     natural: Floats
     cap: Floats
-    lasting: Flags
+    lasting: Floats
     general: int
     times: Floats
     tolerance: float
@@ -66,24 +66,35 @@ def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) 
     if settings.invariant_tolerance is not None:
         # one number more, so that it is not null where there are assertions only
         options.invariants.tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
-    start = _start(settings.start, kept)
+    start = _start(settings.start)
     kept.append(start)
-    options.start = addressof(start)
+    options.start = addressof(start[0])
     return options
 
 
 def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> int:
-    """Of a copy, which is appended to `kept`."""
-    own: np.ndarray = np.array(values, dtype=kind)
+    """Of a copy, or of an array that nobody can write to; it is appended to `kept`."""
+    if (
+        isinstance(values, np.ndarray)
+        and values.dtype == kind
+        and values.flags.c_contiguous
+        and not values.flags.writeable
+    ):
+        own = values
+    else:
+        own = np.array(values, dtype=kind)
     kept.append(own)
-    return int(own.ctypes.data)
+    return int(own.__array_interface__["data"][0])  # sooner there than `ctypes.data`
 
 
-def _start(told: StartTold, kept: list[object]) -> Start:
+@remembered
+def _start(told: StartTold) -> tuple[Start, list[object]]:
+    """The structure, and what it points at."""
+    kept: list[object] = []
     flags = {name: address(getattr(told, name), kept, np.uint8) for name in ("fixed", "written")}
     numbers = {name: address(getattr(told, name), kept) for name in ("nominal", "minimum", "maximum")}
     if told.free:
         flags["free"] = address(told.free, kept, np.uint8)
         for name in ("parameter_nominal", "parameter_minimum", "parameter_maximum"):
             numbers[name] = address(getattr(told, name), kept)
-    return Start(t=told.t, **flags, **numbers)
+    return Start(t=told.t, **flags, **numbers), kept

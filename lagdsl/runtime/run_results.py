@@ -72,11 +72,11 @@ class RunResults:
         """All rows so far, as lag/run/results.h tells them."""
         return np.concatenate([self._rows[:0], *self._taken])
 
-    def extremes(self) -> tuple[Floats, Floats]:
-        """The lowest and the highest values of state, discrete variables and outputs along the motion so far; infinite
-        where there was no number."""
+    def extremes(self) -> Floats:
+        """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so
+        far; infinite where there was no number."""
         count = self._extremes.count
-        return self._extreme_memory[:count].copy(), self._extreme_memory[count : 2 * count].copy()
+        return self._extreme_memory[: 2 * count].reshape(2, count).copy()
 
     def turns(self, size: int) -> Floats:
         """Number of reversals of every number of a state of this size."""

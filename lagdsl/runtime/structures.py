@@ -26,10 +26,8 @@ def _evaluated(results: int) -> Any:
 VERSION = 7
 
 # lag_event_kind.
-WHAT = (
-    "before", "tick", "true", "false", "opened", "closed", "impact", "reinit",
-    "terminate", "after", "jump", "slips", "sticks", "reverses"
-)  # fmt: skip
+_WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
+WHAT = tuple(_WHAT.split())
 
 
 class Status(IntEnum):
@@ -186,6 +184,19 @@ class Batch(Structure):
         *_all(c_size_t, "count"),
         *_all(Strided, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
         *_all(c_void_p, "workspace memory lanes"),
+    ]
+
+
+class Call(Structure):
+    """lag_call."""
+
+    _fields_ = [
+        *_all(c_void_p, "model tangents memory zero start standing solved parameters results"),
+        *_all(Arguments, "at"),
+        *_all(Range, "x"),
+        *_all(c_int, "what prepared"),
+        *_all(c_double, "started"),
+        *_all(c_size_t, "left coordinate"),
     ]
 
 

@@ -14,7 +14,7 @@ from lagdsl.flat.admissible import require_value
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
 from lagdsl.flat.quantity import MORE_THAN_A_TURN, Quantity
-from lagdsl.record import record
+from lagdsl.record import record, remembered
 from lagdsl.settings.arrays import family
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.literal import Literal, literal, require_dimension
@@ -60,7 +60,12 @@ class Target:
 def targets(flat: FlatModel, kinds: Iterable[Kind] = SETTABLE) -> dict[str, Target]:
     """Everything in `flat` that takes a value, by name."""
     wanted = set(kinds)
-    found = [
+    return {target.name: target for target in _all_targets(flat) if target.kind in wanted}
+
+
+@remembered
+def _all_targets(flat: FlatModel) -> tuple[Target, ...]:
+    return (
         *(
             Target(name=p.name, key=p.name, kind="structural" if p.structural else "parameter", quantity=p)
             for p in flat.parameters
@@ -73,8 +78,7 @@ def targets(flat: FlatModel, kinds: Iterable[Kind] = SETTABLE) -> dict[str, Targ
             Target(name=f"der({c.name}).start", key=f"der({c.name})", kind="start", quantity=c, rate=True)
             for c in flat.coordinates
         ),
-    ]
-    return {target.name: target for target in found if target.kind in wanted}
+    )
 
 
 def find(flat: FlatModel, name: str, known: Mapping[str, Target]) -> Target:

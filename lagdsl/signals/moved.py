@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel
@@ -64,33 +66,36 @@ class Starts:
     count: int
 
 
-def moved_rows(starts: Starts, x: Floats, outputs: Floats) -> tuple[MovedRow, ...]:
+def moved_rows(starts: Starts, x: Floats, outputs: Callable[[], Floats]) -> tuple[MovedRow, ...]:
     """Rows of everything that moved to `x` and, if anything did, of what was fixed, positions first; then those of cut
     joints, whose values stand in `outputs`."""
+    least = _MOVED * np.maximum(np.abs(starts.x), starts.sizes)
+    far = (np.abs(x - starts.x) > least)[: 2 * starts.count]
+    if not far.any():
+        return ()
     rows: list[MovedRow] = []
-    anything = False
     guesses = _in_loops(starts)
     for first, shown, pattern in ((0, display, "{}"), (starts.count, display_rate, "der({})")):
         for place, coordinate in enumerate(starts.flat.coordinates, start=first):
             start, value = float(starts.x[place]), float(x[place])
-            moved = abs(value - start) > _MOVED * max(abs(start), float(starts.sizes[place]))
-            anything = anything or moved
-            if moved or starts.fixed[place]:
+            if far[place] or starts.fixed[place]:
                 name = pattern.format(coordinate.name)
                 written = starts.written[place] and name not in guesses
                 kind: Kind = "fixed" if starts.fixed[place] else "explicit" if written else "default"
                 rows.append(MovedRow(name=name, start=start, value=value, kind=kind, unit=shown(coordinate)))
     derived = [
         MovedRow(name=output.name, start=value, value=value, kind="derived", unit=display(output))
-        for output, value in zip(starts.flat.outputs, outputs.tolist(), strict=False)
+        for output, value in zip(starts.flat.outputs, outputs().tolist(), strict=False)
         if output.joint
     ]
-    return (*rows, *derived) if anything else ()
+    return (*rows, *derived)
 
 
 def found_rows(flat: FlatModel, layout: Layout, guesses: Floats, p: Floats) -> tuple[MovedRow, ...]:
     """The parameters that are found with the start, and from which values."""
-    free = {parameter.name: parameter for parameter in flat.parameters if parameter.free}
+    free = {parameter.name: parameter for parameter in free_parameters(flat)}
+    if not free:
+        return ()
     return tuple(
         MovedRow(name=slot.name, start=guess, value=value, kind="found", unit=display(free[slot.name]))
         for slot, guess, value in zip(layout.parameters, guesses.tolist(), p.tolist(), strict=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
+from math import isnan
 from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
@@ -12,6 +13,7 @@ import numpy as np
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.display import Display
 from lagdsl.numerics.rank import Floats
+from lagdsl.record import record
 from lagdsl.settings.arrays import family
 from lagdsl.signals.moved import MovedRow
 
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 Kind = Literal["time", "coordinate", "rate", "state", "discrete", "output"]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Column:
     """One quantity over time in its coherent SI unit; `display` is how people see it. `lowest` and `highest` are those
     of the motion, which may lie between rows; left out, those of the rows. `aliases` are other names of it."""
@@ -41,7 +43,9 @@ class Column:
         return self.name, *self.aliases
 
     def __post_init__(self) -> None:
-        seen = self.values[np.isfinite(self.values)] if np.isnan(self.lowest) else ()
+        if not isnan(self.lowest):
+            return
+        seen = self.values[np.isfinite(self.values)]
         if len(seen):
             object.__setattr__(self, "lowest", float(np.min(seen)))
             object.__setattr__(self, "highest", float(np.max(seen)))

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
-from lagdsl.backends.start import QUATERNION, WRITTEN
+from lagdsl.backends.start import QUATERNION, WRITTEN, Start
 from lagdsl.diagnostics import Severity, Sink
 from lagdsl.flat.admissible import report_outside
 from lagdsl.flat.model import FlatModel
+from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats
-from lagdsl.record import record
+from lagdsl.record import record, remembered
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_view import Found
@@ -93,7 +96,7 @@ def find_start(
         report_found(flat, engine.layout, found.p, sink)
     rows: tuple[MovedRow, ...] = ()
     if not _wrong(sink, before):
-        rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
+        rows = moved_rows(starts, found.x, partial(_cut_joints, flat, run, t, found))
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
         if not _wrong(sink, before) and flat.constraints:
@@ -118,6 +121,7 @@ def _wrong(sink: Sink, before: int) -> bool:
     return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
 
 
+@remembered
 def places_of(flat: FlatModel) -> dict[str, int]:
     """The places in (q, qd, z) by the names of start values."""
     coordinates = [c.name for c in flat.coordinates]
@@ -143,17 +147,24 @@ def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float],
             report_outside(item, f"{item.name}(start)", float(starts[place]), sink)
 
 
+@remembered
+def _flags(told: Start) -> tuple[Flags, Flags, NDArray[np.intp]]:
+    """Flags of fixed and of written starts (2 nq + nz,), and the places of the first rates of quaternions."""
+    flags = np.array(told.written, dtype=np.uint8)
+    return np.array(told.fixed, dtype=np.bool_), (flags & WRITTEN) != 0, np.flatnonzero(flags & QUATERNION)
+
+
 def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
     n = len(flat.coordinates)
-    told = run.settings.start
-    flags = np.array(told.written, dtype=np.uint8)
-    written = (flags & WRITTEN) != 0
-    written[list(given)] = True
+    fixed, written, turning = _flags(run.settings.start)
+    if given:
+        written = written.copy()
+        written[list(given)] = True
     return Starts(
         flat=flat,
-        x=turned_rates(found.starts, found.x, np.flatnonzero(flags & QUATERNION) - n, n),
+        x=turned_rates(found.starts, found.x, turning - n, n),
         sizes=run.settings.natural,
-        fixed=np.array(told.fixed, dtype=np.bool_),
+        fixed=fixed,
         written=written,
         pattern=found.pattern,
         count=n,

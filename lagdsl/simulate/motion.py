@@ -41,11 +41,12 @@ _STATE = ("coordinate", "rate", "state")
 
 @record(kw_only=True)
 class Asked:
-    """A motion but for its rows."""
+    """A motion but for its rows; `q` are the start values of coordinates."""
 
     flat: FlatModel
     engine: Engine
     p: Floats
+    q: Floats
     signals: Signals
     start: Mapping[str, float]
     tolerance: float

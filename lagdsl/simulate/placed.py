@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.backends.start import start_of
+from lagdsl.backends.start import Start, start_of
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
+from lagdsl.record import record, remembered
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_options import RunInputs, RunSettings
 from lagdsl.structure.names import contact_rows
-from lagdsl.structure.scales import scales_of
+from lagdsl.structure.scales import Scales, scales_of
 
 # Residuals below this part of the tolerance need no projection.
 PROJECTION_PART = 1e-3
@@ -27,14 +28,17 @@ def placed(
     inputs: RunInputs,
     *,
     t0: float | None = None,
+    q: Floats | None = None,
     times: Floats | None = None,
     tolerance: float | None = None,
     solver: str = "auto",
     step: float | None = None,
 ) -> Run:
-    """A run that has not begun. Without `times` no rows are wanted; the rest that is left out says the experiment."""
+    """A run that has not begun. Without `times` no rows are wanted, `q` (nq,) are the start values at t0 where they are
+    known; the rest that is left out says the experiment."""
     t = flat.experiment.start_time if t0 is None else t0
-    q = engine.evaluate("start", t, p)[0]
+    if q is None:
+        q = engine.evaluate("start", t, p)[0]
     settings = settings_of(
         flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
     )
@@ -58,20 +62,19 @@ def settings_of(
     those of many runs."""
     experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance
-    scales = scales_of(flat, layout.components, q)
-    loose = contact_rows(flat)
+    measures = _measures(flat, layout, q, t)
     invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
     asked = np.zeros(0) if times is None else times
     length = float(asked[-1] - asked[0]) if len(asked) > 1 else max(experiment.stop_time - t, np.spacing(abs(t)))
     return RunSettings(
         p=p,
         inputs=inputs,
-        start=start_of(flat, t, ()),
-        group=scales.groups,
-        natural=scales.sizes,
-        cap=scales.caps,
-        lasting=np.array([row not in loose for row in range(len(layout.constraints))], dtype=np.bool_),
-        general=sum(not (flag or row in loose) for row, flag in enumerate(layout.redundant)),
+        start=measures.start,
+        group=measures.scales.groups,
+        natural=measures.scales.sizes,
+        cap=measures.scales.caps,
+        lasting=measures.lasting,
+        general=measures.general,
         times=asked,
         tolerance=relative,
         part=PROJECTION_PART,
@@ -80,3 +83,35 @@ def settings_of(
         length=length,
         invariant_tolerance=np.array(invariants),
     )
+
+
+@record()
+class _Measures:
+    """Settings that follow from the model, its start values and their time. Nobody can write to the arrays."""
+
+    start: Start
+    scales: Scales
+    lasting: Floats
+    general: int
+
+
+@remembered
+def _last(flat: FlatModel) -> list[tuple[object, _Measures]]:
+    """Settings for the last start values, with these."""
+    return []
+
+
+def _measures(flat: FlatModel, layout: Layout, q: Floats, t: float) -> _Measures:
+    known, key = _last(flat), (t, q.shape, q.tobytes(), layout.components, layout.redundant)
+    for before, measures in known[:1]:
+        if before == key:
+            return measures
+    loose = contact_rows(flat)
+    scales = scales_of(flat, layout.components, q)
+    lasting = np.array([row not in loose for row in range(len(layout.constraints))], dtype=np.float64)
+    for array in (scales.groups, scales.sizes, scales.caps, lasting):
+        array.flags.writeable = False
+    general = sum(not (flag or row in loose) for row, flag in enumerate(layout.redundant))
+    measures = _Measures(start_of(flat, t, ()), scales, lasting, general)
+    known[:] = [(key, measures)]
+    return measures

@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
@@ -76,7 +75,7 @@ def simulate(
         check_limits(flat, values, own)
         own.raise_if_errors()
         check_clocks(flat, values, (t0, end), max_steps, own)
-        defaults = engine.evaluate("start", t0, parameters)[3]
+        q, _, _, defaults = engine.evaluate("start", t0, parameters)
         given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
         if not control:
@@ -86,6 +85,7 @@ def simulate(
         flat=flat,
         engine=engine,
         p=parameters,
+        q=q,
         signals=given,
         start=start or {},
         tolerance=relative,
@@ -109,9 +109,12 @@ def _shown(
     motion, turns = _motion(asked, times, progress, sink)
     resolution = resolution_of(turns)
 
-    @cache
+    made: dict[int, Trajectory] = {}
+
     def again(intervals: int) -> Trajectory:
-        return _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
+        if intervals not in made:
+            made[intervals] = _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
+        return made[intervals]
 
     intervals = len(times) - 1
     if interval is None and intervals < resolution.rows:
@@ -140,6 +143,7 @@ def _motion(
             asked.p,
             given.course(t0) if asked.controls is None else given.held(t0),
             t0=t0,
+            q=asked.q,
             times=times,
             tolerance=asked.tolerance,
             solver=asked.solver,
@@ -158,6 +162,8 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
     if count == 0:
+        return np.array([t0, stop])
+    if count == 1 and stop - (t0 + step) <= 1e-9 * step:
         return np.array([t0, stop])
     times = equidistant(t0, step, count + 1)
     if stop - times[-1] > 1e-9 * step:

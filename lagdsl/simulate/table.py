@@ -10,6 +10,7 @@ from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.listing import discrete_outputs
 from lagdsl.flat.model import FlatModel
 from lagdsl.program.program import Layout
+from lagdsl.record import remembered
 from lagdsl.runtime.run import Run
 from lagdsl.settings.aliases import other_names
 from lagdsl.signals.moved import MovedRow
@@ -21,12 +22,11 @@ def trajectory(
 ) -> Trajectory:
     """All rows so far."""
     heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
-    results = run.results
-    rows = results.rows()
+    rows, extremes = run.results.rows(), run.results.extremes()
     table = np.ascontiguousarray(rows[:, places].T)
-    low, high = (
-        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)])[places] for ends in results.extremes()
-    )
+    ends = np.full((2, 1 + rows.shape[1]), np.nan)
+    ends[:, 1 : 1 + extremes.shape[1]] = np.where(np.isfinite(extremes), extremes, np.nan)
+    low, high = ends[:, places]
     energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
     return Trajectory(
         model=flat.name,
@@ -89,7 +89,8 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
             return flat.events.contacts[which].name
 
 
-def heads_of(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
+@remembered
+def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
     """Names, units and kinds of the columns, in the order of result files. Discrete outputs stand among the outputs."""
     heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
     heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
@@ -100,7 +101,7 @@ def heads_of(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
     outputs = discrete_outputs(flat)
     heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes if d.name not in outputs]
     heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
-    return heads
+    return tuple(heads)
 
 
 def called_heads(flat: FlatModel) -> dict[str, tuple[str, str, Kind, Display]]:
@@ -118,6 +119,7 @@ def asked(flat: FlatModel, column: str, wanted: Collection[str] | None) -> list[
     return [name for name in (column, *other_names(flat).get(column, ())) if name in wanted]
 
 
+@remembered
 def places_of_columns(flat: FlatModel) -> list[int]:
     """Place of each column in a row of the runtime, which has all discrete variables, then all outputs."""
     outputs = discrete_outputs(flat)

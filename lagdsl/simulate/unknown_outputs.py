@@ -16,6 +16,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.flat.traversal import postorder
 from lagdsl.numerics.connected_blocks import Flags
 from lagdsl.numerics.rank import Floats, rank
+from lagdsl.record import remembered
 from lagdsl.runtime.engines.engine import Engine, SingularSystem
 from lagdsl.simulate.state_words import time_text
 
@@ -100,7 +101,8 @@ def _instants(lost: Flags, times: Floats) -> Flags:
     return result
 
 
-def _reading(flat: FlatModel) -> list[bool]:
+@remembered
+def _reading(flat: FlatModel) -> tuple[bool, ...]:
     """Of every output: it reads accelerations, rates of states or multipliers."""
     kinds = {c.name: "coordinate" for c in flat.coordinates} | {s.name: "state" for s in flat.states}
     dependence = Dependence(flat)
@@ -119,7 +121,7 @@ def _reading(flat: FlatModel) -> list[bool]:
     for output in flat.outputs:
         found.append(reads(output.value))
         reading |= {output.name} if found[-1] else set()
-    return found
+    return tuple(found)
 
 
 def _is_solved(node: fx.FlatExpression) -> bool:

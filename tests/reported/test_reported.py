@@ -206,6 +206,9 @@ def test_the_guess_of_a_cut_joint_is_set_from_outside(joints: str) -> None:
     model = lagdsl.compile(FOLDED.format(joints=joints))
     motion = model.simulate(stop=0.01, interval=0.01, start={"B.q": "-10 deg"})
     assert np.rad2deg(motion["B.q"][0]) == pytest.approx(-OPENING, abs=1e-6)
+    folded, other = (model.linearize(start={"B.q": f"{angle} deg"}).point.q for angle in (-10, 10))
+    assert folded == pytest.approx(model.initial_state(start={"B.q": "-10 deg"}).q, abs=1e-9)
+    assert np.abs(folded - other).max() > 0.1
     motions = model.simulate_many(stop=0.01, interval=0.01, start={"B.q": [-0.2, 0.2]})
     assert np.rad2deg(motions["B.q"][:, 0]) == pytest.approx([-OPENING, OPENING], abs=1e-6)
 

@@ -9,6 +9,7 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
+from lagdsl.runtime.engines import cores as engine_cores
 from lagdsl.runtime.engines.cores import PART, cores, share_out
 from lagdsl.runtime.engines.engine import SingularSystem
 
@@ -117,6 +118,61 @@ def test_the_first_failure_counts_and_every_thread_has_its_own_worker() -> None:
         share_out(5 * PART, 2, worker)
     assert failure.value.coordinate == 0
     assert len(set(workers)) == len(workers) == 2
+
+
+@pytest.mark.parametrize(("seconds", "threads"), [(0.0, 3), (float("inf"), 1)])
+def test_threads_start_where_the_rest_takes_long(monkeypatch: pytest.MonkeyPatch, seconds: float, threads: int) -> None:
+    """A first part tells how long the rest takes; the others meet where there are several threads."""
+    monkeypatch.setattr(engine_cores, "_WORTH_THREADS", seconds)
+    monkeypatch.setattr(engine_cores, "cores", lambda: 2)
+    meet = threading.Barrier(2, timeout=10)
+    done: list[tuple[int, int]] = []
+    workers = []
+
+    def worker():
+        workers.append(threading.get_ident())
+
+        def part(first: int, end: int) -> None:
+            if threads > 1 and PART <= first < 3 * PART:
+                meet.wait()
+            done.append((first, end))
+
+        return part
+
+    share_out(4 * PART + 5, None, worker)
+    assert sorted(done) == [*((k * PART, (k + 1) * PART) for k in range(4)), (4 * PART, 4 * PART + 5)]
+    assert len(workers) == threads
+
+
+def test_few_states_stay_in_one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(engine_cores, "_WORTH_THREADS", 0.0)
+    done: list[tuple[int, int]] = []
+    share_out(PART, None, lambda: lambda first, end: done.append((first, end)))
+    assert done == [(0, PART)]
+
+
+def test_memory_serves_one_call_after_the_other(model: Model) -> None:
+    """No call sees what another one left there: parameters, inputs, another number of states."""
+    states = _states(8)
+    alone = model.batch(**states)
+    model.batch(0.0, states["q"][:40], np.zeros(2))
+    np.testing.assert_array_equal(model.batch(**states), alone)
+    np.testing.assert_array_equal(
+        model.batch(0.0, states["q"][:300], np.zeros(2)), model.batch(0.0, states["q"], np.zeros(2))[:300]
+    )
+
+
+def test_out_takes_the_result_and_may_be_an_argument(model: Model) -> None:
+    states = _states(9)
+    expected = model.batch(**states)
+    room = np.empty_like(expected)
+    assert model.batch(**states, out=room) is room
+    np.testing.assert_array_equal(room, expected)
+    qd = states["qd"]
+    assert model.batch(**states, out=qd) is qd
+    np.testing.assert_array_equal(qd, expected)
+    with pytest.raises(ValueError, match="out must have the shape"):
+        model.batch(**states, out=room[:-1])
 
 
 def test_cores() -> None:

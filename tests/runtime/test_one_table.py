@@ -14,8 +14,8 @@ from lagdsl.program.functions import ALONG_MANY, COUNTED, FUNCTIONS, OPTIONAL, S
 from lagdsl.resources import c_folder, sources_in
 from lagdsl.runtime import generate, structures
 from lagdsl.runtime.building.build import build
-from lagdsl.runtime.engines.c_engine import VECTORS
 from lagdsl.runtime.engines.native_model import native_model
+from lagdsl.runtime.engines.one_state import VECTORS
 from lagdsl.runtime.headers import STRUCTURES, structures_text
 from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, SignalKind, Status
 
@@ -43,7 +43,7 @@ def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def layouts() -> dict[str, list[tuple[int, int]]]:
     """For every structure its size, then the offsets and sizes of its members, as C has them."""
-    headers = ["model.h", "batch.h", "run.h", "initial.h", "ensemble.h", "signals.h", "hold.h"]
+    headers = ["model.h", "batch.h", "call.h", "run.h", "initial.h", "ensemble.h", "signals.h", "hold.h"]
     lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
     for name, mirror in MIRRORED.items():
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]

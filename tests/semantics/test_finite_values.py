@@ -136,6 +136,36 @@ def test_values_given_to_a_run(given: lagdsl.Model, values: dict[str, float], co
     assert [each.code for each in failure.value.diagnostics] == [code]
 
 
+def test_values_after_others_are_looked_at_as_those_of_a_new_model() -> None:
+    """Only what changed parameters decide is computed anew: definitions of definitions, sums of both, bounds that are
+    none, and back."""
+    text = """model M
+  parameter Real a = 1, b = 1, most = inf;
+  parameter Real c = 1/a, d = c/b, e = 2*most;
+  parameter Mass m = 1 kg;
+  coordinate Length x;
+  mass m*(c + d) at {x, 0};
+  gravity = -1 m/s2/b*world.x;
+end M;
+"""
+    kept = lagdsl.compile(text, engine="tape")
+    given = [{}, {"a": 0.0}, {"a": 2.0}, {"b": 0.0}, {"a": 2.0, "b": 0.0}, {"m": -1.0}, {"a": -2.0}, {"a": 2.0}]
+    given += [{"most": 3.0}, {"most": float("nan")}, {"b": 2.0}, {}, {"m": -1.0, "a": 0.0}]
+
+    def codes(model: lagdsl.Model, values: dict[str, float]) -> list[str]:
+        try:
+            model.simulate(stop=0.01, interval=0.01, parameters=values)
+        except CompilationFailed as failure:
+            return [f"{each.code} {each.message}" for each in failure.diagnostics]
+        except ValueError as error:
+            return [str(error)]
+        return []
+
+    found = [codes(kept, values) for values in given]
+    assert found == [codes(lagdsl.compile(text, engine="tape"), values) for values in given]
+    assert [len(each) > 0 for each in found] == [bool(k in (1, 3, 4, 5, 6, 9, 12)) for k in range(len(given))]
+
+
 def test_values_given_to_many_motions(given: lagdsl.Model) -> None:
     motions = given.simulate_many(stop=0.1, parameters={"k": [1.0, 0.0, 2.0]})
     assert list(motions.failures) == [1] and "`g` has no finite value with k = 0" in motions.failures[1]

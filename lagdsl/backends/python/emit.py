@@ -24,6 +24,7 @@ _SUPPORT = (
     "derivatives",
     "kinematics",
     "names",
+    "values",
     "interface",
 )
 _PUBLIC = (
@@ -47,7 +48,7 @@ _BY_NAME = {
     "kinematics": ("frame", "point"),
 }
 _FOLDER = Path(__file__).parent / "support"
-_DROPPED = ("Floats = ", "Flags = ", "Evaluate = ", "Kinematics = ")
+_DROPPED = ("Floats = ", "Flags = ", "Evaluate = ", "Kinematics = ", "Call = ", "Entries = ")
 _NAMES = """# Names of the entries of arguments and of y
 NAMES = {
     label: [name for name, _ in table]
@@ -91,7 +92,7 @@ def module(program: Program) -> str:
         tables(program),
         _NAMES,
         "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n"
-        "Kinematics = Evaluate\n",
+        "Kinematics = Evaluate\nCall = Callable[..., Floats]\nEntries = ArrayLike | Mapping[str, Any]\n",
         *(support(_FOLDER / f"{name}.py", _DROPPED) for name in _SUPPORT),
         *bodies(program),
         _functions(program),

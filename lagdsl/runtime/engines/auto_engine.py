@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import hashlib
 import weakref
+from ctypes import byref
 from functools import cache, cached_property
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 from lagdsl.backends.tape.emit import PARTS, tape
@@ -21,7 +23,9 @@ from lagdsl.runtime.building.cache import cache_folder
 from lagdsl.runtime.engines.c_engine import opened
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.native_model import NativeModel
+from lagdsl.runtime.engines.one_value import Place
 from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.runtime.structures import Status
 from lagdsl.version import __version__
 
 if TYPE_CHECKING:
@@ -32,6 +36,8 @@ if TYPE_CHECKING:
 _ALWAYS, _PER_BYTE = 0.2, 2e-5
 # The part of the time that C saves.
 _SAVED = 2 / 3
+# Calls of one value at one state from one look at their time to the next.
+_CALLS = 4096
 
 
 class AutoEngine(TapeEngine):
@@ -81,6 +87,21 @@ class AutoEngine(TapeEngine):
         if self._compiled is not None:
             self._use(self._compiled)
         return self._compiled
+
+    @property
+    def _patience(self) -> int:
+        return 0 if self.is_compiled else _CALLS
+
+    def _heed(self, status: int, given: int, place: Place) -> bool:
+        super()._heed(status, given, place)
+        if status == Status.ATTENTION and not self.is_compiled:
+            structure = place[-1].call
+            structure.left = _CALLS
+            begin = perf_counter()
+            self._runtime.call_once(byref(structure), given)
+            self.worked(_CALLS * (perf_counter() - begin))
+            self.hasten()
+        return not (status == Status.ATTENTION and self.is_compiled)
 
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._has_library() and self._compiler is not None:

@@ -15,9 +15,11 @@ from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.backends.python.support.motion import solve_motion
 from lagdsl.backends.python.support.names import real_numbers
+from lagdsl.backends.python.support.values import Call
 from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine, Floats, SingularSystem
+from lagdsl.runtime.engines.one_value import Scale
 
 
 class BatchEngine(Engine, Protocol):
@@ -31,13 +33,17 @@ class BatchEngine(Engine, Protocol):
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
         ...
 
-    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
-        """The same as `solve_many`, by `threads` threads."""
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads; None: by as many as pay. `out` is an array for qdd."""
         ...
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
         """d(qd, qdd, zd)/dx, shape (..., 2 nq + nz, nx), and dy/dx, shape (..., ny, nx), by "state" (q, qd, z), "input"
         or "parameter"."""
+        ...
+
+    def at_one_state(self, name: str, otherwise: Call, scale: Scale | None = None) -> Call:
+        """The value of this name at one state; `otherwise` takes arguments that are not those of one state."""
         ...
 
 
@@ -116,9 +122,18 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
     for (name, length), array in zip(signature, given, strict=True):
         own = () if length is None else (length,)
         if array.shape == own:
-            arrays.append((name, np.ascontiguousarray(array), 0))
+            arrays.append((name, array if array.flags.c_contiguous else np.ascontiguousarray(array), 0))
         else:
             shape = leading + own
             whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
             arrays.append((name, whole, 1 if length is None else length))
     return Spread(leading, prod(leading), tuple(arrays))
+
+
+def apart(many: Spread, out: Floats) -> Spread:
+    """`many` with copies of the arrays that lie where `out` does: it is written while they are read."""
+    arrays = (
+        (name, array.copy() if np.may_share_memory(array, out) else array, stride)
+        for name, array, stride in many.arrays
+    )
+    return Spread(many.leading, many.count, tuple(arrays))

@@ -19,6 +19,7 @@ from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.derivatives import differentiate_motion
 from lagdsl.backends.python.support.motion import solve_motion
+from lagdsl.backends.python.support.values import Call, into
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
@@ -29,6 +30,7 @@ from lagdsl.runtime.engines.cores import share_out
 from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.numpy_model import numpy_model
+from lagdsl.runtime.engines.one_value import Scale
 
 # Functions on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat values
 # that are not numbers as NumPy and C do.
@@ -105,7 +107,7 @@ class NumpyEngine:
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate, self.layout) from None
 
-    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
         sizes = [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in STATE]
         many = spread(sizes, state)
@@ -121,7 +123,8 @@ class NumpyEngine:
             qdd[first:end], lam[first:end] = self.solve_many(*of_part)
 
         share_out(many.count, threads, lambda: part)
-        return tuple(block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
+        accelerations, multipliers = (block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
+        return accelerations if out is None else into(out, accelerations), multipliers
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
         """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem."""
@@ -129,6 +132,10 @@ class NumpyEngine:
             return differentiate_motion(self.evaluate_many, self._sizes, by, *map(np.asarray, state))
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate, self.layout) from None
+
+    def at_one_state(self, name: str, otherwise: Call, scale: Scale | None = None) -> Call:
+        """`otherwise`: there is no faster way."""
+        return otherwise
 
     def _is_formed(self, function: str) -> bool:
         return function in BY_COLUMNS and function not in self._functions

@@ -8,6 +8,9 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.tape_model import load_tape
 
+# Two vectors of states.
+_CROWD = 16
+
 
 class TapeEngine(CEngine):
     """As CEngine. Nothing is compiled."""
@@ -20,3 +23,8 @@ class TapeEngine(CEngine):
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
         return tape(self._program, parts=(part,) if part in PARTS else ())
+
+    @property
+    def _crowd(self) -> int:
+        """Functions of several states are on every tape."""
+        return _CROWD

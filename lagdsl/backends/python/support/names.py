@@ -8,13 +8,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+_FLOAT = np.dtype(np.float64)
 _SUBSCRIPTS = re.compile(r"\[([^\[\]]*)\]")
 
 
 def real_numbers(name: str, value: ArrayLike) -> Floats:
     """An array of floats. Raises ValueError for what is none, complex numbers included: NumPy would drop the imaginary
     parts."""
+    if value.__class__ is np.ndarray and value.dtype is _FLOAT:
+        return value
     try:
+        if value is None:
+            raise TypeError("there is nothing")
         given = np.asarray(value)
         if np.iscomplexobj(given):
             raise TypeError("these are complex")
