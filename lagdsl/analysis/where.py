@@ -9,6 +9,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from lagdsl.analysis.bode import bode_at
+from lagdsl.analysis.control.frequency_response import FrequencyResponse
 from lagdsl.analysis.held import report_held
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
@@ -49,6 +51,20 @@ def linearize(system: System, where: Where, sink: Sink) -> Linearization:
     """Raises CompilationFailed; warnings go to `sink`."""
     _report_assumed(system, where, sink)
     return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
+
+
+def bode(
+    system: System,
+    where: Where,
+    sink: Sink,
+    *,
+    channel: tuple[str | None, str | None] = (None, None),
+    omega: Floats | None = None,
+) -> FrequencyResponse:
+    """From one input to one output or state, at angular frequencies `omega` [rad/s], else at those that show poles,
+    zeros and crossings. Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink)
+    return _found(sink, lambda own: bode_at(system, point(system, where, own), channel, omega, own))
 
 
 def modes(system: System, where: Where, sink: Sink) -> Modes:

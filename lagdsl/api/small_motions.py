@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import Given, entries
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from lagdsl.analysis.trim import Equilibrium
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
+    from lagdsl.api.frequency_response import FrequencyResponse
     from lagdsl.api.modes import Modes
 
 
@@ -67,6 +69,35 @@ class SmallMotions(Shown):
 
         where = replace(self._where(t, q, qd, z, u, p), trim=trim)
         return modes_of(self._system, where, Sink() if sink is None else sink, self._source)
+
+    def bode(
+        self,
+        source: str | None = None,
+        target: str | None = None,
+        *,
+        frequencies: ArrayLike | None = None,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        trim: bool = False,
+        sink: Sink | None = None,
+    ) -> FrequencyResponse:
+        """The response of the output or state `target` to sinusoids in the input `source`, which may be left out where
+        there is one: `.frequencies .response .magnitude .phase .transfer .margins .plot()`.
+
+        `frequencies` are in Hz; left out, they show all poles, zeros and crossings. The point is as for `modes`.
+        Warnings go to `sink`. Raises UnknownName and CompilationFailed.
+        """
+        from lagdsl.analysis.where import bode
+        from lagdsl.api.frequency_response import FrequencyResponse
+
+        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        omega = None if frequencies is None else 2.0 * np.pi * np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
+        told = Sink() if sink is None else sink
+        return FrequencyResponse.of(bode(self._system, where, told, channel=(source, target), omega=omega))
 
     def vary(
         self,

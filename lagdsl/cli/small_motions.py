@@ -56,8 +56,17 @@ class Options:
 
 
 def takes_state(command: Command) -> Command:
-    """Add FILE and the options that choose a state and the form of the result; the command gets them as `options`."""
+    """Add FILE and the options that choose a state and, with `--to`, the form of the result; the command gets them as
+    `options`."""
+    return takes_state_and_form("--to")(command)
 
+
+def takes_state_and_form(option: str) -> Callable[[Command], Command]:
+    """The same where `--to` means something else."""
+    return lambda command: _with_options(command, option)
+
+
+def _with_options(command: Command, form: str) -> Command:
     @wraps(command)
     def called(**given: Any) -> None:
         shared = {name: given.pop(name) for name in Options.__dataclass_fields__}
@@ -83,7 +92,7 @@ def takes_state(command: Command) -> Command:
         ),
         takes_engine,
         click.option(
-            "--to",
+            form,
             "form",
             type=Forms(["text", "json", "csv"], {".txt": "text"}),
             help="Form of the result on standard output; default: text.",

@@ -45,4 +45,9 @@ ROWS: dict[str, Row] = {
         "turns at this point",
         "choose a state on the side that you mean: start values that differ by 1e-9 of their size are enough",
     ),
+    "E0861": error(
+        "name the {what} of the transfer function: the model has {count}",
+        None,
+        "there are {known}",
+    ),
 }
