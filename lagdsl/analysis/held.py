@@ -14,7 +14,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 
 _MOST_TOLD = 4
-_SAMPLED = "the sampled loop is open here, its entries are zero; write the continuous law in its place to see it closed"
+_SAMPLED = "the sampled loop is open here, its entries are zero; `--every` with the period of its clock closes it"
 _SAMPLED_KINDS = ("variable", "condition", "relation")
 _OTHER = "entries of what acts through them are zero; start the model in the mode that you mean"
 

@@ -14,6 +14,8 @@ from lagdsl.analysis.held import sampled
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.sampled.modes import loop_modes
+from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.steady import Steadiness, imbalance, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
@@ -31,7 +33,8 @@ class Modes:
     SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state,
     generalized ones for the zeros.
     `dropped` counts zeros that were left out, one for each integrable row of velocity level. `held` are signals of
-    sampled controllers: the modes are those of the plant with these signals held, and decide nothing about the loop.
+    sampled controllers: the modes are those of the plant with these signals held. `loop` has the multipliers of the
+    loop that they close, which decide.
     """
 
     model: str
@@ -45,6 +48,7 @@ class Modes:
     dropped: int
     integrable: tuple[str, ...]
     held: tuple[str, ...] = ()
+    loop: SampledModes | None = None
 
     @property
     def frequencies(self) -> Floats:
@@ -71,7 +75,7 @@ class Modes:
 
     @property
     def stability(self) -> str:
-        """One sentence about the linearized motion."""
+        """One sentence about the linearized motion, of a sampled loop about the loop."""
         return statement(self)
 
 
@@ -86,7 +90,11 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     if at is None:
         return None
     found = steadiness(system, plain)
-    if found.kind == "neither":
+    signals = sampled(system)
+    loop = loop_modes(system, point, sink) if signals else None
+    if signals and loop is None:
+        return None
+    if found.kind == "neither" and loop is None:
         sink.report("W0854", None, reason=imbalance(found))
     turned = at if found.turning is None else found.turning.relative(at)
     values, vectors = eigen(turned.a)
@@ -102,7 +110,8 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         steadiness=found,
         dropped=len(plain.value) - len(at.value),
         integrable=tuple(layout.constraints[row].name for row in integrable),
-        held=sampled(system),
+        held=signals,
+        loop=loop,
     )
 
 
@@ -140,6 +149,8 @@ def held_text(names: Sequence[str]) -> str:
 
 def statement(modes: Modes) -> str:
     """Lyapunov's theorem on the first approximation, in plain words."""
+    if modes.loop is not None:
+        return modes.loop.stability
     values = modes.eigenvalues
     system = modes.steadiness.kind
     zeros = int(np.count_nonzero(values == 0.0))

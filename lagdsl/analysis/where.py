@@ -9,14 +9,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from lagdsl.analysis.bode import bode_at
+from lagdsl.analysis.bode import bode_at, sampled_bode
 from lagdsl.analysis.control.frequency_response import FrequencyResponse
-from lagdsl.analysis.held import report_held
+from lagdsl.analysis.held import report_held, sampled
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
 from lagdsl.analysis.linearize import Named, holonomic_rows
 from lagdsl.analysis.modes import Modes, modes_at
 from lagdsl.analysis.point import Point, System, point_of
+from lagdsl.analysis.sampled.modes import trimmed
+from lagdsl.analysis.sampled_linearization import sampled_linearization
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import Sink, failed
@@ -47,10 +49,18 @@ class Where:
     steady: bool = False
 
 
-def linearize(system: System, where: Where, sink: Sink) -> Linearization:
-    """Raises CompilationFailed; warnings go to `sink`."""
-    _report_assumed(system, where, sink)
-    return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
+def linearize(system: System, where: Where, sink: Sink, *, every: float | None = None) -> Linearization:
+    """With `every` [s] the sampled system, of a model with clocks the sampled loop. Raises CompilationFailed; warnings
+    go to `sink`."""
+    _report_assumed(system, where, sink, holds=every is None)
+    if every is None:
+        return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
+    return _found(sink, lambda own: _sampled(system, where, every, own))
+
+
+def _sampled(system: System, where: Where, every: float, sink: Sink) -> Linearization | None:
+    at = loop_point(system, where, sink)
+    return None if at is None else sampled_linearization(system, at, every, sink)
 
 
 def bode(
@@ -60,17 +70,30 @@ def bode(
     *,
     channel: tuple[str | None, str | None] = (None, None),
     omega: Floats | None = None,
+    every: float | None = None,
 ) -> FrequencyResponse:
     """From one input to one output or state, at angular frequencies `omega` [rad/s], else at those that show poles,
-    zeros and crossings. Raises CompilationFailed; warnings go to `sink`."""
-    _report_assumed(system, where, sink)
-    return _found(sink, lambda own: bode_at(system, point(system, where, own), channel, omega, own))
+    zeros and crossings; with `every` [s] of the sampled system. Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink, holds=every is None)
+
+    def search(own: Sink) -> FrequencyResponse | None:
+        if every is None:
+            return bode_at(system, point(system, where, own), channel, omega, own)
+        linear = _sampled(system, where, every, own)
+        return None if linear is None else sampled_bode(linear, channel, omega)
+
+    return _found(sink, search)
 
 
 def modes(system: System, where: Where, sink: Sink) -> Modes:
     """Raises CompilationFailed; warnings go to `sink`."""
-    _report_assumed(system, where, sink)
-    return _found(sink, lambda own: modes_at(system, point(system, where, own), own))
+    _report_assumed(system, where, sink, holds=not sampled(system))
+
+    def search(own: Sink) -> Modes | None:
+        at = loop_point(system, where, own)
+        return None if at is None else modes_at(system, at, own)
+
+    return _found(sink, search)
 
 
 def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
@@ -104,6 +127,14 @@ def point(system: System, where: Where, sink: Sink) -> Point:
     return _state(system, where, where.start, sink)
 
 
+def loop_point(system: System, where: Where, sink: Sink) -> Point | None:
+    """As `point`; with `trim` the fixed point of the loop, where clocks close one and the unknowns are not chosen."""
+    if not where.trim or where.free or where.hold or not sampled(system):
+        return point(system, where, sink)
+    guess = _state(system, replace(where, trim=False), where.start, sink)
+    return trimmed(system, guess, sink)
+
+
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:
     start = dict(where.start)
     free, hold = (tuple(own_name(system.flat, name) for name in names) for names in (where.free, where.hold))
@@ -124,10 +155,11 @@ def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink 
     return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, begins=begins, sink=sink)
 
 
-def _report_assumed(system: System, where: Where, sink: Sink) -> None:
-    """N0875 for inputs that are taken as zero, N0876 for discrete variables, which are held."""
+def _report_assumed(system: System, where: Where, sink: Sink, *, holds: bool = True) -> None:
+    """N0875 for inputs that are taken as zero; N0876 for discrete variables, where these are held."""
     report_missing(system.flat, [*where.inputs, *where.free], sink)
-    report_held(system.flat, sink)
+    if holds:
+        report_held(system.flat, sink)
 
 
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:

@@ -51,12 +51,13 @@ def met(
     sharp: bool = True,
     located: bool = True,
 ) -> FlatExpression:
-    """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
-    slope is continuous. Not `located`: steps do not end there."""
+    """The same expression, remembered as one with a corner where the motion or an input can meet it, or at an event the
+    variables of a clause. Not `sharp`: its slope is continuous. Not `located`: steps do not end there."""
+    at_event = ctx.current.mode is Mode.EVENT
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
-    if moving and ctx.current.mode is not Mode.EVENT:
+    if moving or (at_event and latest(*values) in (Variability.DISCRETE, Variability.CONTINUOUS)):
         spans = (node.span, *scope.spans)
-        located = located and not ctx.current.quiet
+        located = located and not ctx.current.quiet and not at_event
         ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp, located))
     return expression
 

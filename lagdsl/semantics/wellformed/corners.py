@@ -16,7 +16,8 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
-from lagdsl.flat.events import Corner, Relation
+from lagdsl.flat.event_flow import parts
+from lagdsl.flat.events import Assign, Corner, Relation, Reset, SampledCorner
 from lagdsl.flat.quantity import Spans
 from lagdsl.flat.reached import reached, switch
 from lagdsl.flat.traversal import operands
@@ -38,8 +39,37 @@ def with_corners(corners: Sequence[Met], flat: fm.FlatModel) -> fm.FlatModel:
     located = [each for each in corners if each.located and id(each.expression) in found]
     known = {id(each) for each in located}
     others = [each for each in corners if id(each.expression) in seen and id(each) not in known]
-    events = replace(flat.events, corners=tuple(map(_corner, located)), others=tuple(map(_corner, others)))
+    events = replace(
+        flat.events,
+        corners=tuple(map(_corner, located)),
+        others=tuple(map(_corner, others)),
+        sampled=_sampled(corners, flat),
+    )
     return replace(flat, events=events)
+
+
+def _sampled(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[SampledCorner, ...]:
+    """Those that clauses evaluate, with the variables and states that each of them reaches."""
+    met = {id(each.expression): each for each in corners}
+    found: dict[int, list[str]] = {}
+    for when in flat.events.whens:
+        for branch in when.branches:
+            for action in branch.actions:
+                if isinstance(action, Assign | Reset):
+                    name = action.variable if isinstance(action, Assign) else action.name
+                    for each in reached(flat, parts(action)):
+                        if id(each) in met:
+                            found.setdefault(id(each), []).append(name)
+    told = [
+        SampledCorner(
+            spans=each.spans,
+            name=" ".join(each.spans[0].text.split()),
+            variables=tuple(dict.fromkeys(found[id(each.expression)])),
+        )
+        for each in corners
+        if id(each.expression) in found
+    ]
+    return tuple({each.spans: each for each in told}.values())
 
 
 def _corner(met: Met) -> Corner:

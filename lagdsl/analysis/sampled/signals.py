@@ -1,0 +1,78 @@
+"""Entries of w that a sampled loop goes through: which of them act, and which of those can move by small amounts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from lagdsl.analysis.linearize import Named
+from lagdsl.analysis.point import System
+from lagdsl.analysis.sparsity.accelerations import bits_of
+from lagdsl.analysis.sparsity.influence import Influences
+from lagdsl.flat.events import Discrete, Entry, Memory, entries
+from lagdsl.graph.operation import Group
+
+_KEPT = ("variable", "condition")
+
+
+@dataclass(frozen=True, slots=True)
+class Signals:
+    """`places` in w of numbers that move by small amounts, with their names; `modes` are places of what acts, too, and
+    changes by jumps only: truths, counters."""
+
+    places: tuple[int, ...]
+    names: tuple[Named, ...]
+    modes: tuple[int, ...]
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+
+def signals_of(system: System, moving: Iterable[int], *, with_outputs: bool) -> Signals:
+    """`moving` are places of Integers that follow numbers by quantizers; without them Integers are modes."""
+    layout = system.program.layout
+    every = entries(system.flat.events)
+    acting = _acting(system, with_outputs=with_outputs)
+    moves = {place for place in acting if _is_number(every[place])} | (set(moving) & acting)
+    places = tuple(sorted(moves))
+    names = tuple(Named(layout.discretes[place].name, layout.discretes[place].unit) for place in places)
+    return Signals(places, names, tuple(sorted(p for p in acting - moves if every[p].kind in _KEPT)))
+
+
+def integers(system: System) -> list[int]:
+    """Places of Integers."""
+    every = entries(system.flat.events)
+    return [k for k, entry in enumerate(every) if isinstance(entry.item, Discrete) and entry.item.kind == "Integer"]
+
+
+def _is_number(entry: Entry) -> bool:
+    match entry.item:
+        case Discrete(kind="Real"):
+            return True
+        case Memory(truth=False):
+            return True
+        case _:
+            return False
+
+
+def _acting(system: System, *, with_outputs: bool) -> set[int]:
+    """Places in w that the motion depends on, or what ticks set of it, or the outputs; directly or through others."""
+    program, layout = system.program, system.program.layout
+    graph = program.graph
+    symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
+    after, acts, values = (block.elements for block in program.function("event").results[:3])
+    indicators = program.function("indicator").results[0].elements
+    names = ["residual", "velocity_constraint", "momenta", "state_derivative", *(["output"] if with_outputs else [])]
+    motion = [node for name in names for block in program.function(name).results for node in block.elements]
+    roots = [*after, *acts, *values, *indicators, *motion]
+    found = Influences(graph, roots, {node: 1 << k for k, node in enumerate(symbols)})
+    relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
+    read = {place: found[node][0] for place, node in enumerate(after) if layout.kinds[place] in _KEPT}
+    read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
+    reached = found.of_all([*motion, *acts, *values])[0]
+    before = 0
+    while reached != before:
+        before = reached
+        for place in bits_of(before):
+            reached |= read.get(place, 0)
+    return set(bits_of(reached))
