@@ -15,7 +15,7 @@ from lagdsl.graph.operation import Group
 
 _MOST_TOLD = 4
 _SAMPLED = "the sampled loop is open here, its entries are zero; `--every` with the period of its clock closes it"
-_SAMPLED_KINDS = ("variable", "condition", "relation")
+SAMPLED_KINDS = ("variable", "condition", "relation")
 _OTHER = "entries of what acts through them are zero; start the model in the mode that you mean"
 
 
@@ -53,20 +53,20 @@ def sampled(system: System) -> tuple[str, ...]:
     relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
     read = {place: found[node][0] for place, node in enumerate(after)}
     read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
-    ticking = _reached(layout.kinds, read)
+    ticking = reached_by_ticks(layout.kinds, read)
     acting = bits_of(found.of_all(motion)[0] & ticking)
     resets = [action.name for branch in branches(system.flat) for action in branch.actions if isinstance(action, Reset)]
     reset = [name for name, node in zip(resets, acts, strict=True) if found[node][0] & ticking]
     return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *reset]))
 
 
-def _reached(kinds: Sequence[str], read: dict[int, int]) -> int:
+def reached_by_ticks(kinds: Sequence[str], read: dict[int, int]) -> int:
     """Bits of the entries that change at ticks, from the bits that each `read`s."""
     clocks = sum(1 << place for place, kind in enumerate(kinds) if kind == "clock")
     reached, before = clocks, 0
     while reached != before:
         before = reached
         for place, bits in read.items():
-            if kinds[place] in _SAMPLED_KINDS and bits & reached:
+            if kinds[place] in SAMPLED_KINDS and bits & reached:
                 reached |= 1 << place
     return reached & ~clocks

@@ -36,7 +36,8 @@ class Linearization:
     output and no relation depends on: the circuit depends on their rates alone.
 
     With `every` [s] the system is sampled: dx[k+1] = A dx[k] + B du[k], dy[k] = C dx[k] + D du[k], at instants that far
-    from each other; `rate` is the change of x in that time.
+    from each other; `rate` is the change of x in that time, `left_out` are also discrete variables that the ticks set
+    anew, and `without` names limits and quantizers of clauses, which small motions do not see.
     """
 
     model: str
@@ -52,6 +53,7 @@ class Linearization:
     rate: Floats
     steadiness: Steadiness
     every: float | None = None
+    without: tuple[str, ...] = ()
 
     @property
     def poles(self) -> Complexes:

@@ -17,7 +17,7 @@ from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.sampled.modes import loop_modes
 from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.steady import Steadiness, imbalance, steadiness
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Severity, Sink
 from lagdsl.numerics.rank import Floats
 
 # Real parts below this part of the eigenvalue's magnitude count as zero: twice the digits of a double eigenvalue.
@@ -34,7 +34,7 @@ class Modes:
     generalized ones for the zeros.
     `dropped` counts zeros that were left out, one for each integrable row of velocity level. `held` are signals of
     sampled controllers: the modes are those of the plant with these signals held. `loop` has the multipliers of the
-    loop that they close, which decide.
+    loop that they close, which decide; where there is none, `unjudged` tells why.
     """
 
     model: str
@@ -49,6 +49,7 @@ class Modes:
     integrable: tuple[str, ...]
     held: tuple[str, ...] = ()
     loop: SampledModes | None = None
+    unjudged: str = ""
 
     @property
     def frequencies(self) -> Floats:
@@ -91,9 +92,8 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         return None
     found = steadiness(system, plain)
     signals = sampled(system)
-    loop = loop_modes(system, point, sink) if signals else None
-    if signals and loop is None:
-        return None
+    own = Sink()
+    loop = loop_modes(system, point, own) if signals else None
     if found.kind == "neither" and loop is None:
         sink.report("W0854", None, reason=imbalance(found))
     turned = at if found.turning is None else found.turning.relative(at)
@@ -112,6 +112,7 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         integrable=tuple(layout.constraints[row].name for row in integrable),
         held=signals,
         loop=loop,
+        unjudged="; ".join(each.message for each in own.diagnostics if each.severity is Severity.ERROR),
     )
 
 
@@ -160,7 +161,8 @@ def statement(modes: Modes) -> str:
     if system == "no freedom":
         return "no statement: nothing is free to move, so that there is no mode"
     if modes.held:
-        return f"no statement on stability: {held_text(modes.held)}"
+        why = f" ({modes.unjudged})" if modes.unjudged else ""
+        return f"no statement on stability: {held_text(modes.held)}{why}"
     if modes.unstable:
         growing = values[values.real > AXIS * np.abs(values)]
         oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))

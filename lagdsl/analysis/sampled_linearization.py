@@ -8,7 +8,7 @@ from lagdsl.analysis.linearization import Linearization, linear_of
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.sampled.loop import Loop, loop_at
 from lagdsl.analysis.sampled.schedule import no_clocks, schedule_of
-from lagdsl.analysis.sampled.verdict import lasting
+from lagdsl.analysis.sampled.verdict import ignored, lasting
 from lagdsl.diagnostics import Sink
 
 
@@ -46,4 +46,5 @@ def _linearization(system: System, loop: Loop, every: float) -> Linearization:
         rate=loop.matrix[kept, -1],
         steadiness=plain.steadiness,
         every=every,
+        without=tuple(each.name for each in ignored(system, loop)),
     )

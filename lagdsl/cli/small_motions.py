@@ -25,6 +25,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import findings
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.settings.failure import SettingError
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.signals.inputs import Signal, given_inputs, signals
@@ -99,6 +100,24 @@ def _with_options(command: Command, form: str) -> Command:
         ),
         click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
     )(called)
+
+
+def takes_every(command: Command) -> Command:
+    """Add `--every`, a period as a text."""
+    option = click.option(
+        "--every",
+        metavar="T",
+        help="Sample with this period, '2 ms': a model with clocks as the loop, over a multiple of their period.",
+    )
+    return option(command)
+
+
+def period_or_leave(text: str | None) -> float | None:
+    """The period of `--every` [s]. Raises SettingError."""
+    period = seconds("--every", text)
+    if period is not None and not period > 0.0:
+        raise SettingError(f"--every={text}: a period is longer than zero")
+    return period
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -31,8 +31,8 @@ _MOST_PERIODS = 64
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loop:
     """xi' = `matrix` (xi, u, 1), y = `outputs` (xi, u, 1) over `period` [s], of the deviations xi = (x, w) of minimal
-    state and signals from `point`: the last column is what the loop does there by itself. `still` are the rates of x there,
-    `w` the discretes at the end of the period; `switching` are names of what acts and does not return."""
+    state and signals from `point`: the last column is what the loop does there by itself. `still` are the rates of x
+    there, `w` the discretes at the end of the period; `switching` are names of what acts and does not return."""
 
     point: Point
     at: Reduced

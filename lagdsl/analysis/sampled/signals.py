@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from lagdsl.analysis.held import SAMPLED_KINDS, reached_by_ticks
 from lagdsl.analysis.linearize import Named
 from lagdsl.analysis.point import System
 from lagdsl.analysis.sparsity.accelerations import bits_of
@@ -31,6 +32,8 @@ class Signals:
 def signals_of(system: System, moving: Iterable[int], *, with_outputs: bool) -> Signals:
     """`moving` are places of Integers that follow numbers by quantizers; without them Integers are modes."""
     layout = system.program.layout
+    if not system.flat.events.clocks:
+        return Signals((), (), ())
     every = entries(system.flat.events)
     acting = _acting(system, with_outputs=with_outputs)
     moves = {place for place in acting if _is_number(every[place])} | (set(moving) & acting)
@@ -56,7 +59,8 @@ def _is_number(entry: Entry) -> bool:
 
 
 def _acting(system: System, *, with_outputs: bool) -> set[int]:
-    """Places in w that the motion depends on, or what ticks set of it, or the outputs; directly or through others."""
+    """Places in w that ticks change, and that the motion depends on, or what clauses set of it, or the outputs; directly
+    or through others."""
     program, layout = system.program, system.program.layout
     graph = program.graph
     symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
@@ -67,7 +71,7 @@ def _acting(system: System, *, with_outputs: bool) -> set[int]:
     roots = [*after, *acts, *values, *indicators, *motion]
     found = Influences(graph, roots, {node: 1 << k for k, node in enumerate(symbols)})
     relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
-    read = {place: found[node][0] for place, node in enumerate(after) if layout.kinds[place] in _KEPT}
+    read = {place: found[node][0] for place, node in enumerate(after) if layout.kinds[place] in SAMPLED_KINDS}
     read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
     reached = found.of_all([*motion, *acts, *values])[0]
     before = 0
@@ -75,4 +79,4 @@ def _acting(system: System, *, with_outputs: bool) -> set[int]:
         before = reached
         for place in bits_of(before):
             reached |= read.get(place, 0)
-    return set(bits_of(reached))
+    return set(bits_of(reached & reached_by_ticks(layout.kinds, read)))

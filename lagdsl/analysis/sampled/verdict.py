@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,6 +46,20 @@ class SampledModes:
             return np.asarray(np.log(self.multipliers) / self.period)
 
     @property
+    def frequencies(self) -> Floats:
+        """[Hz] (n,), below half the rate of the periods; 0 for modes that do not oscillate."""
+        found = np.abs(np.angle(self.multipliers)) / (2.0 * np.pi * self.period)
+        return np.where(self.multipliers != 0.0, found, 0.0)
+
+    @property
+    def time_constants(self) -> Floats:
+        """-period/log(abs(multiplier)) [s] (n,), negative where a mode grows; inf on the unit circle."""
+        size = np.abs(self.multipliers)
+        with np.errstate(divide="ignore"):
+            decay = np.where(np.abs(size - 1.0) > _CIRCLE, np.log(size), 0.0)
+            return np.asarray(np.where(decay != 0.0, -self.period / np.where(decay != 0.0, decay, 1.0), np.inf))
+
+    @property
     def largest(self) -> float:
         """The largest magnitude of a multiplier that is not one by structure; 0 without any."""
         return float(np.max(np.abs(self.multipliers[self.multipliers != 1.0]), initial=0.0))
@@ -84,7 +99,7 @@ def sampled_modes(system: System, loop: Loop) -> SampledModes:
         vectors=vectors,
         running=tuple(names[k].name for k in sorted(idle) if moves[k]),
         unbalanced=(*(names[k].name for k in sorted(acting) if moves[k]), *loop.switching),
-        ignored=_ignored(system, loop),
+        ignored=ignored(system, loop),
     )
 
 
@@ -120,7 +135,7 @@ def deviation_sizes(system: System, loop: Loop) -> Floats:
     )
 
 
-def _ignored(system: System, loop: Loop) -> tuple[SampledCorner, ...]:
+def ignored(system: System, loop: Loop) -> tuple[SampledCorner, ...]:
     """Functions with corners in what acts."""
     acting = {slot.name for place, slot in enumerate(system.program.layout.discretes)
               if place in (*loop.signals.places, *loop.signals.modes)}  # fmt: skip
@@ -128,11 +143,10 @@ def _ignored(system: System, loop: Loop) -> tuple[SampledCorner, ...]:
     return tuple(each for each in system.flat.events.sampled if acting & set(each.variables))
 
 
-def ignored_text(found: SampledModes) -> str:
+def names_text(names: Sequence[str]) -> str:
     """`limit(...)`, `floor(x/q)` and 2 more."""
-    names = [f"`{each.name}`" for each in found.ignored]
     more = f" and {len(names) - _MOST_TOLD} more" if len(names) > _MOST_TOLD else ""
-    return ", ".join(names[:_MOST_TOLD]) + more
+    return ", ".join(f"`{name}`" for name in names[:_MOST_TOLD]) + more
 
 
 def _statement(found: SampledModes) -> str:
@@ -144,7 +158,7 @@ def _statement(found: SampledModes) -> str:
         return (
             f"no statement on the sampled loop: {names} changes in a period at this point; `--trim` takes a fixed point"
         )
-    at += f", without {ignored_text(found)}" if found.ignored else ""
+    at += f", without {names_text([each.name for each in found.ignored])}" if found.ignored else ""
     drifting = int(np.count_nonzero(found.multipliers == 1.0))
     size = f"{found.largest:.6g}"
     if found.unstable:

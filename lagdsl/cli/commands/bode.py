@@ -14,7 +14,7 @@ from lagdsl.cli.bode_text import bode_text
 from lagdsl.cli.command import Command
 from lagdsl.cli.options import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
-from lagdsl.cli.small_motions import Options, finish, request, takes_state_and_form
+from lagdsl.cli.small_motions import Options, finish, period_or_leave, request, takes_every, takes_state_and_form
 from lagdsl.numerics.rank import Floats
 from lagdsl.settings.failure import SettingError
 from lagdsl.settings.literal import literal
@@ -27,17 +27,26 @@ _FACTORS = {"Hz": 2.0 * np.pi, "kHz": 2e3 * np.pi, "MHz": 2e6 * np.pi, "rad/s": 
 @takes_state_and_form("--form")
 @click.option("--from", "source", metavar="INPUT", help="The input; default: the only one.")
 @click.option("--to", "target", metavar="NAME", help="An output, or a state as `lag linearize` names it.")
+@takes_every
 @click.option("--band", metavar="F:F", help="Frequencies: '0.1:100 Hz' or '1:500 rad/s'; default: all that happens.")
 @click.option("--plot", "picture", type=PATH, help="Write a Bode plot: .png, .svg, .pdf.")
-def command(options: Options, source: str | None, target: str | None, band: str | None, picture: Path | None) -> None:
+def command(
+    options: Options,
+    source: str | None,
+    target: str | None,
+    every: str | None,
+    band: str | None,
+    picture: Path | None,
+) -> None:
     """Show how an output of FILE follows sinusoids in an input, about its initial state: gain, zeros, poles, magnitude,
     phase, and the margins of the loop u = -y."""
     require_writable(picture)
     if picture is not None:
         require_figure(picture)
-    omega = None if band is None else _band(band)
+    omega, period = None if band is None else _band(band), period_or_leave(every)
     asked = request(options, trim=options.trim)
-    found = asked.ask(lambda system, at, sink: bode(system, at, sink, channel=(source, target), omega=omega))
+    channel = (source, target)
+    found = asked.ask(lambda system, at, sink: bode(system, at, sink, channel=channel, omega=omega, every=period))
     finish(asked, bode_text(asked.system, found), _data(found), _table(found))
     if picture is not None:
         from lagdsl.plot.bode import plot_bode
