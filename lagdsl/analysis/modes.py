@@ -156,12 +156,12 @@ def statement(modes: Modes) -> str:
     system = modes.steadiness.kind
     zeros = int(np.count_nonzero(values == 0.0))
     marginal = int(np.count_nonzero(np.abs(values.real) <= AXIS * np.abs(values))) - zeros
-    if system == "neither":
+    why = f" ({modes.unjudged})" if modes.unjudged else ""
+    if system == "neither" and not why:
         return "no statement: the point is neither an equilibrium nor part of a steady motion"
     if system == "no freedom":
         return "no statement: nothing is free to move, so that there is no mode"
     if modes.held:
-        why = f" ({modes.unjudged})" if modes.unjudged else ""
         return f"no statement on stability: {held_text(modes.held)}{why}"
     if modes.unstable:
         growing = values[values.real > AXIS * np.abs(values)]

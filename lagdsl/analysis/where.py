@@ -105,12 +105,15 @@ def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
 def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
     """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
     varied = _varied(system, name, sink)
-    _report_assumed(system, replace(where, inputs={**where.inputs, varied.name: 0.0}), sink)
+    given = replace(where, inputs={**where.inputs, varied.name: 0.0})
+    _report_assumed(system, given, sink, holds=not sampled(system))
     held = [*holonomic_rows(system), *integrable_rows(system, point(system, replace(where, trim=False), Sink()))]
 
     def place(value: float) -> Point:
         own = Sink()
-        found = point(system, _with(system, where, varied.name, value), own)
+        found = loop_point(system, _with(system, where, varied.name, value), own)
+        if found is None:
+            raise failed(own.diagnostics)
         own.raise_if_errors()
         return found
 

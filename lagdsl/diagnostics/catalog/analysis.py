@@ -51,7 +51,7 @@ ROWS: dict[str, Row] = {
         "there are {known}",
     ),
     "E0862": error(
-        "the clocks {named} have no common period of at most {most} ticks",
+        "the clocks {names} have no common period of at most {most} ticks",
         "one of them",
         "use periods of which one is a short multiple of another",
     ),
