@@ -10,6 +10,7 @@ from lagdsl.analysis.control.frequency_response import FrequencyResponse
 from lagdsl.analysis.control.margins import Margins, lag
 from lagdsl.analysis.eigen import Complexes
 from lagdsl.analysis.point import System
+from lagdsl.analysis.sampled.schedule import time_text
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
 
@@ -21,7 +22,7 @@ def bode_text(system: System, found: FrequencyResponse) -> str:
     """State, poles and zeros, rows of the response, margins."""
     transfer = found.transfer
     units = f"[{found.output.unit or '1'} per {found.input.unit or '1'}]"
-    every = "" if transfer.every is None else f", sampled every {transfer.every:g} s"
+    every = "" if transfer.every is None else f", sampled every {time_text(transfer.every)}"
     letter, unit = ("s", " [1/s]") if transfer.every is None else ("z", "")
     head = f"{found.model}: from {found.input.name} to {found.output.name} {units}{every}, about"
     parts = [

@@ -78,9 +78,10 @@ class TransferFunction:
         return self(complex(at)).real
 
     def __call__(self, at: complex) -> complex:
-        """G at one s or z."""
+        """G at one s or z; infinite or nan at a pole."""
         a, b, c, d = self.matrices
-        return complex((d + c @ np.linalg.solve(at * np.eye(len(a)) - a, b))[0, 0])
+        with np.errstate(all="ignore"):  # products of small matrices of both kinds raise flags without a reason
+            return complex((d + c @ _solved(at * np.eye(len(a)) - a, b))[0, 0])
 
     def response(self, omega: ArrayLike) -> Complexes:
         """G at the angular frequencies `omega` [rad/s]; infinite or nan at a pole."""

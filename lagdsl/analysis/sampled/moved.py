@@ -18,12 +18,13 @@ import numpy as np
 from lagdsl.graph.arithmetic import NUMPY, Table
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group, Op
+from lagdsl.graph.operation import STEPS, Group, Op
 from lagdsl.numerics.rank import Floats
 
 _STEP = 1e-100
 # Two sides meet where they differ by less than this part of their terms: a fixed point is known to 1e-12.
 _MEETS = 1e-10
+_SAME = 1e-12
 _TIED = (Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.MIN, Op.MAX, Op.ABS, Op.SIGN)
 
 _TABLE: Table = {
@@ -46,7 +47,8 @@ def _leaking(op: Op) -> Any:
 
 _LEAKING: Table = {**_TABLE, Op.MIN: _leaking(Op.MIN), Op.MAX: _leaking(Op.MAX)}
 
-Borders = frozenset[int]
+# Nodes whose sides meet, and if their values jump there: else they have a corner.
+Borders = frozenset[tuple[int, bool]]
 _NONE: Borders = frozenset()
 
 
@@ -120,13 +122,18 @@ def _sizes(graph: Graph, live: Sequence[int], place: Place) -> dict[int, float]:
 def _borders(
     graph: Graph, node: int, found: Mapping[int, Any], borders: Mapping[int, Borders], sizes: Mapping[int, float]
 ) -> Borders:
-    """Borders on which the node depends: those of its arguments, and its own where its sides meet."""
+    """Borders on which the node depends: those of its arguments, and its own where its sides meet. A step does not
+    see a corner beside it, only a jump."""
     op, arguments = graph.op[node], graph.arguments(node)
     if op is Op.SELECT and arguments[0] in borders:
         one, other = found[arguments[1]], found[arguments[2]]
-        if np.all(np.abs(one - other) <= 1e-12 * np.abs(one)) and np.all(_close(np.imag(one), np.imag(other))):
-            return borders.get(arguments[1], _NONE) | borders.get(arguments[2], _NONE)
+        if np.all(np.abs(np.real(one) - np.real(other)) <= _SAME * np.abs(np.real(one))):
+            rest = borders.get(arguments[1], _NONE) | borders.get(arguments[2], _NONE)
+            same = np.all(_close(np.imag(one), np.imag(other)))
+            return rest if same else rest | {(each, False) for each, _ in borders[arguments[0]]}
     own = _NONE.union(*(borders.get(each, _NONE) for each in arguments))
+    if op in STEPS and op not in (Op.FLOOR, Op.CEIL):
+        own = frozenset(each for each in own if each[1])
     if op not in _TIED:
         return own
     left = found[arguments[0]]
@@ -134,7 +141,7 @@ def _borders(
     size = sum(sizes[each] for each in arguments)
     apart = np.max(np.abs(np.real(left) - np.real(right)))
     meets = apart <= _MEETS * size and not np.all(_close(np.imag(left), np.imag(right)))
-    return own | {node} if meets else own
+    return own | {(node, op in STEPS)} if meets else own
 
 
 def _close(one: Any, other: Any) -> Any:

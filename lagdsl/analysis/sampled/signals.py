@@ -59,8 +59,8 @@ def _is_number(entry: Entry) -> bool:
 
 
 def _acting(system: System, *, with_outputs: bool) -> set[int]:
-    """Places in w that ticks change, and on which the motion depends, what clauses set of it, or the outputs; directly or
-    through others."""
+    """Places in w that ticks change, and on which the motion depends, what clauses set of it, or the outputs; at
+    once or through others."""
     program, layout = system.program, system.program.layout
     graph = program.graph
     symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
