@@ -9,7 +9,7 @@ from lagdsl.analysis.sparsity.accelerations import bits_of
 from lagdsl.analysis.sparsity.influence import Influences
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Reset
+from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 
@@ -37,27 +37,32 @@ def report_held(flat: FlatModel, sink: Sink) -> None:
 
 def sampled(system: System) -> tuple[str, ...]:
     """Names of what ticks of clocks set and the motion depends on: the signals of sampled controllers. Discrete
-    variables, relations that read them, and states that are reset at ticks."""
+    variables, relations that read them, states that are reset at ticks, and impacts there."""
     program, layout = system.program, system.program.layout
     if not system.flat.events.clocks:
         return ()
     graph = program.graph
     symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
-    after, acts = (block.elements for block in program.function("event").results[:2])
+    after, acts, _, blows = (block.elements for block in program.function("event").results[:4])
     indicators = program.function("indicator").results[0].elements
     motion = [
         node for name in ("residual", "state_derivative") for block in program.function(name).results
         for node in block.elements
     ]  # fmt: skip
-    found = Influences(graph, [*after, *acts, *indicators, *motion], {node: 1 << k for k, node in enumerate(symbols)})
+    found = Influences(
+        graph, [*after, *acts, *blows, *indicators, *motion], {node: 1 << k for k, node in enumerate(symbols)}
+    )
     relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
     read = {place: found[node][0] for place, node in enumerate(after)}
     read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
     ticking = reached_by_ticks(layout.kinds, read)
     acting = bits_of(found.of_all(motion)[0] & ticking)
-    resets = [action.name for branch in branches(system.flat) for action in branch.actions if isinstance(action, Reset)]
-    reset = [name for name, node in zip(resets, acts, strict=True) if found[node][0] & ticking]
-    return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *reset]))
+    actions = [action for branch in branches(system.flat) for action in branch.actions]
+    resets = [action.name for action in actions if isinstance(action, Reset)]
+    impacts = [" ".join(action.spans[0].text.split()) for action in actions if isinstance(action, Impact)]
+    done = [*zip(resets, acts, strict=True), *zip(impacts, blows, strict=True)]
+    names = [name for name, node in done if found[node][0] & ticking]
+    return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *names]))
 
 
 def reached_by_ticks(kinds: Sequence[str], read: dict[int, int]) -> int:

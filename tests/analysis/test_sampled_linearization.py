@@ -271,6 +271,24 @@ def test_a_loop_that_cannot_rest() -> None:
         plant(TICK.format(h="h", law="i = pre(i) + 1 N; u = i;")).modes(trim=True)
 
 
+@pytest.mark.parametrize(
+    ("clauses", "more", "reason"),
+    [
+        ("when sample(0, h) then impact(x + 1 m, 0.5); end when;", "", "lets bodies collide"),
+        (
+            "when sample(0, h) then reinit(der(x), 0.5*der(x)); end when;",
+            "coordinate Length y; mass 1 kg at {y, 0}; constraint rod: x + y = 0;",
+            "constraints move rates",
+        ),
+    ],
+)
+def test_ticks_without_a_linearization(clauses: str, more: str, reason: str) -> None:
+    model = plant(clauses, more)
+    with pytest.raises(CompilationFailed, match=f"E0866.*{reason}"):
+        model.linearize(every=0.1)
+    assert reason in model.modes().stability
+
+
 def test_what_is_set_anew_is_no_state() -> None:
     model = plant(TICK.format(h="h", law=LAW))
     found = model.linearize(every=0.1)

@@ -49,6 +49,13 @@ def test_a_two_mass_drive() -> None:
     assert motor.static_gain == np.inf
 
 
+def test_a_double_integrator_has_a_gain() -> None:
+    """All poles are zero: nothing sets the size of s."""
+    found = lagdsl.compile("model M input Force f; coordinate Length x; mass 2 kg at {x, 0}; force f on x; end M;")
+    assert found.linearize().transfer_function("f", "x").gain == pytest.approx(0.5, rel=1e-14)
+    assert found.linearize(every=0.1).transfer_function("f", "x").gain == pytest.approx(0.1**2 / 4, rel=1e-12)
+
+
 def test_zeros_on_the_axis_stand_where_the_response_is_zero() -> None:
     found = arm().bode("u", "motor", frequencies=[np.sqrt(6000.0) / (2 * np.pi)])
     assert abs(found.response[0]) < 1e-12

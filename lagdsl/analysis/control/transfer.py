@@ -50,9 +50,7 @@ class TransferFunction:
     def gain(self) -> float:
         """k of G = k prod(s - zeros)/prod(s - poles); 0 where nothing is transmitted."""
         poles, zeros = self.poles, self.zeros
-        pace = (
-            max(float(np.max(np.abs(np.concatenate([poles, zeros])), initial=0.0)), 1e-300) if self.every is None else 1
-        )
+        pace = float(np.max(np.abs(np.concatenate([poles, zeros])), initial=0.0)) or 1.0
         found = []
         for part in _TEST_POINTS:  # beyond all of them: nothing cancels
             at = complex(0.0, (1.0 + part) * pace)
@@ -81,7 +79,8 @@ class TransferFunction:
         """G at one s or z; infinite or nan at a pole."""
         a, b, c, d = self.matrices
         with np.errstate(all="ignore"):  # products of small matrices of both kinds raise flags without a reason
-            return complex((d + c @ _solved(at * np.eye(len(a)) - a, b))[0, 0])
+            pencil = np.asarray(at * np.eye(len(a)) - a, dtype=np.complex128)
+            return complex((d + c @ _solved(pencil, b))[0, 0])
 
     def response(self, omega: ArrayLike) -> Complexes:
         """G at the angular frequencies `omega` [rad/s]; infinite or nan at a pole."""

@@ -49,13 +49,8 @@ def integers(system: System) -> list[int]:
 
 
 def _is_number(entry: Entry) -> bool:
-    match entry.item:
-        case Discrete(kind="Real"):
-            return True
-        case Memory(truth=False):
-            return True
-        case _:
-            return False
+    item = entry.item
+    return (isinstance(item, Discrete) and item.kind == "Real") or (isinstance(item, Memory) and not item.truth)
 
 
 def _acting(system: System, *, with_outputs: bool) -> set[int]:
