@@ -49,9 +49,8 @@ def sampled(system: System) -> tuple[str, ...]:
         node for name in ("residual", "state_derivative") for block in program.function(name).results
         for node in block.elements
     ]  # fmt: skip
-    found = Influences(
-        graph, [*after, *acts, *blows, *indicators, *motion], {node: 1 << k for k, node in enumerate(symbols)}
-    )
+    bits = {node: 1 << k for k, node in enumerate(symbols)}
+    found = Influences(graph, [*after, *acts, *blows, *indicators, *motion], bits)
     relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
     read = {place: found[node][0] for place, node in enumerate(after)}
     read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}

@@ -71,19 +71,19 @@ def descriptor(system: System, at: Reduced) -> Descriptor:
     n, nz, nu, nc = len(point.q), len(point.z), len(point.u), len(flow.lam)
     loads = motion_sizes(system.program).loads
     columns = _Columns(n=n, nz=nz, nu=nu, nc=nc, loads=loads)
-    moving = columns.moving
-    unit = np.eye(moving)
+    count = columns.count
+    unit = np.eye(count)
     parts = np.split(unit, np.cumsum([n, n, nz]), axis=1)
-    directions = (*parts, np.zeros((moving, len(point.p))))
+    directions = (*parts, np.zeros((count, len(point.p))))
     solved = (*point.arguments, flow.qdd, flow.lam)
     motion, rows = engine.evaluate_many("residual_tangent", *solved, *directions)
     phi, rates = engine.evaluate_many("constraint_tangent", *point.arguments, *directions)
     mass, _, jacobian, _ = engine.evaluate("dynamics", *point.arguments)
     held = list(chosen.held)
     # d(zd, y, loads) by everything, one direction a row.
-    every = np.eye(moving + n + nc)
-    wide = (*np.split(every[:, :moving], np.cumsum([n, n, nz]), axis=1), np.zeros((len(every), len(point.p))))
-    along = (*wide, every[:, moving : moving + n], every[:, moving + n :])
+    every = np.eye(count + n + nc)
+    wide = (*np.split(every[:, :count], np.cumsum([n, n, nz]), axis=1), np.zeros((len(every), len(point.p))))
+    along = (*wide, every[:, count : count + n], every[:, count + n :])
     names = ["state_derivative_tangent", "output_tangent", *(["load_tangent"] if loads else [])]
     told = [engine.evaluate_many(name, *solved, *along)[0].T for name in names]
     gains = engine.evaluate("load_gain", *solved) if loads else tuple(np.zeros((k, 0)) for k in (n, nz, len(flow.y), 0))
@@ -91,7 +91,7 @@ def descriptor(system: System, at: Reduced) -> Descriptor:
     none = np.zeros
 
     def parts_of(every: Floats) -> tuple[Floats, Floats, Floats]:
-        return every[:, :moving], every[:, moving : moving + n], every[:, moving + n :]
+        return every[:, :count], every[:, count : count + n], every[:, count + n :]
 
     lines = [
         columns.algebraic(phi.T[held], none((len(held), n)), none((len(held), nc)), none((len(held), loads))),
@@ -123,7 +123,8 @@ class _Columns:
     loads: int
 
     @property
-    def moving(self) -> int:
+    def count(self) -> int:
+        """Of directions: q, qd, z, u."""
         return 2 * self.n + self.nz + self.nu
 
     @property

@@ -27,7 +27,7 @@ _EVENT = ("next", "reset", "value", "collision")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Moving:
+class Deviations:
     """A point and how it moves along k directions: q, qd, z and u in `along`, w (k, nw); the borders on which entries
     of w and of (q, qd, z) depend, by their places; `leaks`: see `Place`."""
 
@@ -49,7 +49,7 @@ class Moving:
         }
 
 
-def tick(system: System, at: Moving, clocks: tuple[int, ...], sink: Sink) -> Moving | None:
+def tick(system: System, at: Deviations, clocks: tuple[int, ...], sink: Sink) -> Deviations | None:
     """`at` behind the instant at which these clocks tick; None after errors, and where a clause lets bodies collide
     (E0866)."""
     kinds = system.program.layout.kinds
@@ -73,7 +73,7 @@ def tick(system: System, at: Moving, clocks: tuple[int, ...], sink: Sink) -> Mov
     return None
 
 
-def _pass(system: System, at: Moving, sink: Sink) -> tuple[Moving, bool] | None:
+def _pass(system: System, at: Deviations, sink: Sink) -> tuple[Deviations, bool] | None:
     """The state behind one pass; True if it did more than to change w."""
     program = system.program
     here = flow(system, at.point, sink)
@@ -107,14 +107,14 @@ def _pass(system: System, at: Moving, sink: Sink) -> tuple[Moving, bool] | None:
     return balanced, acted
 
 
-def _solved(system: System, here: Flow, at: Moving) -> dict[Group, Floats]:
+def _solved(system: System, here: Flow, at: Deviations) -> dict[Group, Floats]:
     """Derivatives of accelerations and multipliers along the directions."""
     _, _, motion, rows, zd, y, load = by_signals(system, here, at.w)[0]
     found = changes(system, here, at.along, Explicit(motion=motion, rows=rows, zd=zd, y=y, load=load))
     return {Group.QDD: found.qdd, Group.LAMBDA: found.lam}
 
 
-def _reset(program: Program, at: Moving, found: Moved, first: int) -> Moving:
+def _reset(program: Program, at: Deviations, found: Moved, first: int) -> Deviations:
     """Rates and states that the clauses set."""
     places = program.layout.instants.reset_places
     count = len(places)
@@ -134,7 +134,7 @@ def _reset(program: Program, at: Moving, found: Moved, first: int) -> Moving:
     return replace(at, point=replace(at.point, q=q, qd=qd, z=z), along=along, reset_borders=borders)
 
 
-def _balanced(system: System, before: Moving, after: Moving) -> Moving:
+def _balanced(system: System, before: Deviations, after: Deviations) -> Deviations:
     """With rates that satisfy the constraints behind what was set: momenta change by impulses of the rows only.
 
     M dqd' - J' dP = M dqd + p(w', z') - p(w, z) and J dqd' + dc = 0, with p(w, z) how momenta move with w and z.

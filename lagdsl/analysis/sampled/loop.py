@@ -16,7 +16,7 @@ from lagdsl.analysis.border import on_both_sides
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Directions, Point, System
 from lagdsl.analysis.sampled.held_flow import HeldFlow, held_flow
-from lagdsl.analysis.sampled.instant import Moving, tick
+from lagdsl.analysis.sampled.instant import Deviations, tick
 from lagdsl.analysis.sampled.moved import Borders
 from lagdsl.analysis.sampled.schedule import Schedule
 from lagdsl.analysis.sampled.signals import Signals, integers, signals_of
@@ -171,7 +171,7 @@ class _Composing:
         before = w.copy()
         before[places] = self._point.w[places]
         point = replace(here.at.flow.point, w=before)
-        moving = Moving(point=point, along=along, w=moves, borders={}, leaks=self._leaks)
+        moving = Deviations(point=point, along=along, w=moves, borders={}, leaks=self._leaks)
         after = tick(self._system, moving, clocks, self._sink)
         if after is None or (not self._leaks and self._meets_border(after)):
             return None
@@ -184,7 +184,7 @@ class _Composing:
         following[states : states + len(places), -1] += after.point.w[places] - before[places]
         return following, after.point.w
 
-    def _meets_border(self, after: Moving) -> bool:
+    def _meets_border(self, after: Deviations) -> bool:
         """True after E0865, where what acts has two sides at the point."""
         acting = {*self._signals.places, *self._signals.modes}
         names = [self._system.program.layout.discretes[k].name for k in sorted(after.borders) if k in acting]

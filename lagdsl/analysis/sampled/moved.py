@@ -112,7 +112,7 @@ def moved(graph: Graph, roots: Sequence[int], place: Place) -> Moved:
 
 
 def _sizes(graph: Graph, live: Sequence[int], place: Place) -> dict[int, float]:
-    """How large the terms are that arguments of functions with sides are made of."""
+    """The sizes of the terms in arguments of functions with two sides."""
     tied = [node for node in live if graph.op[node] in _TIED]
     arguments = list(dict.fromkeys(each for node in tied for each in graph.arguments(node)))
     found = evaluate_with_size(graph, arguments, place.values)

@@ -49,7 +49,7 @@ def with_corners(corners: Sequence[Met], flat: fm.FlatModel) -> fm.FlatModel:
 
 
 def _sampled(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[SampledCorner, ...]:
-    """Those that clauses evaluate, with the variables and states that each of them reaches."""
+    """The corners that clauses evaluate, with the variables and states that each of them reaches."""
     met = {id(each.expression): each for each in corners}
     found: dict[int, list[str]] = {}
     for when in flat.events.whens:
