@@ -48,6 +48,7 @@ def _draw(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     below.set_ylabel("phase [deg]")
     below.set_xlabel("frequency [Hz]")
     below.xaxis.set_major_formatter("{x:g}")
+    below.margins(y=0.12)
     below.yaxis.set_major_locator(_steps(turns))
     above.set_xlim(float(found.frequencies[0]), float(found.frequencies[-1]))
     if found.transfer.every is not None:
@@ -82,10 +83,13 @@ def _draw_margins(above: Axes, below: Axes, found: FrequencyResponse) -> None:
 
 
 def _mark(panel: Axes, at: float, ends: tuple[float, float], text: str) -> None:
+    """A line from the curve to the border, with its length beyond the border, where no curve is."""
+    curve, border = ends
     panel.plot([at, at], ends, color=_MARK, linewidth=1.6, marker="o", markersize=3)
+    below = curve > border
     panel.annotate(
-        text, (at, 0.5 * sum(ends)), xytext=(5, 0), textcoords="offset points", va="center", color=_MARK, fontsize=9,
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8},
+        text.replace("-", "\u2212"), (at, border), xytext=(0, -4 if below else 4), textcoords="offset points",
+        ha="center", va="top" if below else "bottom", color=_MARK, fontsize=9,
     )  # fmt: skip
 
 
