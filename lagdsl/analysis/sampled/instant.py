@@ -97,14 +97,15 @@ def _pass(system: System, at: Deviations, sink: Sink) -> tuple[Deviations, bool]
     loads = [k for k, kind in enumerate(program.layout.kinds) if kind == "load"]
     w[loads] = here.point.w[loads]
     set_ = replace(at, point=replace(at.point, w=w), w=moves, borders=borders)
-    acted = bool(np.any(found.values[ends[0] : ends[1]]))
+    acts = found.values[ends[0] : ends[1]] != 0.0
     after = _reset(program, set_, found, int(ends[0]))
     balanced = _balanced(system, at, after)
     moves = np.max(np.abs(balanced.along.qd - after.along.qd), initial=0.0)
-    if acted and moves > _ROUNDING * np.max(np.abs(after.along.qd), initial=0.0):
+    rates = np.array(program.layout.instants.reset_places, dtype=np.intp) < 2 * len(at.point.q)
+    if np.any(acts & rates) and moves > _ROUNDING * np.max(np.abs(after.along.qd), initial=0.0):
         sink.report("E0866", None, reason="constraints move rates that a clause sets")
         return None
-    return balanced, acted
+    return balanced, bool(np.any(acts))
 
 
 def _solved(system: System, here: Flow, at: Deviations) -> dict[Group, Floats]:
@@ -145,9 +146,11 @@ def _balanced(system: System, before: Deviations, after: Deviations) -> Deviatio
         for name in ("velocity_constraint", "momenta")
         for node in program.function(name).results[0].elements
     ]  # fmt: skip
-    resets = any(place >= len(after.point.q) for place in program.layout.instants.reset_places)
+    places = program.layout.instants.reset_places
     rows = len(program.layout.constraints)
-    if not any(program.graph.depends(node, Group.W) for node in nodes) and not (resets and rows):
+    states = any(place >= 2 * len(after.point.q) for place in places)
+    groups = (Group.W, Group.Z) if states else (Group.W,)
+    if not any(program.graph.depends(node, *groups) for node in nodes) and not (places and rows):
         return after
     none = np.zeros(len(after.point.q)), np.zeros(rows)
 
