@@ -130,7 +130,7 @@ def test_pi_on_a_motor_with_one_tick_of_delay() -> None:
     assert found.loop.running == ("phi",)
     np.testing.assert_allclose(np.sort_complex(found.loop.multipliers[:-1]), expected, rtol=1e-9)
     assert found.loop.multipliers[-1] == 1.0
-    assert found.stability.startswith("stable but for drift: 1 of 4 multipliers are one, the largest other one is")
+    assert found.stability.startswith("stable but for drift: 1 of 4 multipliers is one, the largest other one is")
     assert model.modes().stability.startswith("no statement on the sampled loop: `der(phi)`")
 
 

@@ -155,9 +155,8 @@ def _statement(found: SampledModes) -> str:
     at = f"at {period}" if found.clocks == 1 else f"over the common period {period}"
     if found.unbalanced:
         names = ", ".join(f"`{name}`" for name in found.unbalanced[:_MOST_TOLD])
-        return (
-            f"no statement on the sampled loop: {names} changes in a period at this point; `--trim` takes a fixed point"
-        )
+        change = f"{names} {'changes' if len(found.unbalanced) == 1 else 'change'} in a period at this point"
+        return f"no statement on the sampled loop: {change}; `--trim` takes a fixed point"
     at += f", without {names_text([each.name for each in found.ignored])}" if found.ignored else ""
     drifting = int(np.count_nonzero(found.multipliers == 1.0))
     size = f"{found.largest:.6g}"
@@ -168,6 +167,6 @@ def _statement(found: SampledModes) -> str:
         told = f"{on_circle} of {len(found.multipliers)} multipliers lie on the unit circle {at}"
         return f"no growing mode: {told}; the linear equations decide no more"
     if drifting:
-        told = f"{drifting} of {len(found.multipliers)} multipliers are one"
+        told = f"{drifting} of {len(found.multipliers)} multipliers {'is' if drifting == 1 else 'are'} one"
         return f"stable but for drift: {told}, the largest other one is {size} {at}"
     return f"stable: largest multiplier {size} {at}"
