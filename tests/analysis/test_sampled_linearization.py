@@ -289,6 +289,21 @@ def test_ticks_without_a_linearization(clauses: str, more: str, reason: str) -> 
     assert reason in model.modes().stability
 
 
+def test_a_reference_that_moves_has_no_fixed_point() -> None:
+    found = plant(TICK.format(h="h", law="u = k*(0.1 m*sin((1 rad/s)*time) - x) - d*der(x);")).modes()
+    assert found.stability.startswith("no statement on the sampled loop: `time` changes")
+
+
+def test_an_input_is_read_at_the_tick() -> None:
+    """u[k] = r[k] - k x[k]: the output behind the tick has r at once, the next state has it held."""
+    model = plant(TICK.format(h="h", law="u = r - k*x;"), "input Force r = 0 N; output Force told = u;")
+    found = model.linearize(every=0.1)
+    np.testing.assert_allclose(found.B, [[0.005], [0.1]], rtol=1e-13)
+    np.testing.assert_allclose(found.C, [[-4.0, 0.0]], rtol=1e-13)
+    np.testing.assert_allclose(found.D, [[1.0]], rtol=1e-13)
+    assert model.bode(every=0.1).transfer.static_gain == pytest.approx(0.0, abs=1e-12)
+
+
 def test_what_is_set_anew_is_no_state() -> None:
     model = plant(TICK.format(h="h", law=LAW))
     found = model.linearize(every=0.1)

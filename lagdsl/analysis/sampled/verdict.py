@@ -14,12 +14,14 @@ from lagdsl.analysis.sampled.loop import Loop
 from lagdsl.analysis.sampled.schedule import time_text
 from lagdsl.analysis.steady import first_order_sizes, without_influence
 from lagdsl.flat.events import SampledCorner
+from lagdsl.graph.operation import Group
 from lagdsl.numerics.rank import Floats
 
 # Multipliers this near to the unit circle lie on it; those below this size are zero.
 _CIRCLE = 1e-9
 _ZERO = 1e-12
 _RESTS = 1e-9
+_SAME = 1e-7
 _MOST_TOLD = 3
 
 
@@ -101,6 +103,24 @@ def sampled_modes(system: System, loop: Loop) -> SampledModes:
         unbalanced=(*(names[k].name for k in sorted(acting) if moves[k]), *loop.switching),
         ignored=ignored(system, loop),
     )
+
+
+def reads_time(system: System) -> bool:
+    """True if the motion or a clause depends on time by itself."""
+    program = system.program
+    names = [name for name in ("residual", "velocity_constraint", "state_derivative", "event") if program.has(name)]
+    nodes = (node for name in names for block in program.function(name).results for node in block.elements)
+    return any(program.graph.depends(node, Group.TIME) for node in nodes)
+
+
+def is_same(system: System, loop: Loop, other: Loop) -> bool:
+    """True if both have the same matrix, and the same changes in a period by themselves."""
+    sizes = deviation_sizes(system, loop)
+    apart = np.abs(loop.matrix - other.matrix)
+    count = len(sizes)
+    scaled = apart[:, :count] * sizes / sizes[:, None]
+    drift = apart[:, -1] / sizes
+    return bool(np.max(scaled, initial=0.0) <= _SAME and np.max(drift, initial=0.0) <= _RESTS)
 
 
 def lasting(matrix: Floats, outputs: Floats | None) -> list[int]:
