@@ -62,6 +62,13 @@ def test_zeros_on_the_axis_stand_where_the_response_is_zero() -> None:
     assert abs(found.transfer.zeros[0]) == pytest.approx(np.sqrt(6000.0), rel=1e-12)
 
 
+def test_the_response_is_told_around_poles_on_the_axis_and_not_at_them() -> None:
+    found = arm().bode("u", "motor")
+    assert np.all(np.isfinite(found.response))
+    assert np.max(found.magnitude[found.frequencies > 5]) > 1e3 * np.median(found.magnitude)
+    assert np.min(found.magnitude) < 1e-9 * np.max(found.magnitude)
+
+
 def test_zeros_of_two_inputs_and_two_outputs() -> None:
     """diag(1/(s+1), (s-3)/(s+2)^2), mixed by constant matrices and by units: the zero 3 alone is left."""
     a = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -4, -4]])

@@ -18,6 +18,7 @@ _PER_DECADE = 60
 _BESIDE = 10.0
 # Around a resonance, so many half widths away.
 _WIDTHS = (0.1, 0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 10.0)
+_LEAST_WIDTH = 1e-6
 _MOST_DECADES = 12.0
 
 
@@ -62,29 +63,29 @@ class FrequencyResponse:
 def frequencies_of(transfer: TransferFunction, margins: Margins | None) -> Floats:
     """Angular frequencies [rad/s], rising: from a decade below the slowest pole, zero or crossing to a decade above the
     fastest, denser around resonances; for sampled signals up to half the sampling rate."""
-    features = _features(transfer)
+    poles, zeros = _exponents(transfer.poles, transfer.every), _exponents(transfer.zeros, transfer.every)
     crossings = [] if margins is None else [each.omega for each in (*margins.of_gain, *margins.of_phase)]
-    sizes = [*(abs(each) for each in features), *crossings]
+    sizes = [*(abs(each) for each in (*poles, *zeros)), *crossings]
     sizes = [size for size in sizes if size > 0.0] or [1.0 if transfer.every is None else np.pi / transfer.every]
     most = np.inf if transfer.every is None else np.pi / transfer.every
     high = min(max(sizes) * _BESIDE, most)
     low = max(min(*sizes, high) / _BESIDE, high / 10.0**_MOST_DECADES)
     count = int(np.ceil(np.log10(high / low) * _PER_DECADE)) + 1
     grid = [*np.geomspace(low, high, max(count, 2)).tolist(), *crossings]
-    for each in features:
+    for each in (*poles, *zeros):
         if abs(each.imag) > 2.0 * abs(each.real):
-            half = max(abs(each.real), 1e-6 * abs(each))
+            half = max(abs(each.real), _LEAST_WIDTH * abs(each))
             grid += [abs(each.imag) + side * width * half for side in (-1.0, 1.0) for width in _WIDTHS]
-            grid.append(abs(each.imag))
+            # At a pole on the axis there is no response.
+            grid += [abs(each.imag)] if abs(each.real) > _LEAST_WIDTH * abs(each) or each in zeros else []
     values = np.unique(grid)
     return np.asarray(values[(values >= low) & (values <= high)])
 
 
-def _features(transfer: TransferFunction) -> list[complex]:
-    """Poles and zeros in s; those of sampled signals as s = log(z)/T, without those at z = 0."""
-    found = np.concatenate([transfer.poles, transfer.zeros])
-    if transfer.every is not None:
+def _exponents(found: Complexes, every: float | None) -> list[complex]:
+    """Poles or zeros in s; those of sampled signals as s = log(z)/T, without those at z = 0."""
+    if every is not None:
         found = found[np.abs(found) > 1e-12]
-        found = np.log(found) / transfer.every
-        found = found[np.abs(found) > 1e-9 / transfer.every]
+        found = np.asarray(np.log(found) / every, dtype=np.complex128)
+        found = found[np.abs(found) > 1e-9 / every]
     return [complex(each) for each in found]
