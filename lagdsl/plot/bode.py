@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 _MARK = COLORS[1]
 _GUIDE = "#333333"
+# Percent of the points, the highest and the lowest, may leave the panel; so many decibels beyond the others.
+_SPIKES = 5.0
+_BEYOND = 30.0
 
 
 def plot_bode(found: FrequencyResponse, path: Path | str | None = None) -> Figure:
@@ -44,6 +47,9 @@ def _draw(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     turns = np.degrees(found.phase)
     above.semilogx(found.frequencies, found.decibels, color=COLORS[0])
     below.semilogx(found.frequencies, turns, color=COLORS[0])
+    finite = found.decibels[np.isfinite(found.decibels)]
+    least, most = np.percentile(finite, [_SPIKES, 100.0 - _SPIKES]) if len(finite) else (0.0, 0.0)
+    above.set_ylim(bottom=max(above.get_ylim()[0], least - _BEYOND), top=min(above.get_ylim()[1], most + _BEYOND))
     above.set_ylabel("magnitude [dB]")
     below.set_ylabel("phase [deg]")
     below.set_xlabel("frequency [Hz]")
@@ -68,18 +74,20 @@ def _steps(turns: Any) -> Any:
 
 
 def _draw_margins(above: Axes, below: Axes, found: FrequencyResponse) -> None:
-    """Lines from the curves to gain one and to half a turn, where these are crossed."""
+    """Lines from the curves to gain one and to half a turn, at the crossings that decide."""
     margins = found.margins
     assert margins is not None
     above.axhline(0.0, color=_GUIDE, linewidth=0.8, linestyle=":")
-    for crossing in margins.of_gain:
-        decibels = 20.0 * math.log10(abs(crossing.value))
-        _mark(above, _hertz(crossing), (decibels, 0.0), f"{-decibels:.1f} dB")
-    for crossing in margins.of_phase:
-        place = float(np.interp(_hertz(crossing), found.frequencies, np.degrees(found.phase)))
-        angle = math.degrees(lag(crossing.value))
+    of_gain = next((each for each in margins.of_gain if 1.0 / abs(each.value) == margins.gain), None)
+    if of_gain is not None:
+        decibels = 20.0 * math.log10(abs(of_gain.value))
+        _mark(above, _hertz(of_gain), (decibels, 0.0), f"{round(-decibels, 1) + 0.0:g} dB")
+    of_phase = next((each for each in margins.of_phase if lag(each.value) == margins.phase), None)
+    if of_phase is not None:
+        place = float(np.interp(_hertz(of_phase), found.frequencies, np.degrees(found.phase)))
+        angle = math.degrees(margins.phase)
         below.axhline(place - angle, color=_GUIDE, linewidth=0.8, linestyle=":")
-        _mark(below, _hertz(crossing), (place, place - angle), f"{angle:.1f}°")
+        _mark(below, _hertz(of_phase), (place, place - angle), f"{round(angle, 1) + 0.0:g}°")
 
 
 def _mark(panel: Axes, at: float, ends: tuple[float, float], text: str) -> None:

@@ -16,8 +16,9 @@ from lagdsl.numerics.rank import Floats
 
 _PER_DECADE = 60
 _BESIDE = 10.0
-# Around a resonance, so many half widths away.
-_WIDTHS = (0.1, 0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 10.0)
+# On each side of a resonance so many more, up to this part of its frequency away.
+_AROUND = 24
+_WIDE = 0.1
 _LEAST_WIDTH = 1e-6
 _MOST_DECADES = 12.0
 
@@ -75,7 +76,8 @@ def frequencies_of(transfer: TransferFunction, margins: Margins | None) -> Float
     for each in (*poles, *zeros):
         if abs(each.imag) > 2.0 * abs(each.real):
             half = max(abs(each.real), _LEAST_WIDTH * abs(each))
-            grid += [abs(each.imag) + side * width * half for side in (-1.0, 1.0) for width in _WIDTHS]
+            beside = np.geomspace(0.1 * half, max(_WIDE * abs(each), half), _AROUND)
+            grid += [*(abs(each.imag) - beside).tolist(), *(abs(each.imag) + beside).tolist()]
             # At a pole on the axis there is no response.
             grid += [abs(each.imag)] if abs(each.real) > _LEAST_WIDTH * abs(each) or each in zeros else []
     values = np.unique(grid)
