@@ -159,10 +159,9 @@ def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink 
 
 
 def _report_assumed(system: System, where: Where, sink: Sink, *, holds: bool = True) -> None:
-    """N0875 for inputs that are taken as zero; N0876 for discrete variables, where these are held."""
+    """N0875 for inputs that are taken as zero; N0876 for discrete variables that are held."""
     report_missing(system.flat, [*where.inputs, *where.free], sink)
-    if holds:
-        report_held(system.flat, sink)
+    report_held(system, sink, of_loop=not holds)
 
 
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:

@@ -13,6 +13,7 @@ import lagdsl
 from lagdsl import CompilationFailed
 from lagdsl.analysis.modes import Modes
 from lagdsl.api.model import Model
+from lagdsl.diagnostics import Sink
 
 TICK = "when sample(0, {h}) then {law} end when;"
 PLANT = """model Plant
@@ -201,6 +202,22 @@ def test_growth_of_a_simulation(text: str, law: str) -> None:
     simulated = np.array([motion["lean"][int(np.searchsorted(motion.time, t - 1e-9))] for t in np.arange(21) * 0.02])
     np.testing.assert_allclose(simulated, found, rtol=1e-6)
     assert np.ptp(found) > 0.3 * size
+
+
+def test_a_rate_that_samples_prescribe_closes_a_loop() -> None:
+    """Between ticks no force depends on u: it acts by the row of the constraint."""
+    model = lagdsl.compile(DRIVEN.format(law="(2 m/s)*a + 0.3*pre(u)", start="0"))
+    found = model.modes()
+    assert found.held == ("u",)
+    np.testing.assert_allclose(multipliers(found), np.sort_complex(model.linearize(every=0.02).poles), rtol=1e-12)
+
+
+def test_what_other_events_set_is_told_as_held() -> None:
+    sink = Sink()
+    clauses = TICK.format(h="h", law="u = -k*x - d*der(x);") + "when x > 1 m then v = 1 N; end when;"
+    model = plant(clauses, "force v on x;", "0")
+    assert model.modes(sink=sink).stability.startswith("stable")
+    assert [each.message.split(": ")[1] for each in sink.diagnostics] == ["`v`"]
 
 
 def test_inputs_are_held_between_instants() -> None:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from lagdsl.analysis.held import SAMPLED_KINDS, reached_by_ticks
+from lagdsl.analysis.held import MOTION, entries_read, nodes_of, reached_by_ticks
 from lagdsl.analysis.linearize import Named
 from lagdsl.analysis.point import System
 from lagdsl.analysis.sparsity.accelerations import bits_of
-from lagdsl.analysis.sparsity.influence import Influences
 from lagdsl.flat.events import Discrete, Entry, Memory, entries
-from lagdsl.graph.operation import Group
 
 _KEPT = ("variable", "condition")
 
@@ -57,18 +55,10 @@ def _acting(system: System, *, with_outputs: bool) -> set[int]:
     """Places in w that ticks change, and on which the motion depends, what clauses set of it, or the outputs; at
     once or through others."""
     program, layout = system.program, system.program.layout
-    graph = program.graph
-    symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
-    after, acts, values = (block.elements for block in program.function("event").results[:3])
-    indicators = program.function("indicator").results[0].elements
-    names = ["residual", "velocity_constraint", "momenta", "state_derivative", *(["output"] if with_outputs else [])]
-    motion = [node for name in names for block in program.function(name).results for node in block.elements]
-    roots = [*after, *acts, *values, *indicators, *motion]
-    found = Influences(graph, roots, {node: 1 << k for k, node in enumerate(symbols)})
-    relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
-    read = {place: found[node][0] for place, node in enumerate(after) if layout.kinds[place] in SAMPLED_KINDS}
-    read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
-    reached = found.of_all([*motion, *acts, *values])[0]
+    acts, values = (block.elements for block in program.function("event").results[1:3])
+    acting = [*nodes_of(program, (*MOTION, *(("output",) if with_outputs else ()))), *acts, *values]
+    found, read = entries_read(program, acting)
+    reached = found.of_all(acting)[0]
     before = 0
     while reached != before:
         before = reached
