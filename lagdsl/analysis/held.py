@@ -9,19 +9,27 @@ from lagdsl.analysis.sparsity.accelerations import bits_of
 from lagdsl.analysis.sparsity.influence import Influences
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Reset
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.events import Impact, Reset
 from lagdsl.graph.operation import Group
+from lagdsl.program.program import Program
 
 _MOST_TOLD = 4
-_SAMPLED = "the sampled loop is open here, its entries are zero; write the continuous law in its place to see it closed"
-_SAMPLED_KINDS = ("variable", "condition", "relation")
+_SAMPLED = "the sampled loop is open here, its entries are zero; `--every` with the period of its clock closes it"
+SAMPLED_KINDS = ("variable", "condition", "relation")
 _OTHER = "entries of what acts through them are zero; start the model in the mode that you mean"
 
 
-def report_held(flat: FlatModel, sink: Sink) -> None:
-    """N0876 where the model has variables that change at events only: sampled controllers, modes."""
-    discretes, clocks = flat.events.discretes, flat.events.clocks
+# Functions through which discretes act on the motion: forces, rows of rates, momenta, states.
+MOTION = ("residual", "velocity_constraint", "momenta", "state_derivative")
+
+
+def report_held(system: System, sink: Sink, *, of_loop: bool = False) -> None:
+    """N0876 where the model has variables that change at events only: sampled controllers, modes. `of_loop`: the loop
+    that ticks close is linearized, and what they set is not held."""
+    events = system.flat.events
+    ticking = _ticked(system) if of_loop else frozenset()
+    discretes = [item for item in events.discretes if item.name not in ticking]
+    clocks = () if of_loop else events.clocks
     if not discretes:
         return
     names = [f"`{item.name}`" for item in discretes[:_MOST_TOLD]]
@@ -37,36 +45,57 @@ def report_held(flat: FlatModel, sink: Sink) -> None:
 
 def sampled(system: System) -> tuple[str, ...]:
     """Names of what ticks of clocks set and the motion depends on: the signals of sampled controllers. Discrete
-    variables, relations that read them, and states that are reset at ticks."""
+    variables, relations that read them, states that are reset at ticks, and impacts there."""
     program, layout = system.program, system.program.layout
     if not system.flat.events.clocks:
         return ()
-    graph = program.graph
-    symbols = [graph.symbol(Group.W, place) for place in range(len(layout.kinds))]
-    after, acts = (block.elements for block in program.function("event").results[:2])
-    indicators = program.function("indicator").results[0].elements
-    motion = [
-        node for name in ("residual", "state_derivative") for block in program.function(name).results
-        for node in block.elements
-    ]  # fmt: skip
-    found = Influences(graph, [*after, *acts, *indicators, *motion], {node: 1 << k for k, node in enumerate(symbols)})
-    relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
-    read = {place: found[node][0] for place, node in enumerate(after)}
-    read |= {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
-    ticking = _reached(layout.kinds, read)
+    acts, _, blows = (block.elements for block in program.function("event").results[1:4])
+    motion = nodes_of(program, MOTION)
+    found, read = entries_read(program, [*acts, *blows, *motion])
+    ticking = reached_by_ticks(layout.kinds, read)
     acting = bits_of(found.of_all(motion)[0] & ticking)
-    resets = [action.name for branch in branches(system.flat) for action in branch.actions if isinstance(action, Reset)]
-    reset = [name for name, node in zip(resets, acts, strict=True) if found[node][0] & ticking]
-    return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *reset]))
+    actions = [action for branch in branches(system.flat) for action in branch.actions]
+    resets = [action.name for action in actions if isinstance(action, Reset)]
+    impacts = [" ".join(action.spans[0].text.split()) for action in actions if isinstance(action, Impact)]
+    done = [*zip(resets, acts, strict=True), *zip(impacts, blows, strict=True)]
+    names = [name for name, node in done if found[node][0] & ticking]
+    return tuple(dict.fromkeys([*(layout.discretes[place].name for place in acting), *names]))
 
 
-def _reached(kinds: Sequence[str], read: dict[int, int]) -> int:
+def _ticked(system: System) -> frozenset[str]:
+    """Names of the entries that change at ticks."""
+    layout = system.program.layout
+    if not system.flat.events.clocks:
+        return frozenset()
+    ticking = reached_by_ticks(layout.kinds, entries_read(system.program, [])[1])
+    return frozenset(layout.discretes[place].name for place in bits_of(ticking))
+
+
+def nodes_of(program: Program, names: Sequence[str]) -> list[int]:
+    """All results of these functions."""
+    return [node for name in names for block in program.function(name).results for node in block.elements]
+
+
+def entries_read(program: Program, others: Sequence[int]) -> tuple[Influences, dict[int, int]]:
+    """Influences of the entries of w, as bits, on the clauses and on `others`; and the bits that new values of entries
+    and relations read, by their places."""
+    graph, layout = program.graph, program.layout
+    after = program.function("event").results[0].elements
+    indicators = program.function("indicator").results[0].elements
+    bits = {graph.symbol(Group.W, place): 1 << place for place in range(len(layout.kinds))}
+    found = Influences(graph, [*after, *indicators, *others], bits)
+    relations = [place for place, kind in enumerate(layout.kinds) if kind == "relation"]
+    read = {place: found[node][0] for place, node in enumerate(after) if layout.kinds[place] in SAMPLED_KINDS}
+    return found, read | {place: found[node][0] for place, node in zip(relations, indicators, strict=True)}
+
+
+def reached_by_ticks(kinds: Sequence[str], read: dict[int, int]) -> int:
     """Bits of the entries that change at ticks, from the bits that each `read`s."""
     clocks = sum(1 << place for place, kind in enumerate(kinds) if kind == "clock")
     reached, before = clocks, 0
     while reached != before:
         before = reached
         for place, bits in read.items():
-            if kinds[place] in _SAMPLED_KINDS and bits & reached:
+            if kinds[place] in SAMPLED_KINDS and bits & reached:
                 reached |= 1 << place
     return reached & ~clocks

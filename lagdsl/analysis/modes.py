@@ -14,8 +14,10 @@ from lagdsl.analysis.held import sampled
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.sampled.modes import loop_modes
+from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.steady import Steadiness, imbalance, steadiness
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Severity, Sink
 from lagdsl.numerics.rank import Floats
 
 # Real parts below this part of the eigenvalue's magnitude count as zero: twice the digits of a double eigenvalue.
@@ -31,7 +33,8 @@ class Modes:
     SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state,
     generalized ones for the zeros.
     `dropped` counts zeros that were left out, one for each integrable row of velocity level. `held` are signals of
-    sampled controllers: the modes are those of the plant with these signals held, and decide nothing about the loop.
+    sampled controllers: the modes are those of the plant with these signals held. `loop` has the multipliers of the
+    loop that they close, which decide; where there is none, `unjudged` tells why.
     """
 
     model: str
@@ -45,6 +48,8 @@ class Modes:
     dropped: int
     integrable: tuple[str, ...]
     held: tuple[str, ...] = ()
+    loop: SampledModes | None = None
+    unjudged: str = ""
 
     @property
     def frequencies(self) -> Floats:
@@ -71,7 +76,7 @@ class Modes:
 
     @property
     def stability(self) -> str:
-        """One sentence about the linearized motion."""
+        """One sentence about the linearized motion, of a sampled loop about the loop."""
         return statement(self)
 
 
@@ -86,7 +91,10 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     if at is None:
         return None
     found = steadiness(system, plain)
-    if found.kind == "neither":
+    signals = sampled(system)
+    own = Sink()
+    loop = loop_modes(system, point, own) if signals else None
+    if found.kind == "neither" and loop is None:
         sink.report("W0854", None, reason=imbalance(found))
     turned = at if found.turning is None else found.turning.relative(at)
     values, vectors = eigen(turned.a)
@@ -102,7 +110,9 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
         steadiness=found,
         dropped=len(plain.value) - len(at.value),
         integrable=tuple(layout.constraints[row].name for row in integrable),
-        held=sampled(system),
+        held=signals,
+        loop=loop,
+        unjudged="; ".join(each.message for each in own.diagnostics if each.severity is Severity.ERROR),
     )
 
 
@@ -140,16 +150,19 @@ def held_text(names: Sequence[str]) -> str:
 
 def statement(modes: Modes) -> str:
     """Lyapunov's theorem on the first approximation, in plain words."""
+    if modes.loop is not None:
+        return modes.loop.stability
     values = modes.eigenvalues
     system = modes.steadiness.kind
     zeros = int(np.count_nonzero(values == 0.0))
     marginal = int(np.count_nonzero(np.abs(values.real) <= AXIS * np.abs(values))) - zeros
-    if system == "neither":
+    why = f" ({modes.unjudged})" if modes.unjudged else ""
+    if system == "neither" and not why:
         return "no statement: the point is neither an equilibrium nor part of a steady motion"
     if system == "no freedom":
         return "no statement: nothing is free to move, so that there is no mode"
     if modes.held:
-        return f"no statement on stability: {held_text(modes.held)}"
+        return f"no statement on stability: {held_text(modes.held)}{why}"
     if modes.unstable:
         growing = values[values.real > AXIS * np.abs(values)]
         oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))

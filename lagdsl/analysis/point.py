@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.feedback import LoadsNotFound, changes_with_loads, with_loads
@@ -155,34 +156,56 @@ class Changes:
     y: Floats
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Explicit:
+    """Derivatives along directions of what the model does not differentiate itself, as by discretes; one per row: of r
+    and s at fixed accelerations and multipliers, of rates of states, outputs and loads."""
+
+    motion: Floats
+    rows: Floats
+    zd: Floats
+    y: Floats
+    load: Floats
+
+
 def constraint_changes(system: System, point: Point, along: Directions) -> tuple[Floats, Floats]:
     """Derivatives of phi and of J qd + b along directions, both (count, nc)."""
     found = system.engine.evaluate_many("constraint_tangent", *point.arguments, *along.arguments(len(point.p)))
     return found[0], found[1]
 
 
-def changes(system: System, at: Flow, along: Directions) -> Changes:
+def changes(system: System, at: Flow, along: Directions, explicit: Explicit | None = None) -> Changes:
     """Exact derivatives of accelerations, multipliers, rates of states and outputs.
 
     With r = M qdd - f - J'lam = 0 and s = J qdd - gamma = 0, differentiated by the model at fixed qdd and lam:
     M dqdd - J'dlam = -dr and J dqdd = -ds. The part of dr that holds lam is the stiffness of the constraint forces.
-    Loads that depend on accelerations or multipliers follow these.
+    Loads that depend on accelerations or multipliers follow these. `explicit` is added.
     """
     engine, point = system.engine, at.point
     directions = along.arguments(len(point.p))
     solved = (*point.arguments, at.qdd, at.lam)
     motion, rows = engine.evaluate_many("residual_tangent", *solved, *directions)
+    if explicit is not None:
+        motion, rows = motion + explicit.motion, rows + explicit.rows
     mass, _, jacobian, _ = engine.evaluate("dynamics", *point.arguments)
     sizes = motion_sizes(system.program)
+
+    def evaluate(name: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
+        found = engine.evaluate_many(name, *arguments)
+        asked = name == "load_tangent" and explicit is not None
+        return (found[0] + explicit.load,) if asked and explicit is not None else found
+
     factors, _ = factorize(mass, jacobian, sizes.rank)
     dqdd, dlam = (np.ascontiguousarray(part.T) for part in factors.solve(-motion.T, -rows.T))
     loads = np.zeros((along.count, 0))
     if sizes.loads:
         here = tuple(map(np.asarray, solved))
-        dqdd, dlam, loads = changes_with_loads(engine.evaluate_many, factors, here, directions, (dqdd, dlam))
+        dqdd, dlam, loads = changes_with_loads(evaluate, factors, here, directions, (dqdd, dlam))
     (zd,) = engine.evaluate_many("state_derivative_tangent", *solved, *directions, dqdd, dlam)
     (y,) = engine.evaluate_many("output_tangent", *solved, *directions, dqdd, dlam)
     if sizes.loads:
         _, of_rates, of_outputs, _ = engine.evaluate("load_gain", *solved)
         zd, y = zd + loads @ of_rates.T, y + loads @ of_outputs.T
+    if explicit is not None:
+        zd, y = zd + explicit.zd, y + explicit.y
     return Changes(qdd=dqdd, lam=dlam, zd=zd, y=y)

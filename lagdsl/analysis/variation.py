@@ -19,6 +19,8 @@ from lagdsl.analysis.held import sampled
 from lagdsl.analysis.linearize import Named, Reduced, reduce
 from lagdsl.analysis.modes import AXIS
 from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.sampled.modes import loop_modes
+from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.steady import in_turning_axes
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.numerics.rank import Floats
@@ -29,6 +31,7 @@ _ROUNDING = 1e-12
 _WIDTH = 2e-13
 _HALVINGS = 100
 _MOST = 8
+_LEAST = 1e-300
 # The part of a step between values at which a crossing eigenvalue is looked at.
 _BESIDE = 1e-6
 
@@ -54,7 +57,9 @@ class Threshold:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Variation:
     """`eigenvalues` (k, n) [1/s], each column a branch, nan where there is no linearization; `unstable` (k,) numbers
-    of growing modes, -1 there. `held`: see `Modes`; thresholds are those of the plant, then, not of the loop."""
+    of growing modes, -1 there. In a model whose clocks close a loop the eigenvalues are those of the samples,
+    log(multiplier)/period, and thresholds those of the loop: there a multiplier crosses the unit circle. `held`: see
+    `Modes`; where it names signals, the loop has no linearization, and all are those of the plant."""
 
     model: str
     varied: Named
@@ -68,7 +73,7 @@ class Variation:
 def variation(system: System, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
     """Eigenvalues at `place(value)` for each value, and the thresholds between neighbors. Raises CompilationFailed
     where no value has a linearization."""
-    spectrum = _Spectrum(system, place, tuple(held))
+    spectrum = _Spectrum(system, place, tuple(held), _closes(system, place, values))
     found = [spectrum(value) for value in values]
     if all(each is None for each in found) and len(values):
         spectrum.explain(values[0])
@@ -84,7 +89,7 @@ def variation(system: System, varied: Named, values: Sequence[float], place: Pla
         eigenvalues=_branches(found),
         unstable=counts,
         thresholds=tuple(thresholds),
-        held=sampled(system),
+        held=() if spectrum.of_loop else sampled(system),
     )
 
 
@@ -95,9 +100,13 @@ class _Spectrum:
     system: System
     place: Place
     held: tuple[int, ...]
+    of_loop: bool
 
     def __call__(self, value: float) -> Complexes | None:
         try:
+            if self.of_loop:
+                loop = loop_modes(self.system, self.place(value), Sink())
+                return None if loop is None else _of_samples(loop)
             at = self._reduced(value, Sink())
         except CompilationFailed:
             return None
@@ -106,12 +115,33 @@ class _Spectrum:
     def explain(self, value: float) -> None:
         """Raise what is wrong at `value`."""
         sink = Sink()
-        self._reduced(value, sink)
+        if self.of_loop:
+            loop_modes(self.system, self.place(value), sink)
+        else:
+            self._reduced(value, sink)
         sink.raise_if_errors()
 
     def _reduced(self, value: float, sink: Sink) -> Reduced | None:
         at = reduce(self.system, self.place(value), self.held, sink)
         return None if at is None else on_both_sides(self.system, at, sink, of_modes=True)
+
+
+def _closes(system: System, place: Place, values: Sequence[float]) -> bool:
+    """True if clocks close a loop that has a linearization at one of the values."""
+    return bool(sampled(system)) and any(_has_loop(system, place, value) for value in values)
+
+
+def _has_loop(system: System, place: Place, value: float) -> bool:
+    try:
+        return loop_modes(system, place(value), Sink()) is not None
+    except CompilationFailed:
+        return False
+
+
+def _of_samples(loop: SampledModes) -> Complexes:
+    """Exponents of the multipliers [1/s]; that of zero is finite."""
+    size = np.maximum(np.abs(loop.multipliers), _LEAST)
+    return np.asarray((np.log(size) + 1j * np.angle(loop.multipliers)) / loop.period)
 
 
 def _growing(values: Complexes, bound: float) -> int:

@@ -9,12 +9,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from lagdsl.analysis.held import report_held
+from lagdsl.analysis.bode import bode_at, sampled_bode
+from lagdsl.analysis.control.frequency_response import FrequencyResponse
+from lagdsl.analysis.held import report_held, sampled
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
 from lagdsl.analysis.linearize import Named, holonomic_rows
 from lagdsl.analysis.modes import Modes, modes_at
 from lagdsl.analysis.point import Point, System, point_of
+from lagdsl.analysis.sampled.modes import trimmed
+from lagdsl.analysis.sampled_linearization import sampled_linearization
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import Sink, failed
@@ -45,16 +49,51 @@ class Where:
     steady: bool = False
 
 
-def linearize(system: System, where: Where, sink: Sink) -> Linearization:
-    """Raises CompilationFailed; warnings go to `sink`."""
-    _report_assumed(system, where, sink)
-    return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
+def linearize(system: System, where: Where, sink: Sink, *, every: float | None = None) -> Linearization:
+    """With `every` [s] the sampled system, of a model with clocks the sampled loop. Raises CompilationFailed; warnings
+    go to `sink`."""
+    _report_assumed(system, where, sink, holds=every is None)
+    if every is None:
+        return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
+    return _found(sink, lambda own: _sampled(system, where, every, own))
+
+
+def _sampled(system: System, where: Where, every: float, sink: Sink) -> Linearization | None:
+    at = loop_point(system, where, sink)
+    return None if at is None else sampled_linearization(system, at, every, sink)
+
+
+def bode(
+    system: System,
+    where: Where,
+    sink: Sink,
+    *,
+    channel: tuple[str | None, str | None] = (None, None),
+    omega: Floats | None = None,
+    every: float | None = None,
+) -> FrequencyResponse:
+    """From one input to one output or state, at angular frequencies `omega` [rad/s], else at those that show poles,
+    zeros and crossings; with `every` [s] of the sampled system. Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink, holds=every is None)
+
+    def search(own: Sink) -> FrequencyResponse | None:
+        if every is None:
+            return bode_at(system, point(system, where, own), channel, omega, own)
+        linear = _sampled(system, where, every, own)
+        return None if linear is None else sampled_bode(linear, channel, omega)
+
+    return _found(sink, search)
 
 
 def modes(system: System, where: Where, sink: Sink) -> Modes:
     """Raises CompilationFailed; warnings go to `sink`."""
-    _report_assumed(system, where, sink)
-    return _found(sink, lambda own: modes_at(system, point(system, where, own), own))
+    _report_assumed(system, where, sink, holds=not sampled(system))
+
+    def search(own: Sink) -> Modes | None:
+        at = loop_point(system, where, own)
+        return None if at is None else modes_at(system, at, own)
+
+    return _found(sink, search)
 
 
 def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
@@ -66,12 +105,15 @@ def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
 def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
     """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
     varied = _varied(system, name, sink)
-    _report_assumed(system, replace(where, inputs={**where.inputs, varied.name: 0.0}), sink)
+    given = replace(where, inputs={**where.inputs, varied.name: 0.0})
+    _report_assumed(system, given, sink, holds=not sampled(system))
     held = [*holonomic_rows(system), *integrable_rows(system, point(system, replace(where, trim=False), Sink()))]
 
     def place(value: float) -> Point:
         own = Sink()
-        found = point(system, _with(system, where, varied.name, value), own)
+        found = loop_point(system, _with(system, where, varied.name, value), own)
+        if found is None:
+            raise failed(own.diagnostics)
         own.raise_if_errors()
         return found
 
@@ -86,6 +128,14 @@ def point(system: System, where: Where, sink: Sink) -> Point:
             raise failed(sink.diagnostics)
         return found.point
     return _state(system, where, where.start, sink)
+
+
+def loop_point(system: System, where: Where, sink: Sink) -> Point | None:
+    """As `point`; with `trim` the fixed point of the loop, where clocks close one and the unknowns are not chosen."""
+    if not where.trim or where.free or where.hold or not sampled(system):
+        return point(system, where, sink)
+    guess = _state(system, replace(where, trim=False), where.start, sink)
+    return trimmed(system, guess, sink)
 
 
 def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:
@@ -108,10 +158,10 @@ def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink 
     return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, begins=begins, sink=sink)
 
 
-def _report_assumed(system: System, where: Where, sink: Sink) -> None:
-    """N0875 for inputs that are taken as zero, N0876 for discrete variables, which are held."""
+def _report_assumed(system: System, where: Where, sink: Sink, *, holds: bool = True) -> None:
+    """N0875 for inputs that are taken as zero; N0876 for discrete variables that are held."""
     report_missing(system.flat, [*where.inputs, *where.free], sink)
-    report_held(system.flat, sink)
+    report_held(system, sink, of_loop=not holds)
 
 
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.inputs import inputs_at
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from lagdsl.analysis.trim import Equilibrium
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
+    from lagdsl.api.frequency_response import FrequencyResponse
     from lagdsl.api.modes import Modes
     from lagdsl.pipeline import Compilation
     from lagdsl.signals.inputs import Signal
@@ -59,19 +61,28 @@ class SmallMotions(Shown):
         start: Mapping[str, Value] | None = None,
         parameters: Mapping[str, Value] | None = None,
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
+        every: float | str | None = None,
+        trim: bool = False,
         sink: Sink | None = None,
     ) -> Linearization:
         """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
 
         Vectors in the order of the model's names, or mappings of some of them; what is left out is that of the initial
         state. The point is the state that a motion from there begins with, `.point`: on the constraints, behind the
-        events of the start. Raises CompilationFailed where there is no linearization, as between two sides of a corner.
+        events of the start; with `trim` it is the equilibrium next to that. Raises CompilationFailed where there is no
+        linearization, as between two sides of a corner.
+
+        With `every`, in seconds or as a text with a unit, `"2 ms"`, the system is sampled: A, B, C and D lead from one
+        instant to the next, inputs are held in between. In a model with clocks that is the sampled loop, states and
+        discrete variables together, just before its ticks; `every` is then a multiple of the common period, and `trim`
+        takes a fixed point of the loop.
         """
         from lagdsl.analysis.where import linearize
+        from lagdsl.settings.literal import seconds
 
-        return linearize(
-            self._system, self._where(t, (q, qd, z), u, p, start, parameters, inputs), Sink() if sink is None else sink
-        )
+        where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
+        period = seconds("every", every) if isinstance(every, str) else every
+        return linearize(self._system, where, Sink() if sink is None else sink, every=period)
 
     @with_starts
     def modes(
@@ -98,6 +109,43 @@ class SmallMotions(Shown):
 
         where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
         return modes_of(self._system, where, Sink() if sink is None else sink, self._source)
+
+    @with_starts
+    def bode(
+        self,
+        source: str | None = None,
+        target: str | None = None,
+        *,
+        frequencies: ArrayLike | None = None,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        start: Mapping[str, Value] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
+        trim: bool = False,
+        every: float | str | None = None,
+        sink: Sink | None = None,
+    ) -> FrequencyResponse:
+        """The response of the output or state `target` to sinusoids in the input `source`, which may be left out where
+        there is one: `.frequencies .response .magnitude .phase .transfer .margins .plot()`.
+
+        `frequencies` are in Hz; left out, they show all poles, zeros and crossings. The point is as for `modes`.
+        `every` samples the system as for `linearize`. Warnings go to `sink`. Raises UnknownName and CompilationFailed.
+        """
+        from lagdsl.analysis.where import bode
+        from lagdsl.api.frequency_response import FrequencyResponse
+        from lagdsl.settings.literal import seconds
+
+        where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
+        omega = None if frequencies is None else 2.0 * np.pi * np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
+        told = Sink() if sink is None else sink
+        period = seconds("every", every) if isinstance(every, str) else every
+        found = bode(self._system, where, told, channel=(source, target), omega=omega, every=period)
+        return FrequencyResponse.of(found)
 
     @with_starts
     def vary(

@@ -3,23 +3,32 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from lagdsl.analysis.modes import AXIS, Modes, held_text
 from lagdsl.analysis.point import System
+from lagdsl.analysis.sampled.schedule import time_text
+from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.variation import Variation
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
 from lagdsl.flat.display import Display
 
 _MOST_ENTRIES = 8
+_MOST_NAMES = 4
 _NEGLIGIBLE = 1e-9
 
 
 def modes_text(system: System, found: Modes) -> str:
     """State, eigenvalues, shapes and stability. The text shows one of each pair of conjugate eigenvalues."""
+    loop = found.loop
+    head = f"{found.model}: {len(found.eigenvalues)} eigenvalues about"
+    if loop is not None:
+        period = time_text(loop.period)
+        head = f"{found.model}: sampled loop with {len(loop.multipliers)} multipliers in {period}, about"
     shown = [i for i, s in enumerate(found.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0]
     zeros = int(np.count_nonzero(found.eigenvalues == 0.0))
     header = ["mode", "eigenvalue [1/s]", "frequency [Hz]", "damping", "time constant [s]"]
@@ -28,8 +37,10 @@ def modes_text(system: System, found: Modes) -> str:
         rows.append(["", "0" if zeros == 1 else f"0 ({zeros} times)", "-", "-", "-"])
     shapes = [_shape(found, k, i) for k, i in enumerate(shown)]
     parts = [
-        f"{found.model}: {len(found.eigenvalues)} eigenvalues about",
-        f"{point_text(system, found.point)}\n{steadiness_text(found.steadiness)}",
+        head,
+        f"{point_text(system, found.point)}\n{steadiness_text(found.steadiness) if loop is None else _kind(loop)}",
+        "" if loop is None else _multipliers(loop),
+        "" if loop is None else f"the plant between ticks, with {_names(found.held)} held",
         text_table(header, rows) if rows else "",
         "\n".join(["shapes, largest entry 1 (SI units)", *shapes]) if shapes else "",
     ]
@@ -38,6 +49,33 @@ def modes_text(system: System, found: Modes) -> str:
         parts.append(f"{found.dropped} zero eigenvalue(s) left out: velocity constraint {names} is integrable")
     parts.append(f"{found.stability[0].upper()}{found.stability[1:]}.")
     return "\n\n".join(part for part in parts if part)
+
+
+def _kind(loop: SampledModes) -> str:
+    """Kind of the point of a sampled loop."""
+    if loop.unbalanced:
+        return f"This is no fixed point of the loop: {_names(loop.unbalanced)} would change in a period."
+    if loop.running:
+        return f"This is a steady motion of the loop; these run and influence nothing else: {_names(loop.running)}."
+    return "This is a fixed point of the loop."
+
+
+def _names(names: Sequence[str]) -> str:
+    more = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    return ", ".join(f"`{name}`" for name in names[:_MOST_NAMES]) + more
+
+
+def _multipliers(loop: SampledModes) -> str:
+    """One of each pair."""
+    columns = zip(loop.multipliers.tolist(), loop.frequencies.tolist(), loop.time_constants.tolist(), strict=True)
+    rows: list[list[str]] = []
+    for z, frequency, tau in columns:
+        if z.imag < 0.0:
+            continue
+        value = f"{number(z.real)} ± {number(z.imag)}i" if z.imag else number(z.real)
+        decay = "-" if math.isinf(tau) or z == 0.0 else number(tau)
+        rows.append([str(len(rows) + 1), value, number(abs(z)), number(frequency) if frequency else "-", decay])
+    return text_table(["mode", "multiplier", "magnitude", "frequency [Hz]", "time constant [s]"], rows)
 
 
 def _figures(found: Modes, i: int) -> list[str]:

@@ -25,6 +25,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import findings
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.settings.failure import SettingError
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.signals.inputs import Signal, given_inputs, signals
@@ -74,23 +75,46 @@ _takes_equilibrium = group(
     ),
     click.option("--steady", is_flag=True, help="With --trim: keep the rates of the start and find a steady motion."),
 )
-takes_state: Decorator = group(
-    "options",
-    Options,
-    takes_model,
-    takes_settings,
-    takes_inputs,
-    click.option("--time", metavar="T", help="Time of the state [s]; default: start of the experiment."),
-    _takes_equilibrium,
-    takes_engine,
-    click.option(
-        "--to",
-        "form",
-        type=Forms(["text", "json", "csv"], {".txt": "text"}),
-        help="Form of the result on standard output; default: text.",
-    ),
-    click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
+
+
+def takes_state_and_form(option: str) -> Decorator:
+    """Add FILE and the options that choose a state and, with `option`, the form of the result; the command gets them
+    as `options`."""
+    return group(
+        "options",
+        Options,
+        takes_model,
+        takes_settings,
+        takes_inputs,
+        click.option("--time", metavar="T", help="Time of the state [s]; default: start of the experiment."),
+        _takes_equilibrium,
+        takes_engine,
+        click.option(
+            option,
+            "form",
+            type=Forms(["text", "json", "csv"], {".txt": "text"}),
+            help="Form of the result on standard output; default: text.",
+        ),
+        click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
+    )
+
+
+takes_state = takes_state_and_form("--to")
+
+
+takes_every: Decorator = click.option(
+    "--every",
+    metavar="T",
+    help="Sample with this period, '2 ms': a model with clocks as the loop, over a multiple of their period.",
 )
+
+
+def period_or_leave(text: str | None) -> float | None:
+    """The period of `--every` [s]. Raises SettingError."""
+    period = seconds("--every", text)
+    if period is not None and not period > 0.0:
+        raise SettingError(f"--every={text}: a period is longer than zero")
+    return period
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

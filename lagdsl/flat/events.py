@@ -69,6 +69,15 @@ class Corner(Item):
 
 
 @record(kw_only=True)
+class SampledCorner(Item):
+    """A function with a corner or a jump in what clauses compute, `name` as written; it reaches these `variables`, and
+    the states and rates that clauses set. Nothing is located there: the clause takes it as it stands."""
+
+    name: str
+    variables: tuple[str, ...]
+
+
+@record(kw_only=True)
 class Memory(Item):
     """`pre(v)` of a quantity that no clause assigns, as an input: `value` as it was before the event. A `truth` is 0 or
     1."""
@@ -238,7 +247,7 @@ class Events:
     """All of a model that changes at instants. `instants` are those of INITIAL and TERMINAL that occur.
 
     Steps end at `corners`, those of forces, energies and rates; nothing else happens there. `others` are those of
-    outputs, of what stands in `noEvent` and `smooth`, and cuts of `atan2`.
+    outputs, of what stands in `noEvent` and `smooth`, and cuts of `atan2`; `sampled` are those of clauses.
     """
 
     discretes: tuple[Discrete, ...] = ()
@@ -249,6 +258,7 @@ class Events:
     timed: tuple[Timed, ...] = ()
     corners: tuple[Corner, ...] = ()
     others: tuple[Corner, ...] = ()
+    sampled: tuple[SampledCorner, ...] = ()
     whens: tuple[When, ...] = ()
     memories: tuple[Memory, ...] = ()
     clocks: tuple[Clock, ...] = ()

@@ -20,6 +20,7 @@ from lagdsl.semantics.classes.expand import collect
 from lagdsl.semantics.classes.inheritance import expand_short
 from lagdsl.semantics.classes.selection import file_scope, functions_of, select
 from lagdsl.semantics.discontinuities.discontinuities import discontinuities
+from lagdsl.semantics.discontinuities.sampled import sampled_corners
 from lagdsl.semantics.events.event_order import check_events, with_switches
 from lagdsl.semantics.events.whens import check_targets
 from lagdsl.semantics.expressions.expressions import elaborate
@@ -221,7 +222,9 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     """Discontinuities, and checks that need a model without errors."""
     dimensions = {id(load): dimension for load, dimension in ctx.product.solved}
     solved = [dimensions.get(id(load)) for load in flat.loads]
+    sampled = sampled_corners(flat, ctx.product.sampled)
     flat = discontinuities(flat, ctx.product.met, ctx.sink)
+    flat = replace(flat, events=replace(flat.events, sampled=sampled))
     dependence = Dependence(flat)
     flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)

@@ -1,4 +1,4 @@
-"""Modes of models with clocks: no verdict on a plant whose controller is held, as if it were the loop."""
+"""Modes of models with clocks: the verdict is that of the loop, never that of a plant whose controller is held."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ equation
 end Rod;
 """
 HELD = "no statement on stability: the sampled controller is held"
+STABLE, UNSTABLE = "stable: largest multiplier", "unstable: largest multiplier"
 
 
 TYPES = {"u": "Torque u(start = 0)", "w": "Torque w(start = 0)", "on": "Boolean on(start = false)"}
@@ -33,22 +34,23 @@ LAW = "-(20 N.m/rad)*a - (6 N.m.s/rad)*der(a);"
 
 
 @pytest.mark.parametrize(
-    ("force", "clause", "names"),
+    ("force", "clause", "names", "verdict"),
     [
-        ("torque u on a;", f"when sample(0, 10 ms) then u = {LAW} w = u; on = true; end when;", ("u",)),
+        ("torque u on a;", f"when sample(0, 10 ms) then u = {LAW} w = u; on = true; end when;", ("u",), STABLE),
         (
             "torque u on a;",
             f"when sample(0, 10 ms) then w = {LAW} on = not pre(on); end when; when change(on) then u = w; end when;",
             ("u",),
+            STABLE,
         ),
-        ("torque if on then -(1 N.m) else 0 on a;", "when sample(0, 10 ms) then on = a > 0; end when;", ("on",)),
-        ("torque 0 on a;", "when sample(0, 10 ms) then reinit(der(a), 0.5*der(a)); end when;", ("a",)),
+        ("torque if on then -(1 N.m) else 0 on a;", "when sample(0, 10 ms) then on = a > 0; end when;", ("on",), HELD),
+        ("torque 0 on a;", "when sample(0, 10 ms) then reinit(der(a), 0.5*der(a)); end when;", ("a",), UNSTABLE),
     ],
 )
-def test_a_sampled_controller_has_no_verdict(force: str, clause: str, names: tuple[str, ...]) -> None:
+def test_the_verdict_is_that_of_the_loop(force: str, clause: str, names: tuple[str, ...], verdict: str) -> None:
     found = rod(force, clause).modes()
     assert found.held == names
-    assert found.stability.startswith(HELD)
+    assert found.stability.startswith(verdict)
     assert found.unstable == 1  # of the rod alone
 
 
@@ -70,5 +72,5 @@ def test_what_does_not_act_leaves_the_verdict(force: str, clause: str) -> None:
 
 
 def test_thresholds_of_a_held_plant_are_told_as_such() -> None:
-    model = rod("torque u on a;", f"when sample(0, 10 ms) then u = {LAW} end when;")
-    assert model.vary("a.start", "0:0.1:0.1 rad").held == ("u",)
+    model = rod("torque if on then -(1 N.m) else 0 on a;", "when sample(0, 10 ms) then on = a > 0; end when;")
+    assert model.vary("der(a).start", "0:0.1:0.1 rad/s").held == ("on",)

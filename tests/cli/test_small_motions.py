@@ -138,3 +138,75 @@ def test_inputs_and_held_coordinates(invoke: Invoke) -> None:
     assert values["x[1]"] == 0.05
     assert values["f"] == pytest.approx(30 * 0.05 * 4 / 3)
     assert values["x[3]"] == pytest.approx(0.05 / 3)
+
+
+SERVO = """model Servo
+  parameter Time h = 10 ms;
+  coordinate Length x;
+  discrete Force u(start = 0);
+  input Force f = 0 N;
+  kinetic 1/2*(2 kg)*der(x)^2;
+  force u + f on x;
+  output Length place = x;
+equation
+  when sample(0, h) then
+    u = limit((60 N/m)*(0.5 m - x) - (15 N.s/m)*der(x), -20 N, 20 N);
+  end when;
+end Servo;
+"""
+
+
+@pytest.fixture
+def servo(tmp_path: Path) -> Path:
+    path = tmp_path / "servo.lag"
+    path.write_text(SERVO)
+    return path
+
+
+def test_a_sampled_loop_as_json(invoke: Invoke, servo: Path) -> None:
+    """z^2 - trace z + det with h = 10 ms, k/m = 30, d/m = 7.5."""
+    data = json.loads(invoke("modes", servo, "--trim", "--to", "json").stdout)
+    trace, det = 2 - 0.075 - 30e-4 / 2, 1 - 0.075 + 30e-4 / 2
+    found = [complex(*z) for z in data["multipliers"]]
+    assert (sum(found), found[0] * found[1]) == (pytest.approx(trace), pytest.approx(det))
+    assert (data["period"], data["fixed_point"], data["held"]) == (0.01, True, ["u"])
+    assert data["without"][0].startswith("limit(")
+
+
+def test_matrices_of_a_sampled_loop(invoke: Invoke, servo: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.json"
+    shown = invoke("linearize", servo, "--every", "20 ms", "--trim")
+    assert "sampled every 20 ms" in shown.stdout
+    assert "Left out: `u`; nothing at the next instant depends on these." in shown.stdout
+    assert invoke("linearize", servo, "--every", "20 ms", "--trim", "-o", out).exit_code == 0
+    data = json.loads(out.read_text())
+    one = np.array([[1 - 30e-4 / 2, 0.01 - 7.5e-4 / 2], [-0.3, 1 - 0.075]])
+    np.testing.assert_allclose(data["A"], one @ one, rtol=1e-12)
+    assert (data["every"], data["states"], data["left_out"]) == (0.02, ["x", "der(x)"], ["u"])
+
+
+def test_a_frequency_response_as_table_and_picture(invoke: Invoke, servo: Path, tmp_path: Path) -> None:
+    """The plant alone: 1/(2 kg s^2)."""
+    picture = tmp_path / "bode.png"
+    asked = ("bode", servo, "--from", "f", "--to", "place", "--band", "1:2 rad/s")
+    result = invoke(*asked, "--form", "csv", "--plot", picture)
+    header, first, *_ = result.stdout.splitlines()
+    assert header.startswith("frequency [Hz],re,im,magnitude")
+    assert [float(x) for x in first.split(",")] == pytest.approx([1 / (2 * np.pi), -0.5, 0, 0.5, np.pi])
+    assert picture.read_bytes()[:4] == b"\x89PNG"
+    text = invoke("bode", servo, "--from", "f", "--to", "place", "--every", "10 ms", "--trim").stdout
+    assert "sampled every 10 ms" in text and "with u = -y in SI units the loop is stable" in text
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["bode", "--band", "1:2"], "expected first:last with a unit"),
+        (["bode", "--band", "2:1 Hz"], "have to rise"),
+        (["linearize", "--every", "0 s"], "longer than zero"),
+    ],
+)
+def test_periods_and_bands_that_mean_nothing(invoke: Invoke, servo: Path, options: list[str], message: str) -> None:
+    result = invoke(options[0], servo, *options[1:])
+    assert result.exit_code == 2
+    assert message in result.stderr

@@ -8,36 +8,47 @@ import click
 
 from lagdsl.analysis.linearization import Linearization
 from lagdsl.analysis.linearize import Named
+from lagdsl.analysis.sampled.schedule import time_text
+from lagdsl.analysis.sampled.verdict import names_text
 from lagdsl.analysis.where import linearize
 from lagdsl.cli.command import Command
-from lagdsl.cli.small_motions import Options, finish, request, takes_state
+from lagdsl.cli.small_motions import Options, finish, period_or_leave, request, takes_every, takes_state
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
 from lagdsl.numerics.rank import Floats
 
+_STAYS = 1e-9
+
 
 @click.command("linearize", cls=Command)
 @takes_state
-def command(options: Options) -> None:
-    """Linearize FILE about its initial state: dx/dt = A x + B u, y = C x + D u on the minimal state, in SI units."""
+@takes_every
+def command(options: Options, every: str | None) -> None:
+    """Linearize FILE about its initial state: dx/dt = A x + B u, y = C x + D u on the minimal state, in SI units; with
+    --every x[k+1] = A x[k] + B u[k]."""
+    period = period_or_leave(every)
     asked = request(options)
-    found = asked.ask(linearize)
+    found = asked.ask(lambda system, where, sink: linearize(system, where, sink, every=period))
     text = "\n\n".join(_parts(found, point_text(asked.system, found.point)))
     finish(asked, text, _data(found), _table(found))
 
 
 def _parts(found: Linearization, where: str) -> list[str]:
     names = {"x": found.states, "u": found.inputs, "y": found.outputs}
-    parts = [f"{found.model}: {len(found.states)} states, linearized at", where, steadiness_text(found.steadiness)]
+    head = f"{found.model}: {len(found.states)} states, linearized at"
+    what, of_rows = ("rates of x", "d/dt {}") if found.every is None else ("next x", "next {}")
+    if found.every is not None:
+        head = f"{found.model}: {len(found.states)} states, sampled every {time_text(found.every)}, linearized at"
+    parts = [head, where, steadiness_text(found.steadiness) if found.every is None else _change(found)]
     parts += _left_out(found)
     for title, matrix, rows, columns in (
-        ("A: rates of x by x", found.A, "x", "x"),
-        ("B: rates of x by u", found.B, "x", "u"),
+        (f"A: {what} by x", found.A, "x", "x"),
+        (f"B: {what} by u", found.B, "x", "u"),
         ("C: y by x", found.C, "y", "x"),
         ("D: y by u", found.D, "y", "u"),
     ):
         if matrix.size:
-            labels = [f"d/dt {n.name}" if rows == "x" else _label(n) for n in names[rows]]
+            labels = [of_rows.format(n.name) if rows == "x" else _label(n) for n in names[rows]]
             body = _matrix(matrix, labels, [_label(n) for n in names[columns]])
             parts.append(f"{title}\n{body}")
     return parts
@@ -45,7 +56,19 @@ def _parts(found: Linearization, where: str) -> list[str]:
 
 def _left_out(found: Linearization) -> list[str]:
     names = ", ".join(f"`{each.name}`" for each in found.left_out)
-    return [f"Left out: {names}; no other state and no output depends on these charges."] if names else []
+    why = "no other state and no output depends on these charges"
+    if found.every is not None:
+        why = "nothing at the next instant depends on these"
+    told = [f"Left out: {names}; {why}."] if names else []
+    return told + ([f"Without {names_text(found.without)}, which small motions do not see."] if found.without else [])
+
+
+def _change(found: Linearization) -> str:
+    """Of a sampled system: does it stay at the point?"""
+    moving = [n.name for n, change in zip(found.states, found.rate.tolist(), strict=True) if abs(change) > _STAYS]
+    if not moving:
+        return "This is a fixed point."
+    return f"In one period {', '.join(f'`{name}`' for name in moving)} would change at this point."
 
 
 def _label(named: Named) -> str:
@@ -72,6 +95,8 @@ def _data(found: Linearization) -> dict[str, Any]:
         "B": found.B,
         "C": found.C,
         "D": found.D,
+        "every": found.every,
+        "without": list(found.without),
         "rate": found.rate,
         "kind": found.steadiness.kind,
         "t": point.t,
@@ -86,7 +111,7 @@ def _table(found: Linearization) -> list[list[Any]]:
     """[A B; C D] with the names of its rows and columns."""
     rows: list[list[Any]] = [["", *(n.name for n in (*found.states, *found.inputs))]]
     for named, a, b in zip(found.states, found.A.tolist(), found.B.tolist(), strict=True):
-        rows.append([f"d/dt {named.name}", *a, *b])
+        rows.append([f"d/dt {named.name}" if found.every is None else f"next {named.name}", *a, *b])
     for named, c, d in zip(found.outputs, found.C.tolist(), found.D.tolist(), strict=True):
         rows.append([named.name, *c, *d])
     return rows

@@ -9,6 +9,7 @@ import click
 import numpy as np
 
 from lagdsl.analysis.modes import Modes
+from lagdsl.analysis.sampled.verdict import SampledModes
 from lagdsl.analysis.variation import Variation
 from lagdsl.analysis.where import modes, vary
 from lagdsl.cli.command import Command
@@ -83,6 +84,7 @@ def _modes_data(found: Modes) -> dict[str, Any]:
         "kind": found.steadiness.kind,
         "stability": found.stability,
         "held": list(found.held),
+        **_loop_data(found.loop),
         "eigenvalues": found.eigenvalues,
         "frequencies": found.frequencies,
         "damping": found.damping,
@@ -97,6 +99,18 @@ def _modes_data(found: Modes) -> dict[str, Any]:
         "qd": found.point.qd,
         "z": found.point.z,
         "u": found.point.u,
+    }
+
+
+def _loop_data(loop: SampledModes | None) -> dict[str, Any]:
+    if loop is None:
+        return {}
+    return {
+        "period": loop.period,
+        "multipliers": loop.multipliers,
+        "loop_states": [n.name for n in loop.names],
+        "fixed_point": not loop.unbalanced,
+        "without": [each.name for each in loop.ignored],
     }
 
 

@@ -45,4 +45,34 @@ ROWS: dict[str, Row] = {
         "turns at this point",
         "choose a state on the side that you mean: start values that differ by 1e-9 of their size are enough",
     ),
+    "E0861": error(
+        "name the {what} of the transfer function: the model has {count}",
+        None,
+        "there are {known}",
+    ),
+    "E0862": error(
+        "the clocks {names} have no common period of at most {most} ticks",
+        "one of them",
+        "use periods of which one is a short multiple of another",
+    ),
+    "E0863": error(
+        "{every} is no multiple of the common period of the clocks, {common}",
+        "ticks",
+        "take {common} or a multiple of it",
+    ),
+    "E0864": error(
+        "no fixed point of the sampled loop found: {left}",
+        None,
+        "give starts closer to it; an integrator whose input is never zero has none",
+    ),
+    "E0865": error(
+        "no linearization of the sampled loop at this point: {what} is set with two sides of {names}",
+        "turns at this point",
+        "choose a state on the side that you mean: start values that differ by 1e-9 of their size are enough",
+    ),
+    "E0866": error(
+        "no linearization of the sampled loop: at a tick {reason}",
+        None,
+        "linearize the plant, without `--every`",
+    ),
 }

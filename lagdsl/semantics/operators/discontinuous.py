@@ -36,18 +36,22 @@ def met(
 ) -> FlatExpression:
     """The same expression, remembered where `values` move, on which its branches depend. `text` is that of the node
     unless given. Not `located`: no instant is searched for."""
+    if latest(*values) not in (Variability.DISCRETE, Variability.CONTINUOUS):
+        return expression
+    found = Met(
+        expression=expression,
+        function=function,
+        text=scope.owner.prefix + (text or node.span.text),
+        spans=(node.span, *scope.spans),
+        dimension=next((value.dimension for value in values if value.dimension is not None), DIMENSIONLESS),
+        order=highest(*values),
+        located=located and not ctx.current.quiet,
+        pieces=pieces,
+    )
     if moves(*values):
-        found = Met(
-            expression=expression,
-            function=function,
-            text=scope.owner.prefix + (text or node.span.text),
-            spans=(node.span, *scope.spans),
-            dimension=next((value.dimension for value in values if value.dimension is not None), DIMENSIONLESS),
-            order=highest(*values),
-            located=located and not ctx.current.quiet,
-            pieces=pieces,
-        )
         ctx.product.met.append(found)
+    if function:
+        ctx.product.sampled.append(found)
     return expression
 
 

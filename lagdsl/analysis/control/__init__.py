@@ -1,0 +1,1 @@
+"""Linear models for control: zeros, transfer functions, margins, frequency responses."""

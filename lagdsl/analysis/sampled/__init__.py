@@ -1,0 +1,1 @@
+"""Sampled loops: a model with clocks, linearized over the common period of their ticks."""

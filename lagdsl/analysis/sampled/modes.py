@@ -1,0 +1,34 @@
+"""Modes of sampled loops, and the points about which they mean something."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.sampled.fixed_point import fixed_point
+from lagdsl.analysis.sampled.loop import loop_at
+from lagdsl.analysis.sampled.schedule import schedule_of
+from lagdsl.analysis.sampled.verdict import SampledModes, is_same, reads_time, sampled_modes
+from lagdsl.diagnostics import Sink
+
+# Periods after which a loop that time acts on is looked at again.
+_LATER = (0.6180339887, 7.4142135623)
+
+
+def loop_modes(system: System, point: Point, sink: Sink) -> SampledModes | None:
+    """Of the loop that clocks close; None after errors."""
+    schedule = schedule_of(system, point.p, None, sink)
+    loop = None if schedule is None else loop_at(system, point, schedule, sink, with_outputs=False)
+    if schedule is None or loop is None:
+        return None
+    found = sampled_modes(system, loop)
+    later = [loop_at(system, replace(point, t=point.t + each * loop.period), schedule, Sink(), with_outputs=False)
+             for each in _LATER] if reads_time(system) else []  # fmt: skip
+    same = all(each is not None and is_same(system, loop, each) for each in later)
+    return found if same else replace(found, unbalanced=(*found.unbalanced, "time"))
+
+
+def trimmed(system: System, guess: Point, sink: Sink) -> Point | None:
+    """The fixed point of the loop near `guess`; None after errors."""
+    schedule = schedule_of(system, guess.p, None, sink)
+    return None if schedule is None else fixed_point(system, guess, schedule, sink)
