@@ -12,7 +12,7 @@ from lagdsl.analysis.control.frequency_response import FrequencyResponse
 from lagdsl.analysis.where import bode
 from lagdsl.cli.bode_text import bode_text
 from lagdsl.cli.command import Command
-from lagdsl.cli.options import PATH
+from lagdsl.cli.groups import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.small_motions import Options, finish, period_or_leave, request, takes_every, takes_state_and_form
 from lagdsl.numerics.rank import Floats

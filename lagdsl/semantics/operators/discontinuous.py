@@ -50,8 +50,7 @@ def met(
     )
     if moves(*values):
         ctx.product.met.append(found)
-    if function:
-        ctx.product.sampled.append(found)
+    ctx.product.sampled.append(found)
     return expression
 
 

@@ -49,7 +49,7 @@ class Product:
 
     `forces` are those of compliant contacts and of friction. `solved` are the loads that depend on the motion that
     they cause, each with the dimension of its value. `met` are the discontinuities, operands before what reads them.
-    `sampled` are functions with a corner or a jump of what clauses may read, discrete variables too.
+    `sampled` are those that clauses may read, also of discrete variables.
     `names` are taken; `unlabelled` counts the constraints, contacts and frictions that get a number for a name.
     """
 
