@@ -58,7 +58,7 @@ class Threshold:
 class Variation:
     """`eigenvalues` (k, n) [1/s], each column a branch, nan where there is no linearization; `unstable` (k,) numbers
     of growing modes, -1 there. `of_loop`: clocks close a loop, and the eigenvalues are those of the samples,
-    log(multiplier)/period, thresholds those of the loop: there a multiplier crosses the unit circle. `held`: see
+    log(multiplier)/period, and thresholds those of the loop: there a multiplier crosses the unit circle. `held`: see
     `Modes`; where it names signals, the loop has no linearization, and all are those of the plant."""
 
     model: str
