@@ -7,6 +7,7 @@ import numpy as np
 from lagdsl.analysis.linearization import Linearization, linear_of
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.sampled.loop import Loop, loop_at
+from lagdsl.analysis.sampled.modes import changes_with_time
 from lagdsl.analysis.sampled.schedule import no_clocks, schedule_of
 from lagdsl.analysis.sampled.verdict import ignored, lasting
 from lagdsl.diagnostics import Sink
@@ -21,7 +22,11 @@ def sampled_linearization(system: System, point: Point, every: float, sink: Sink
     clocks = bool(system.flat.events.clocks)
     schedule = schedule_of(system, point.p, every, sink) if clocks else no_clocks(every)
     loop = None if schedule is None else loop_at(system, point, schedule, sink, with_outputs=True)
-    return None if loop is None else _linearization(system, loop, every)
+    if loop is None:
+        return None
+    if changes_with_time(system, loop, with_outputs=True):
+        sink.report("W0854", None, reason="time acts on the sampled system")
+    return _linearization(system, loop, every)
 
 
 def _linearization(system: System, loop: Loop, every: float) -> Linearization:

@@ -57,7 +57,7 @@ class Threshold:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Variation:
     """`eigenvalues` (k, n) [1/s], each column a branch, nan where there is no linearization; `unstable` (k,) numbers
-    of growing modes, -1 there. In a model whose clocks close a loop the eigenvalues are those of the samples,
+    of growing modes, -1 there. `of_loop`: clocks close a loop, and the eigenvalues are those of the samples,
     log(multiplier)/period, and thresholds those of the loop: there a multiplier crosses the unit circle. `held`: see
     `Modes`; where it names signals, the loop has no linearization, and all are those of the plant."""
 
@@ -68,6 +68,7 @@ class Variation:
     unstable: tuple[int, ...]
     thresholds: tuple[Threshold, ...]
     held: tuple[str, ...] = ()
+    of_loop: bool = False
 
 
 def variation(system: System, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
@@ -90,6 +91,7 @@ def variation(system: System, varied: Named, values: Sequence[float], place: Pla
         unstable=counts,
         thresholds=tuple(thresholds),
         held=() if spectrum.of_loop else sampled(system),
+        of_loop=spectrum.of_loop,
     )
 
 

@@ -113,13 +113,15 @@ def variation_text(found: Variation, shown: Display) -> str:
     unit = f" {shown.unit}" if shown.unit else ""
     name = found.varied.name
     first, last = (shown(float(found.values[end])) for end in (0, -1))
-    lines = [f"{found.model}: eigenvalues for {len(found.values)} values of {name} from {first:g} to {last:g}{unit}"]
+    what = "sampled loop" if found.of_loop else "eigenvalues"
+    lines = [f"{found.model}: {what} for {len(found.values)} values of {name} from {first:g} to {last:g}{unit}"]
     for each in found.thresholds:
         how = f"flutter at {number(each.frequency)} Hz" if each.kind == "flutter" else "divergence"
         side = "above" if each.unstable_above else "below"
         lines.append(f"  threshold {name} = {shown(each.value):.12g}{unit}: {how}, growing {side}")
     if not found.thresholds:
-        lines.append("  no eigenvalue crosses the imaginary axis")
+        crossing = "multiplier crosses the unit circle" if found.of_loop else "eigenvalue crosses the imaginary axis"
+        lines.append(f"  no {crossing}")
     if found.held:
         lines.append(f"  no statement on stability: {held_text(found.held)}")
     missing = sum(count < 0 for count in found.unstable)

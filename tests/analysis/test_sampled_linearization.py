@@ -307,8 +307,11 @@ def test_ticks_without_a_linearization(clauses: str, more: str, reason: str) -> 
 
 
 def test_a_reference_that_moves_has_no_fixed_point() -> None:
-    found = plant(TICK.format(h="h", law="u = k*(0.1 m*sin((1 rad/s)*time) - x) - d*der(x);")).modes()
-    assert found.stability.startswith("no statement on the sampled loop: `time` changes")
+    model = plant(TICK.format(h="h", law="u = k*(0.1 m*sin((1 rad/s)*time) - x) - d*der(x);"))
+    assert model.modes().stability.startswith("no statement on the sampled loop: `time` changes")
+    sink = Sink()
+    model.linearize(every=0.1, sink=sink)
+    assert [each.code for each in sink.diagnostics] == ["W0854"]
 
 
 def test_an_input_is_read_at_the_tick() -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.sampled.fixed_point import fixed_point
-from lagdsl.analysis.sampled.loop import loop_at
+from lagdsl.analysis.sampled.loop import Loop, loop_at
 from lagdsl.analysis.sampled.schedule import schedule_of
 from lagdsl.analysis.sampled.verdict import SampledModes, is_same, reads_time, sampled_modes
 from lagdsl.diagnostics import Sink
@@ -19,13 +19,23 @@ def loop_modes(system: System, point: Point, sink: Sink) -> SampledModes | None:
     """Of the loop that clocks close; None after errors."""
     schedule = schedule_of(system, point.p, None, sink)
     loop = None if schedule is None else loop_at(system, point, schedule, sink, with_outputs=False)
-    if schedule is None or loop is None:
+    if loop is None:
         return None
     found = sampled_modes(system, loop)
-    later = [loop_at(system, replace(point, t=point.t + each * loop.period), schedule, Sink(), with_outputs=False)
-             for each in _LATER] if reads_time(system) else []  # fmt: skip
-    same = all(each is not None and is_same(system, loop, each) for each in later)
-    return found if same else replace(found, unbalanced=(*found.unbalanced, "time"))
+    if not changes_with_time(system, loop, with_outputs=False):
+        return found
+    return replace(found, unbalanced=(*found.unbalanced, "time"))
+
+
+def changes_with_time(system: System, loop: Loop, *, with_outputs: bool) -> bool:
+    """True if the loop is another one some periods later, at the same state."""
+    if not reads_time(system):
+        return False
+    times = [loop.point.t + periods * loop.period for periods in _LATER]
+    others = [
+        loop_at(system, replace(loop.point, t=t), loop.schedule, Sink(), with_outputs=with_outputs) for t in times
+    ]
+    return not all(other is not None and is_same(system, loop, other) for other in others)
 
 
 def trimmed(system: System, guess: Point, sink: Sink) -> Point | None:
