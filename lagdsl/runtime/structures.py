@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 7
+VERSION = 8
 
 # lag_event_kind.
 WHAT = (
@@ -151,7 +151,7 @@ class Model(Structure):
         *_all(_evaluated(5), "kinematics"),
         *_all(c_void_p, "jacobian_pattern components"),
         *_all(c_size_t, "nk"),
-        *_all(c_void_p, "kept_rows"),
+        *_all(c_void_p, "kept_rows response_pattern coupling_pattern"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
         *_all(c_size_t, "ncorner nway nturn nslip nfriction nload"),
         *_all(c_void_p, "kinds strict whole_inputs contact_rows one_way frictions friction_rows"),

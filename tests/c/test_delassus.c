@@ -30,12 +30,13 @@ static void eliminate(const problem *x, double *a, double *response)
 static lag_status solve_kept(
     problem *x, size_t kept, const size_t *row, size_t rank, const double *response, const double *lam_response)
 {
-    const size_t size = lag_delassus_memory(x->n, x->m, kept);
+    const size_t size = lag_delassus_memory(x->m, kept);
     double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
+    const lag_delassus_patterns patterns = {NULL, NULL, NULL};
     CHECK(memory != NULL);
-    lag_delassus_place(&system, x->n, x->m, kept, row, NULL, NULL, memory);
+    lag_delassus_place(&system, x->n, x->m, kept, row, &patterns, memory);
     for (size_t i = 0; i < kept; ++i) {
         memcpy(jacobian + i * x->n, x->jacobian + row[i] * x->n, x->n * sizeof(double));
         gamma[i] = x->gamma[row[i]];

@@ -108,7 +108,8 @@ static const unsigned char ONES[3] = {1, 1, 1};
 static const unsigned char NONE[3] = {0, 0, 0};
 static const size_t ROW[4] = {0, 0, 1, 1};
 static const size_t COLUMN[4] = {0, 1, 2, 3};
-static const lag_pattern PATTERN = {2, 4, 4, ROW, COLUMN};
+static const size_t FIRST[3] = {0, 2, 4};
+static const lag_pattern PATTERN = {2, 4, 4, ROW, COLUMN, FIRST};
 
 static lag_model model_of(size_t second, size_t equations)
 {

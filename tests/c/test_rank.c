@@ -7,8 +7,8 @@
 
 enum { ROWS = 60, COLUMNS = ROWS + 1, ENTRIES = 2 * ROWS };
 
-static size_t row[ENTRIES], column[ENTRIES];
-static const lag_pattern PATTERN = {ROWS, COLUMNS, ENTRIES, row, column};
+static size_t row[ENTRIES], column[ENTRIES], first[ROWS + 1];
+static const lag_pattern PATTERN = {ROWS, COLUMNS, ENTRIES, row, column, first};
 static double sizes[COLUMNS], row_sizes[ROWS], lasting[ROWS];
 
 static lag_model model_of(const lag_pattern *pattern, size_t rank)
@@ -104,10 +104,12 @@ int main(void)
 {
     for (size_t i = 0; i < ROWS; ++i) {
         row[2 * i] = row[2 * i + 1] = i;
+        first[i] = 2 * i;
         column[2 * i] = i;
         column[2 * i + 1] = i + 1;
         row_sizes[i] = lasting[i] = 1.0;
     }
+    first[ROWS] = ENTRIES;
     for (size_t j = 0; j < COLUMNS; ++j) {
         sizes[j] = 1.0;
     }

@@ -94,7 +94,7 @@ double lag_smallest_pivot(const lag_model *model);
 
 /*
  * Completes the results of elimination() for the rows that it left; qdd and lam hold its accelerations and multipliers and
- * receive the final ones. `memory` is lag_delassus_memory(nq, nc, nk). LAG_MISSING: it kept too few digits, or has values that
+ * receive the final ones. `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that
  * are no numbers.
  */
 lag_status lag_solve_eliminated(

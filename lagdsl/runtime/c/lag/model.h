@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 7u
+#define LAG_MODEL_VERSION 8u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -57,6 +57,7 @@ typedef struct lag_lasting {
 typedef struct lag_pattern {
     size_t rows, columns, count;
     const size_t *row, *column; /* (count) */
+    const size_t *first;        /* (rows + 1) the first of each row, then `count` */
 } lag_pattern;
 
 /* Kinds of entries of w, in the order of the entries. */
@@ -75,7 +76,10 @@ typedef enum lag_kind {
     LAG_KIND_LOAD       /* a load that depends on the accelerations and multipliers that it causes: load() tells what it has to be */
 } lag_kind;
 
-/* Memory for results with few entries, zero at first and written by the model alone: what it leaves out is zero. */
+/*
+ * Memory for results with few entries, zero at first and written by the model alone: what it leaves out is zero. Each array is of one function;
+ * velocity_constraint() and dynamics(), dynamics() and mass_matrix() may share J and M.
+ */
 typedef struct lag_kept {
     double *first;
     size_t count;
@@ -106,6 +110,12 @@ typedef struct lag_arguments {
     const void *context; /* that of the model */
     const lag_kept *kept; /* null: there is none */
 } lag_arguments;
+
+/* True if a result lies in what the model alone writes: entries that are always zero are so. */
+static inline int lag_is_kept(const lag_arguments *at, const double *result)
+{
+    return at->kept != NULL && result >= at->kept->first && result < at->kept->first + at->kept->count;
+}
 
 typedef struct lag_model {
     unsigned version; /* LAG_MODEL_VERSION of the header it was compiled with */
@@ -329,6 +339,8 @@ typedef struct lag_model {
 
     size_t nk;               /* rows of constraints whose multipliers elimination() leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */
+    /* where response (nk, nq) of elimination(), and jacobian (nk, nq) times its transpose, less its diagonal, can be nonzero; null: anywhere */
+    const lag_pattern *response_pattern, *coupling_pattern;
 
     /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;

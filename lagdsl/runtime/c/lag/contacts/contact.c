@@ -18,7 +18,7 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
 {
     contacts->gap = lag_take(memory, model->ngap);
     contacts->speed = lag_take(memory, model->ngap);
-    contacts->jacobian = contacts->motion->gradients;
+    contacts->jacobian = contacts->motion->written.gaps;
     contacts->blows.part = lag_take(memory, model->ngap);
     lag_inequalities_place(&contacts->blows.rows, model, lag_take(memory, lag_inequalities_memory(model)));
 }

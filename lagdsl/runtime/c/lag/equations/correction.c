@@ -12,7 +12,7 @@ size_t lag_correction_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk;
-    return n + 3 * m + kept * (2 * n + m + 2) + lag_delassus_memory(n, m, kept);
+    return n + 3 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
 }
 
 /* Adds the effect of the multipliers of the rows left to run time. */

@@ -36,7 +36,7 @@ static places place(const lag_model *model, double *kept, double *memory)
     at.lam_response = lag_take(sparse, model->nk * m);
     at.kept_jacobian = lag_take(sparse, model->nk * n);
     at.kept_gamma = lag_take(&memory, model->nk);
-    at.delassus = lag_take(&memory, lag_delassus_memory(n, m, model->nk));
+    at.delassus = lag_take(&memory, lag_delassus_memory(m, model->nk));
     at.system = memory;
     return at;
 }
@@ -45,7 +45,7 @@ size_t lag_dynamics_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(n, m, model->nk);
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
     return n * n + n + m * n + m + kept + lag_system_memory(n, m) + lag_feedback_memory(model);
 }
 
@@ -98,8 +98,8 @@ lag_status lag_factor_eliminated(
     lag_delassus *system)
 {
     size_t rank = 0;
-    lag_delassus_place(
-        system, model->nq, model->nc, model->nk, model->kept_rows, model->jacobian_pattern, model->components, memory);
+    const lag_delassus_patterns patterns = {model->jacobian_pattern, model->response_pattern, model->coupling_pattern};
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, &patterns, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;

@@ -23,7 +23,7 @@ typedef struct lag_look {
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
     const double *lasting;    /* (m) 0: this row comes and goes and is not looked at; null: all are */
-    double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
+    double *rows, *now;       /* (entries) J in these sizes, at the last state and now */
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
@@ -43,6 +43,9 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
  * might have been lost on the way.
  */
 lag_status lag_look_at(lag_look *look, const double *jacobian);
+
+/* So many of the rows that are looked at are clearly independent, and the others follow from them; m + 1: that is not clear. */
+size_t lag_look_count(lag_look *look, const double *jacobian);
 
 /* True if J has turned so far, and the least pivot of J, zero where rank is lost; nothing of it is remembered. */
 int lag_look_turned(lag_look *look, const double *jacobian);

@@ -78,7 +78,7 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
             s->drift[count++] = phi[i] / run->sizes.rows[i];
         }
     }
-    known = known && model->position_constraint(&run->motion.at, phi, run->projection.jacobian) == LAG_OK;
+    known = known && lag_projection_look(&run->projection, 0) == LAG_OK;
     for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
         if (is_independent(run, i)) {
             for (size_t j = 0; j < model->nq; ++j) {
