@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from ctypes import addressof, byref, c_double
+from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 from typing import Any
 
 import numpy as np
@@ -20,7 +22,15 @@ from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.runtime.structures import Initial, RunCallbacks, RunOptions, Status
 
 _INPUTS: Any = dict(field[:2] for field in RunCallbacks._fields_)["inputs"]
-_ALIGNED = 16
+
+
+def _zeros(size: int) -> Floats:
+    """So many bytes, in pages of the system that are there when they are touched.
+
+    NumPy asks for huge pages, of which an entry in each row of a matrix touches all.
+    """
+    own = ACCESS_COPY if os.name == "posix" else ACCESS_DEFAULT
+    return np.frombuffer(mmap(-1, -(-size // 8) * 8, access=own), dtype=np.float64)
 
 
 class _Inputs:
@@ -59,10 +69,9 @@ class Run(RunView):
         options = self._options()
         options.zeroed = 1
         size = int(self._library.run_size(model.model, byref(options)))
-        block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
+        block = _zeros(size)
         self._kept.append(block)
-        start = -(-block.ctypes.data // _ALIGNED) * _ALIGNED
-        self._run = self._library.run_place(start, model.model, byref(options))
+        self._run = self._library.run_place(block.ctypes.data, model.model, byref(options))
 
     def _options(self) -> RunOptions:
         settings = self.settings

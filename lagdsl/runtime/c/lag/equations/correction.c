@@ -21,15 +21,12 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
     double pivot = 0.0;
     double *qdd = lag_take(&memory, model->nq);
     double *own = lag_take(&memory, model->nc);
-    double *response = lag_take(&memory, model->nk * model->nq);
-    double *lam_response = lag_take(&memory, model->nk * model->nc);
-    double *jacobian = lag_take(&memory, model->nk * model->nq);
-    double *gamma = lag_take(&memory, model->nk);
+    const lag_left_rows left = lag_left_rows_place(model, at->kept, &memory);
     double *right = lag_take(&memory, model->nk);
     lag_delassus system;
-    lag_status status = model->elimination(at, qdd, own, response, lam_response, jacobian, gamma, &pivot);
+    lag_status status = model->elimination(at, qdd, own, left.response, left.lam_response, left.jacobian, left.gamma, &pivot);
     if (status == LAG_OK) {
-        status = lag_factor_eliminated(model, response, lam_response, jacobian, pivot, memory, &system);
+        status = lag_factor_eliminated(model, left.response, left.lam_response, left.jacobian, pivot, memory, &system);
     }
     for (size_t i = 0; i < model->nk; ++i) {
         right[i] = -residual[model->kept_rows[i]];

@@ -6,6 +6,23 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
+size_t lag_left_rows_kept(const lag_model *model)
+{
+    return model->nk * (2 * model->nq + model->nc);
+}
+
+lag_left_rows lag_left_rows_place(const lag_model *model, const lag_kept *kept, double **memory)
+{
+    double *first = kept != NULL ? kept->first : NULL;
+    double **sparse = kept != NULL ? &first : memory;
+    lag_left_rows rows;
+    rows.response = lag_take(sparse, model->nk * model->nq);
+    rows.lam_response = lag_take(sparse, model->nk * model->nc);
+    rows.jacobian = lag_take(sparse, model->nk * model->nq);
+    rows.gamma = lag_take(memory, model->nk);
+    return rows;
+}
+
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
     return kept > 0 ? 3 * kept * kept + kept * m + 9 * kept : 0;

@@ -27,6 +27,15 @@ typedef struct lag_delassus_work {
     double *part, *x, *rest, *mark; /* (kept) */
 } lag_delassus_work;
 
+/* What elimination() tells of the rows that it leaves. */
+typedef struct lag_left_rows {
+    double *response, *lam_response, *jacobian, *gamma; /* (nk, nq) (nk, nc) (nk, nq) (nk) */
+} lag_left_rows;
+
+/* Doubles of lag_arguments.kept that they take, and all in `memory` where there is no such memory (null). */
+size_t lag_left_rows_kept(const lag_model *model);
+lag_left_rows lag_left_rows_place(const lag_model *model, const lag_kept *kept, double **memory);
+
 /* One system; everything points into memory of the caller. */
 typedef struct lag_delassus {
     size_t n, m, kept;              /* accelerations, rows, rows that are left */

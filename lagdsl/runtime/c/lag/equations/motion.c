@@ -18,7 +18,7 @@ static size_t loads_memory(const lag_model *model)
 /* Results with few entries: those of the dynamics, then the others. */
 static size_t kept_memory(const lag_model *model)
 {
-    return lag_dynamics_kept(model) + (model->ngap + model->nq + 5 * model->nc) * model->nq;
+    return lag_left_rows_kept(model) + (model->ngap + model->nq + 5 * model->nc) * model->nq;
 }
 
 static void place_written(lag_written *written, const lag_model *model, double *memory)
@@ -96,7 +96,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->memory = motion->at.workspace + model->workspace;
     motion->kept = (lag_kept){motion->memory + lag_jacobian_memory(model, NULL), kept_memory(model)};
     motion->at.kept = &motion->kept;
-    place_written(&motion->written, model, motion->kept.first + lag_dynamics_kept(model));
+    place_written(&motion->written, model, motion->kept.first + lag_left_rows_kept(model));
     motion->u = motion->kept.first + motion->kept.count;
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
