@@ -155,7 +155,7 @@ def _pattern(name: str, shape: tuple[int, int], entries: Pattern) -> str:
     )
 
 
-def _instant_tablesdef _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
+def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
     """Type and rows by member of lag_model."""
     instants = layout.instants
     return {
