@@ -146,7 +146,7 @@ static lag_status find(const lag_model *model, const lag_start *said, const doub
     double *x, lag_initial *told)
 {
     lag_motion motion;
-    double *memory = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
+    double *memory = calloc(lag_motion_memory(model) + lag_initial_memory(model), sizeof(double));
     CHECK(memory != NULL);
     lag_motion_place(&motion, model, memory);
     CHECK(lag_motion_parameters(&motion, p) == LAG_OK);

@@ -9,20 +9,6 @@ static const double LEAST_PIVOT = 1e-6;
 static const double LARGEST_EXCESS = 1e-10;
 static const double SHORT_RESPONSE = 1e-3;
 
-double lag_delassus_along(const lag_delassus *s, size_t i, const double *y)
-{
-    const lag_pattern *entries = s->patterns.entries;
-    const double *row = s->jacobian + i * s->n;
-    const size_t first = entries != NULL ? entries->first[s->row[i]] : 0;
-    const size_t end = entries != NULL ? entries->first[s->row[i] + 1] : s->n;
-    double sum = 0.0;
-    for (size_t k = first; k < end; ++k) {
-        const size_t j = entries != NULL ? entries->column[k] : k;
-        sum += row[j] * y[j];
-    }
-    return sum;
-}
-
 /* ---- S ---- */
 
 /* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */

@@ -5,7 +5,22 @@
 #include "lag/equations/delassus.h"
 
 /* Row i of J times y (n). */
-double lag_delassus_along(const lag_delassus *system, size_t i, const double *y);
+static inline double lag_delassus_along(const lag_delassus *system, size_t i, const double *y)
+{
+    const lag_pattern *entries = system->patterns.entries;
+    const double *row = system->jacobian + i * system->n;
+    double sum = 0.0;
+    if (entries == NULL) {
+        for (size_t j = 0; j < system->n; ++j) {
+            sum += row[j] * y[j];
+        }
+        return sum;
+    }
+    for (size_t k = entries->first[system->row[i]]; k < entries->first[system->row[i] + 1]; ++k) {
+        sum += row[entries->column[k]] * y[entries->column[k]];
+    }
+    return sum;
+}
 
 /*
  * Chooses rows in turn, each that with the longest rest, and eliminates them; then come those of which nothing is left. Returns how many were
