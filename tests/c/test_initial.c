@@ -110,6 +110,7 @@ static const size_t ROW[4] = {0, 0, 1, 1};
 static const size_t COLUMN[4] = {0, 1, 2, 3};
 static const size_t FIRST[3] = {0, 2, 4};
 static const lag_pattern PATTERN = {2, 4, 4, ROW, COLUMN, FIRST};
+static const lag_patterns PATTERNS = {.jacobian = &PATTERN};
 
 static lag_model model_of(size_t second, size_t equations)
 {
@@ -128,7 +129,7 @@ static lag_model model_of(size_t second, size_t equations)
         .defaults = P,
         .position_level = ONES,
         .redundant = NONE,
-        .jacobian_pattern = second ? NULL : &PATTERN,
+        .patterns = second ? NULL : &PATTERNS,
         .prepare = prepare,
         .start = start,
         .position_constraint = position,

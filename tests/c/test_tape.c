@@ -153,7 +153,7 @@ static void read_tables(const lag_model *model, const lag_start *start)
     for (size_t i = 0; i < model->ncontact; ++i) {
         CHECK(model->contact_rows[i] < model->nc);
     }
-    const lag_pattern *patterns[] = {model->jacobian_pattern, model->response_pattern, model->coupling_pattern};
+    const lag_pattern *patterns[] = {model->patterns->jacobian, model->patterns->response, model->patterns->coupling};
     for (size_t k = 0; k < sizeof patterns / sizeof *patterns; ++k) {
         const lag_pattern *pattern = patterns[k];
         for (size_t i = 0; pattern != NULL && i < pattern->count; ++i) {

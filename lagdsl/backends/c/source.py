@@ -138,7 +138,17 @@ def _tables(program: Program) -> str:
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     texts += [_array(kind, name, rows) for name, (kind, rows) in _instant_tables(layout).items()]
-    return "".join([*texts, *(_pattern(name, *told) for name, told in patterns(program).items())])
+    return "".join([*texts, _patterns(program)])
+
+
+def _patterns(program: Program) -> str:
+    """Where matrices can be nonzero; what is not told is NULL."""
+    told = patterns(program)
+    members = [f"&model_{name}_pattern" if entries[0] else "NULL" for name, (_, entries) in told.items()]
+    return (
+        "".join(_pattern(name, shape, entries) for name, (shape, entries) in told.items())
+        + f"static const lag_patterns model_patterns = {{{', '.join(members)}}};\n\n"
+    )
 
 
 def _pattern(name: str, shape: tuple[int, int], entries: Pattern) -> str:
@@ -241,7 +251,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         f".name = {string(program.name)}",
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
-        *(f".{name}_pattern = &model_{name}_pattern" for name, (_, told) in patterns(program).items() if told[0]),
+        ".patterns = &model_patterns",
         ".prepare = model_prepare",
         *(f".{name} = model_{name}" for name in (*(f.name for f in _single(program)), *formed)),
     ]

@@ -60,6 +60,13 @@ typedef struct lag_pattern {
     const size_t *first;        /* (rows + 1) the first of each row, then `count` */
 } lag_pattern;
 
+/* Where matrices can be nonzero; null: anywhere. */
+typedef struct lag_patterns {
+    const lag_pattern *jacobian; /* J (nc, nq) */
+    const lag_pattern *response; /* response (nk, nq) of elimination(), */
+    const lag_pattern *coupling; /* and its products with the rows that are kept (nk, nk), the diagonal among them */
+} lag_patterns;
+
 /* Kinds of entries of w, in the order of the entries. */
 typedef enum lag_kind {
     LAG_KIND_VARIABLE,  /* a discrete variable; Booleans are 0 and 1 */
@@ -332,15 +339,12 @@ typedef struct lag_model {
         const lag_arguments *at, double *position, double *rotation, double *velocity, double *jacobian, double *bias);
     /* ---- end of what is generated ---- */
 
-    /* where J can be nonzero; null: anywhere */
-    const lag_pattern *jacobian_pattern;
+    const lag_patterns *patterns; /* null: none is told */
     /* (nq + nz) which coordinates and states the equations couple: those of one number; null: all of them */
     const size_t *components;
 
     size_t nk;               /* rows of constraints whose multipliers elimination() leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */
-    /* where response (nk, nq) of elimination(), and jacobian (nk, nq) times its transpose, less its diagonal, can be nonzero; null: anywhere */
-    const lag_pattern *response_pattern, *coupling_pattern;
 
     /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
@@ -372,5 +376,11 @@ typedef struct lag_model {
     /* of models that tell their terms and how frames and points move; zero where there are none */
     size_t ninertial, nplace, naxes, ntwist;
 } lag_model;
+
+/* Where J can be nonzero; null: anywhere. */
+static inline const lag_pattern *lag_jacobian_pattern(const lag_model *model)
+{
+    return model->patterns != NULL ? model->patterns->jacobian : NULL;
+}
 
 #endif

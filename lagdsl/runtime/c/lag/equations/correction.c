@@ -40,7 +40,7 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
 /* Residuals that are left after the change, into `left` (nc). */
 static void find_left(const lag_model *model, const double *residual, const double *jacobian, const double *change, double *left)
 {
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     for (size_t i = 0; i < model->nc; ++i) {
         left[i] = residual[i] + (entries == NULL ? lag_dot(model->nq, jacobian + i * model->nq, change) : 0.0);
     }

@@ -1,10 +1,15 @@
-#include "lag/equations/delassus_factor.h"
+#include "lag/equations/delassus.h"
 
 #include <math.h>
 
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
+
+/* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
+static const double LEAST_PIVOT = 1e-6;
+static const double LARGEST_EXCESS = 1e-10;
+static const double SHORT_RESPONSE = 1e-3;
 
 size_t lag_left_rows_kept(const lag_model *model)
 {
@@ -25,11 +30,11 @@ lag_left_rows lag_left_rows_place(const lag_model *model, const lag_kept *kept, 
 
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
-    return kept > 0 ? 3 * kept * kept + kept * m + 9 * kept : 0;
+    return kept > 0 ? lag_pivoted_cholesky_memory(kept) + kept * kept + kept * m + 2 * kept : 0;
 }
 
 void lag_delassus_place(
-    lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, const lag_delassus_patterns *patterns, double *memory)
+    lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, const lag_patterns *patterns, double *memory)
 {
     s->n = n;
     s->m = m;
@@ -40,25 +45,66 @@ void lag_delassus_place(
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->patterns = *patterns;
-    s->left = lag_take(&memory, kept);
-    s->weight = lag_take(&memory, kept);
-    s->chosen = lag_take(&memory, kept);
-    s->place = lag_take(&memory, kept);
-    s->count = lag_take(&memory, kept);
+    s->patterns = patterns != NULL ? *patterns : (lag_patterns){NULL, NULL, NULL};
     s->work.part = lag_take(&memory, kept);
     s->work.x = lag_take(&memory, kept);
-    s->work.rest = lag_take(&memory, kept);
-    s->work.mark = lag_take(&memory, kept);
-    s->factor = lag_take(&memory, kept * kept);
-    s->beside = lag_take(&memory, kept * kept);
+    lag_pivoted_cholesky_place(&s->factor, kept, lag_take(&memory, lag_pivoted_cholesky_memory(kept)));
     s->gram = lag_take(&memory, kept * kept);
     s->excess = lag_take(&memory, kept * m);
 }
 
+/* Row i of J times y (n). */
+static double along(const lag_delassus *s, size_t i, const double *y)
+{
+    const lag_pattern *entries = s->patterns.jacobian;
+    const double *row = s->jacobian + i * s->n;
+    double sum = 0.0;
+    if (entries == NULL) {
+        for (size_t j = 0; j < s->n; ++j) {
+            sum += row[j] * y[j];
+        }
+        return sum;
+    }
+    for (size_t k = entries->first[s->row[i]]; k < entries->first[s->row[i] + 1]; ++k) {
+        sum += row[entries->column[k]] * y[entries->column[k]];
+    }
+    return sum;
+}
+
+/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
+static void weigh(lag_delassus *s)
+{
+    double longest = 0.0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->factor.left[i] = along(s, i, s->response + i * s->n);
+        longest = fmax(longest, s->factor.left[i]);
+    }
+    for (size_t i = 0; i < s->kept; ++i) {
+        const double part = fmin(1.0, s->factor.left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
+        s->factor.weight[i] = s->factor.left[i] > 0.0 ? part / s->factor.left[i] : 0.0;
+    }
+}
+
+/* Entries of S beside the diagonal that are not zero. */
+static void form(lag_delassus *s)
+{
+    const lag_pattern *couplings = s->patterns.coupling;
+    for (size_t i = 0; i < s->kept; ++i) {
+        const size_t first = couplings != NULL ? couplings->first[i] : 0;
+        const size_t end = couplings != NULL ? couplings->first[i + 1] : i;
+        for (size_t e = first; e < end; ++e) {
+            const size_t k = couplings != NULL ? couplings->column[e] : e;
+            const double entry = k < i ? along(s, i, s->response + k * s->n) : 0.0;
+            if (entry != 0.0) {
+                lag_pivoted_cholesky_join(&s->factor, i, k, entry);
+            }
+        }
+    }
+}
+
 int lag_delassus_holds(const lag_delassus *s, size_t i)
 {
-    const lag_pattern *entries = s->patterns.entries;
+    const lag_pattern *entries = s->patterns.jacobian;
     const size_t end = entries != NULL ? entries->first[s->row[i] + 1] : s->n;
     size_t k = entries != NULL ? entries->first[s->row[i]] : 0;
     while (k < end && s->jacobian[i * s->n + (entries != NULL ? entries->column[k] : k)] == 0.0) {
@@ -82,12 +128,13 @@ static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
 /* Each row beyond the rank, less the independent ones that give the same. */
 static void find_direction(lag_delassus *s, size_t own, double *direction)
 {
+    const lag_pivoted_cholesky *factor = &s->factor;
     lag_fill(s->kept, 0.0, s->work.x);
-    for (size_t e = 0; s->rank > 0 && e < (size_t)s->count[own]; ++e) {
-        const size_t i = lag_delassus_beside(s, own, e);
-        s->work.x[i] = s->place[i] < (double)s->kept ? -*lag_delassus_entry(s, own, i) : 0.0;
+    for (size_t e = 0; e < (size_t)factor->count[own]; ++e) {
+        const size_t i = lag_pivoted_cholesky_beside(factor, own, e);
+        s->work.x[i] = lag_pivoted_cholesky_has(factor, i) ? -*lag_pivoted_cholesky_entry(factor, own, i) : 0.0;
     }
-    lag_delassus_solve_upper(s, s->work.x);
+    lag_pivoted_cholesky_solve_upper(factor, s->rank, s->work.x);
     s->work.x[own] = 1.0;
     lag_fill(s->m, 0.0, direction);
     add_multipliers(s, s->work.x, direction);
@@ -102,7 +149,7 @@ static int find_excess(lag_delassus *s)
 {
     const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
-        find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
+        find_direction(s, (size_t)s->factor.chosen[s->rank + i], s->excess + i * s->m);
         for (size_t j = 0; j <= i; ++j) {
             s->gram[i * count + j] = lag_dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
         }
@@ -140,9 +187,9 @@ static void forget_zero_rows(lag_delassus *s)
 {
     s->dependent = 0;
     for (size_t i = s->rank; i < s->kept; ++i) {
-        const size_t own = (size_t)s->chosen[i];
+        const size_t own = (size_t)s->factor.chosen[i];
         if (lag_delassus_holds(s, own) || adds(s, own)) {
-            s->chosen[s->rank + s->dependent++] = (double)own;
+            s->factor.chosen[s->rank + s->dependent++] = (double)own;
         }
     }
 }
@@ -153,7 +200,7 @@ static lag_status factor_nothing(lag_delassus *s)
     s->dependent = 0;
     for (size_t i = 0; i < s->kept; ++i) {
         if (adds(s, i)) {
-            s->chosen[s->dependent++] = (double)i;
+            s->factor.chosen[s->dependent++] = (double)i;
         }
     }
     return find_excess(s) ? LAG_OK : LAG_MISSING;
@@ -166,7 +213,9 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
     if (rank == 0) {
         return factor_nothing(s);
     }
-    if (lag_delassus_eliminate(s) != rank) {
+    weigh(s);
+    form(s);
+    if (lag_pivoted_cholesky_factor(&s->factor, LEAST_PIVOT, LARGEST_EXCESS) != rank) {
         return LAG_MISSING;
     }
     forget_zero_rows(s);
@@ -177,18 +226,18 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
 static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
 {
     for (size_t i = 0; i < s->kept; ++i) {
-        s->work.x[i] = gamma[i] - lag_delassus_along(s, i, a);
+        s->work.x[i] = gamma[i] - along(s, i, a);
     }
-    lag_delassus_solve_lower(s, s->work.x);
-    lag_delassus_solve_upper(s, s->work.x);
+    lag_pivoted_cholesky_solve_lower(&s->factor, s->rank, s->work.x);
+    lag_pivoted_cholesky_solve_upper(&s->factor, s->rank, s->work.x);
     for (size_t i = 0; i < s->kept; ++i) {
-        s->work.x[i] = s->place[i] < (double)s->kept ? s->work.x[i] : 0.0;
+        s->work.x[i] = lag_pivoted_cholesky_has(&s->factor, i) ? s->work.x[i] : 0.0;
     }
 }
 
 static void add_accelerations(const lag_delassus *s, double *a)
 {
-    const lag_pattern *responses = s->patterns.responses;
+    const lag_pattern *responses = s->patterns.response;
     for (size_t i = 0; i < s->kept; ++i) {
         const double *response = s->response + i * s->n;
         const size_t end = responses != NULL ? responses->first[i + 1] : s->n;

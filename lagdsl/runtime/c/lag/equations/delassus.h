@@ -13,18 +13,12 @@
 
 #include <stddef.h>
 
+#include "lag/linalg/pivoted_cholesky.h"
 #include "lag/model.h"
-
-/* Where matrices can be nonzero; null: anywhere. */
-typedef struct lag_delassus_patterns {
-    const lag_pattern *entries;   /* J, of all rows (m, n) */
-    const lag_pattern *responses; /* Y (kept, n) */
-    const lag_pattern *couplings; /* S (kept, kept), without its diagonal */
-} lag_delassus_patterns;
 
 /* Memory of one call. */
 typedef struct lag_delassus_work {
-    double *part, *x, *rest, *mark; /* (kept) */
+    double *part, *x; /* (kept) */
 } lag_delassus_work;
 
 /* What elimination() tells of the rows that it leaves. */
@@ -44,13 +38,8 @@ typedef struct lag_delassus {
     const double *response;         /* Y (kept, n) */
     const double *lam_response;     /* K (kept, m), zero at the kept rows */
     const double *jacobian;         /* J (kept, n) */
-    lag_delassus_patterns patterns;
-    double *factor;                 /* (kept, kept) at (i, k), i < k: S, of which what is chosen takes its part; then the column of the row chosen first */
-    double *beside, *count;         /* (kept, kept) (kept) the rows at which the factor of each has entries, so many */
-    double *left;                   /* (kept) what is left of the diagonal of S; of chosen rows its root */
-    double *weight;                 /* (kept) for comparing rows */
-    double *chosen;                 /* (kept) the independent rows in turn, then the others */
-    double *place;                  /* (kept) where each stands there */
+    lag_patterns patterns;
+    lag_pivoted_cholesky factor;    /* of S */
     double *excess;                 /* (dependent, m) combinations of multipliers that change nothing, of length one */
     double *gram;                   /* (dependent, dependent) factor of their products */
     lag_delassus_work work;
@@ -59,9 +48,9 @@ typedef struct lag_delassus {
 /* Doubles that `kept` of m rows need. */
 size_t lag_delassus_memory(size_t m, size_t kept);
 
-/* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. */
+/* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. `patterns`: those of lag_model, or null. */
 void lag_delassus_place(
-    lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, const lag_delassus_patterns *patterns, double *memory);
+    lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, const lag_patterns *patterns, double *memory);
 
 /* True if kept row i of J has an entry that is not zero. */
 int lag_delassus_holds(const lag_delassus *system, size_t i);

@@ -88,8 +88,7 @@ lag_status lag_factor_eliminated(
     lag_delassus *system)
 {
     size_t rank = 0;
-    const lag_delassus_patterns patterns = {model->jacobian_pattern, model->response_pattern, model->coupling_pattern};
-    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, &patterns, memory);
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, model->patterns, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;

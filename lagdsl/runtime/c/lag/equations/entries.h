@@ -12,7 +12,7 @@ typedef struct lag_entries {
 
 static inline lag_entries lag_entries_of(const lag_model *model, size_t row)
 {
-    const lag_pattern *pattern = model->jacobian_pattern;
+    const lag_pattern *pattern = lag_jacobian_pattern(model);
     if (pattern == NULL) {
         return (lag_entries){0, model->nq, row * model->nq, NULL};
     }
@@ -38,7 +38,7 @@ static inline double lag_entries_dot(const lag_entries *entries, const double *r
 /* Entries of all rows. */
 static inline size_t lag_entries_count(const lag_model *model)
 {
-    return model->jacobian_pattern != NULL ? model->jacobian_pattern->count : model->nc * model->nq;
+    return lag_jacobian_pattern(model) != NULL ? lag_jacobian_pattern(model)->count : model->nc * model->nq;
 }
 
 #endif

@@ -41,14 +41,14 @@ size_t lag_projection_memory(const lag_model *model)
 /* All belong together where nobody tells what the rows hold. */
 size_t lag_component_of(const lag_model *model, size_t coordinate)
 {
-    return model->components != NULL && model->jacobian_pattern != NULL ? model->components[coordinate] : 0;
+    return model->components != NULL && lag_jacobian_pattern(model) != NULL ? model->components[coordinate] : 0;
 }
 
 /* Rows hold coordinates of one component; those that hold none may count to any. */
 static void find_components(lag_projection *projection)
 {
     const lag_model *model = projection->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     lag_fill(model->nc, 0.0, projection->component);
     for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
         projection->component[entries->row[k]] = (double)lag_component_of(model, entries->column[k]);

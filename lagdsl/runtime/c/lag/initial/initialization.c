@@ -176,10 +176,10 @@ size_t lag_initialization_count(lag_initialization *b, double *memory)
 void lag_initialization_find_pattern(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
-    if (model->jacobian_pattern != NULL) {
+    if (lag_jacobian_pattern(model) != NULL) {
         lag_fill(lag_entries_count(model), 1.0, b->pattern);
     }
-    for (size_t k = 0; model->jacobian_pattern == NULL && k < model->nswitched; ++k) {
+    for (size_t k = 0; lag_jacobian_pattern(model) == NULL && k < model->nswitched; ++k) {
         lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
     }
 }
@@ -209,7 +209,7 @@ void lag_initialization_spread(const lag_initialization *b, double *dense)
 static lag_parts find_parts(lag_initialization *b, const double *q)
 {
     const lag_model *model = b->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     const size_t n = model->nq;
     unsigned long long seed = 20011;
     if (entries != NULL) {

@@ -140,9 +140,10 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->friction_contacts = take_rows(parts, LAG_TAPE_FRICTION_CONTACTS, &row_memory, model->nfriction);
     model->switched_rows = take_rows(parts, LAG_TAPE_SWITCHED_ROWS, &row_memory, model->nswitched);
     model->reset_places = take_rows(parts, LAG_TAPE_RESET_PLACES, &row_memory, model->nreset);
-    model->jacobian_pattern = take_pattern(parts, LAG_TAPE_JACOBIAN_ROWS, model->nc, model->nq, &row_memory, &tape->jacobian);
-    model->response_pattern = take_pattern(parts, LAG_TAPE_RESPONSE_ROWS, model->nk, model->nq, &row_memory, &tape->response);
-    model->coupling_pattern = take_pattern(parts, LAG_TAPE_COUPLING_ROWS, model->nk, model->nk, &row_memory, &tape->coupling);
+    tape->patterns.jacobian = take_pattern(parts, LAG_TAPE_JACOBIAN_ROWS, model->nc, model->nq, &row_memory, &tape->jacobian);
+    tape->patterns.response = take_pattern(parts, LAG_TAPE_RESPONSE_ROWS, model->nk, model->nq, &row_memory, &tape->response);
+    tape->patterns.coupling = take_pattern(parts, LAG_TAPE_COUPLING_ROWS, model->nk, model->nk, &row_memory, &tape->coupling);
+    model->patterns = &tape->patterns;
     model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)lag_tape_components_length(parts));
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);
     model->position_level = section(parts, LAG_TAPE_POSITION_LEVEL);

@@ -28,6 +28,7 @@ typedef struct lag_tape {
     lag_model model; /* whose context is this structure */
     lag_start start;
     lag_pattern jacobian, response, coupling;
+    lag_patterns patterns; /* of these, those that are told */
     lag_states states;
     lag_tangents tangents[2];
     size_t row, shared[2], along_row[2];
