@@ -271,16 +271,6 @@ double lag_look_margin(lag_look *look, const double *jacobian)
     return sqrt(least);
 }
 
-size_t lag_look_count(lag_look *look, const double *jacobian)
-{
-    size_t count = 0;
-    look->margin = lag_look_margin(look, jacobian);
-    for (size_t i = 0; i < look->m; ++i) {
-        count += counts(look, i) && look->trial[i] == 0.0;
-    }
-    return look->margin > LAG_RANK_NEAR ? count : look->m + 1;
-}
-
 lag_status lag_look_at(lag_look *look, const double *jacobian)
 {
     if (look->rank > 0 && lag_look_turned(look, jacobian)) {

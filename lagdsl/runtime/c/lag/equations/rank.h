@@ -44,9 +44,6 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
  */
 lag_status lag_look_at(lag_look *look, const double *jacobian);
 
-/* So many of the rows that are looked at are clearly independent, and the others follow from them; m + 1: that is not clear. */
-size_t lag_look_count(lag_look *look, const double *jacobian);
-
 /* True if J has turned so far, and the least pivot of J, zero where rank is lost; nothing of it is remembered. */
 int lag_look_turned(lag_look *look, const double *jacobian);
 double lag_look_margin(lag_look *look, const double *jacobian);

@@ -79,12 +79,12 @@ static void find(lag_initialization *b, const unsigned char *set, double *x)
 }
 
 /* Rates that the constraints leave free at x. */
-static size_t find_freedom(lag_initialization *b, const double *x)
+static size_t find_freedom(lag_initialization *b, const unsigned char *set, const double *x)
 {
     const size_t n = b->motion->model->nq;
     memcpy(b->q, x, n * sizeof(double));
     lag_initialization_velocities(b);
-    return n - lag_initialization_count(b, b->memory);
+    return n - lag_initialization_count(b, as_compiled(b, set), b->memory);
 }
 
 static void copy(size_t count, const double *x, double *to)
@@ -143,7 +143,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         status = lag_initialization_at(&b, start, set, t, x);
         if (status == LAG_OK) {
             find(&b, set, x);
-            b.told.freedom = find_freedom(&b, x);
+            b.told.freedom = find_freedom(&b, set, x);
             copy(model->nc, b.row_sizes, found.row_sizes);
             if (found.pattern != NULL) {
                 lag_fill(model->nc * model->nq, 0.0, found.pattern);

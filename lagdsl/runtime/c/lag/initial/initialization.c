@@ -131,7 +131,7 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
 size_t lag_initialization_look_memory(const lag_model *model)
 {
     const size_t dense = model->nc * model->nq + lag_svd_memory(model->nc, model->nq);
-    return lag_larger(model->nc + lag_look_memory(model), dense);
+    return model->nc + lag_larger(lag_look_memory(model), dense);
 }
 
 int lag_initialization_is_regular(lag_initialization *b, double *memory)
@@ -151,24 +151,48 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory)
     return lag_look_at(&look, b->jacobian) == LAG_OK;
 }
 
-size_t lag_initialization_count(lag_initialization *b, double *memory)
+/* Flags (nc) of rows of J that are not zero. Returns how many of these are independent in general; nc + 1: some may depend on those that are zero. */
+static size_t find_rows(const lag_initialization *b, double *there)
 {
-    lag_model model = *b->motion->model;
-    lag_look look;
-    model.redundant = NULL; /* nothing is known of a row */
-    lag_look_place(&look, &model, b->sizes, b->row_sizes, memory);
-    look.most = 0;
-    const size_t count = lag_look_count(&look, b->jacobian);
-    if (count <= model.nc) {
-        return count;
+    const lag_model *model = b->motion->model;
+    size_t count = 0;
+    size_t zero = 0;
+    size_t redundant = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        const int depends = model->redundant != NULL && model->redundant[i];
+        there[i] = 0.0;
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            there[i] = b->jacobian[i * model->nq + lag_entry_column(&entries, k)] != 0.0 ? 1.0 : there[i];
+        }
+        zero += there[i] == 0.0;
+        redundant += there[i] != 0.0 && depends;
+        count += there[i] != 0.0 && !depends;
     }
-    double *matrix = lag_take(&memory, model.nc * model.nq);
-    for (size_t i = 0; i < model.nc; ++i) {
-        for (size_t j = 0; j < model.nq; ++j) {
-            matrix[i * model.nq + j] = b->jacobian[i * model.nq + j] * b->sizes[j] / b->row_sizes[i];
+    return zero > 0 && redundant > 0 ? model->nc + 1 : count;
+}
+
+size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory)
+{
+    const lag_model *model = b->motion->model;
+    double *there = lag_take(&memory, model->nc);
+    const size_t count = find_rows(b, there);
+    lag_look look;
+    if (count == 0 || (as_compiled && count <= model->nc)) {
+        lag_look_place(&look, model, b->sizes, b->row_sizes, memory);
+        look.lasting = there;
+        look.most = count;
+        if (lag_look_at(&look, b->jacobian) == LAG_OK) {
+            return count;
         }
     }
-    return lag_initialization_rank(model.nc, model.nq, matrix, memory);
+    double *matrix = lag_take(&memory, model->nc * model->nq);
+    for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t j = 0; j < model->nq; ++j) {
+            matrix[i * model->nq + j] = b->jacobian[i * model->nq + j] * b->sizes[j] / b->row_sizes[i];
+        }
+    }
+    return lag_initialization_rank(model->nc, model->nq, matrix, memory);
 }
 
 /* ---- sizes ---- */

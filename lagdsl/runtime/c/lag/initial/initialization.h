@@ -94,8 +94,8 @@ double lag_initialization_draw(unsigned long long *seed);
 /* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was looked at last. */
 int lag_initialization_is_regular(lag_initialization *b, double *memory);
 
-/* Independent rows of J as it was looked at last. Both take lag_initialization_look_memory() doubles. */
-size_t lag_initialization_count(lag_initialization *b, double *memory);
+/* Independent rows of J as it was looked at last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
+size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
 size_t lag_initialization_look_memory(const lag_model *model);
 
 /* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
