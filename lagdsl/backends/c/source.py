@@ -142,7 +142,7 @@ def _tables(program: Program) -> str:
 
 
 def _patterns(program: Program) -> str:
-    """Where matrices can be nonzero; what is not told is NULL."""
+    """Patterns of the matrices; NULL for those that are not told."""
     told = patterns(program)
     members = [f"&model_{name}_pattern" if entries[0] else "NULL" for name, (_, entries) in told.items()]
     return (

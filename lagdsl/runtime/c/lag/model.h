@@ -60,7 +60,7 @@ typedef struct lag_pattern {
     const size_t *first;        /* (rows + 1) the first of each row, then `count` */
 } lag_pattern;
 
-/* Where matrices can be nonzero; null: anywhere. */
+/* Positions of the nonzero elements of matrices; null: anywhere. */
 typedef struct lag_patterns {
     const lag_pattern *jacobian; /* J (nc, nq) */
     const lag_pattern *response; /* response (nk, nq) of elimination(), */
@@ -377,7 +377,7 @@ typedef struct lag_model {
     size_t ninertial, nplace, naxes, ntwist;
 } lag_model;
 
-/* Where J can be nonzero; null: anywhere. */
+/* Positions of the nonzero elements of J; null: anywhere. */
 static inline const lag_pattern *lag_jacobian_pattern(const lag_model *model)
 {
     return model->patterns != NULL ? model->patterns->jacobian : NULL;

@@ -21,7 +21,7 @@ typedef struct lag_delassus_work {
     double *part, *x; /* (kept) */
 } lag_delassus_work;
 
-/* What elimination() tells of the rows that it leaves. */
+/* Results of elimination() for the rows that it leaves. */
 typedef struct lag_left_rows {
     double *response, *lam_response, *jacobian, *gamma; /* (nk, nq) (nk, nc) (nk, nq) (nk) */
 } lag_left_rows;

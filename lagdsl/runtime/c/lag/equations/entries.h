@@ -2,9 +2,11 @@
 #ifndef LAG_ENTRIES_H
 #define LAG_ENTRIES_H
 
+#include <math.h>
+
 #include "lag/model.h"
 
-/* Those of one row, from `first` on; `column` is null where nobody tells them: then they are all. Among all entries the row begins behind `before`. */
+/* Those of one row, from `first` on; a null `column` means all columns. Among all entries the row begins behind `before`. */
 typedef struct lag_entries {
     size_t first, end, before;
     const size_t *column;
@@ -33,6 +35,19 @@ static inline double lag_entries_dot(const lag_entries *entries, const double *r
         sum += row[lag_entry_column(entries, k)] * y[lag_entry_column(entries, k)];
     }
     return sum;
+}
+
+/* True if all entries of J are numbers. */
+static inline int lag_entries_finite(const lag_model *model, const double *jacobian)
+{
+    int finite = 1;
+    for (size_t i = 0; i < model->nc && finite; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t k = entries.first; k < entries.end && finite; ++k) {
+            finite = isfinite(jacobian[i * model->nq + lag_entry_column(&entries, k)]) != 0;
+        }
+    }
+    return finite;
 }
 
 /* Entries of all rows. */

@@ -18,7 +18,7 @@ static size_t loads_memory(const lag_model *model)
 /* Results with few entries: those of the dynamics, then the others. */
 static size_t kept_memory(const lag_model *model)
 {
-    return lag_left_rows_kept(model) + (model->ngap + model->nq + 5 * model->nc) * model->nq;
+    return lag_left_rows_kept(model) + (model->ngap + model->nq + 3 * model->nc) * model->nq;
 }
 
 static void place_written(lag_written *written, const lag_model *model, double *memory)
@@ -26,10 +26,8 @@ static void place_written(lag_written *written, const lag_model *model, double *
     const size_t rows = model->nc * model->nq;
     written->gaps = lag_take(&memory, model->ngap * model->nq);
     written->mass = lag_take(&memory, model->nq * model->nq);
-    written->position = lag_take(&memory, rows);
-    written->velocity = lag_take(&memory, rows);
-    written->projected[0] = lag_take(&memory, rows);
-    written->projected[1] = lag_take(&memory, rows);
+    written->rows[0] = lag_take(&memory, rows);
+    written->rows[1] = lag_take(&memory, rows);
     written->sought = lag_take(&memory, rows);
 }
 

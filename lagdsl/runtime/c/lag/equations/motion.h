@@ -11,10 +11,9 @@ typedef void lag_inputs(void *context, double t, int before, double *u);
 /* Results with few entries, in what the model alone writes (lag_arguments.kept). */
 typedef struct lag_written {
     double *gaps;                 /* (ngap, nq) of contact() */
-    double *position, *velocity;  /* (nc, nq) J, of position_constraint(); of velocity_constraint() or dynamics() */
+    double *rows[2];              /* (nc, nq) J, of position_constraint(); of velocity_constraint() or dynamics(): whoever looks at it does so just before */
     double *mass;                 /* (nq, nq) M */
-    double *projected[2];         /* the same as position and velocity, for lag/equations/projection.h, */
-    double *sought;               /* and as velocity, for the problem of accelerations (lag/contacts/modes.h) */
+    double *sought;               /* (nc, nq) J in the problem of accelerations (lag/contacts/modes.h) */
 } lag_written;
 
 typedef struct lag_motion {

@@ -86,7 +86,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->least = projection->limits;
     projection->sizes = projection->round_off + m;
     projection->phi = projection->sizes + n;
-    projection->jacobian = motion->written.projected[1];
+    projection->jacobian = motion->written.rows[1];
     projection->step.mass = projection->phi + m;
     projection->step.chosen = projection->step.mass + n * n;
     projection->step.right = projection->step.chosen + rows * n;
@@ -116,7 +116,7 @@ lag_status lag_projection_look(lag_projection *projection, int velocities)
 {
     lag_motion *motion = projection->motion;
     const lag_model *model = motion->model;
-    projection->jacobian = motion->written.projected[velocities];
+    projection->jacobian = motion->written.rows[velocities];
     return (velocities ? model->velocity_constraint : model->position_constraint)(&motion->at, projection->phi, projection->jacobian);
 }
 

@@ -38,7 +38,7 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     impulse->change = lag_take(&memory, n);
     impulse->chosen = lag_take(&memory, n);
     impulse->mass = motion->written.mass;
-    impulse->jacobian = motion->written.velocity;
+    impulse->jacobian = motion->written.rows[1];
     impulse->residual = lag_take(&memory, model->nc);
     impulse->w = lag_take(&memory, model->nw);
     impulse->holding = lag_take(&memory, model->ncontact);

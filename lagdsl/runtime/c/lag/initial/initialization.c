@@ -46,7 +46,7 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     b->starts.written = lag_take(&memory, size);
     b->starts.fixed = lag_take(&memory, size);
     b->phi = lag_take(&memory, model->nc);
-    b->jacobian = motion->written.velocity;
+    b->jacobian = motion->written.rows[1];
     b->q = lag_take(&memory, model->nq);
     b->qd = lag_take(&memory, model->nq);
     b->z = lag_take(&memory, model->nz);
@@ -86,12 +86,12 @@ static void ask(lag_initialization *b, lag_status (*function)(const lag_argument
 
 void lag_initialization_positions(lag_initialization *b)
 {
-    ask(b, b->motion->model->position_constraint, b->motion->written.position);
+    ask(b, b->motion->model->position_constraint, b->motion->written.rows[0]);
 }
 
 void lag_initialization_velocities(lag_initialization *b)
 {
-    ask(b, b->motion->model->velocity_constraint, b->motion->written.velocity);
+    ask(b, b->motion->model->velocity_constraint, b->motion->written.rows[1]);
 }
 
 double lag_initialization_draw(unsigned long long *seed)
