@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from ctypes import addressof, byref, c_double, create_string_buffer
+from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
 import numpy as np
 
@@ -19,7 +21,14 @@ from lagdsl.runtime.run_view import Found, RunView, found_of
 from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.runtime.structures import Initial, RunOptions, Status
 
-_ALIGNED = 16
+
+def _zeros(size: int) -> Floats:
+    """So many bytes, in pages of the system that are there when they are touched.
+
+    NumPy asks for huge pages, of which an entry in each row of a matrix touches all.
+    """
+    own = ACCESS_COPY if os.name == "posix" else ACCESS_DEFAULT
+    return np.frombuffer(mmap(-1, -(-size // 8) * 8, access=own), dtype=np.float64)
 
 
 class Run(RunView):
@@ -38,10 +47,9 @@ class Run(RunView):
         self._told = options = self._options()
         options.zeroed = 1
         self._size = size = int(self._library.run_size(model.model, byref(options)))
-        block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
+        block = _zeros(size)
         self._kept.append(block)
-        start = -(-block.ctypes.data // _ALIGNED) * _ALIGNED
-        self._run = self._library.run_place(start, model.model, byref(options))
+        self._run = self._library.run_place(block.ctypes.data, model.model, byref(options))
 
     def renew(self) -> bool:
         """Lets it be a run with the same settings that has not begun; False if the model that it goes on with now does

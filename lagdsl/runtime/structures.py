@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 7
+VERSION = 8
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
@@ -135,7 +135,7 @@ class Model(Structure):
         *_all(_evaluated(3), "correction equation_terms"),
         *_all(_evaluated(2), "regressor"),
         *_all(_evaluated(5), "kinematics"),
-        *_all(c_void_p, "jacobian_pattern components"),
+        *_all(c_void_p, "patterns components"),
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),

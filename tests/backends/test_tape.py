@@ -7,7 +7,7 @@ import os
 import re
 import subprocess
 import sys
-from ctypes import POINTER, Structure, c_double, c_size_t
+from ctypes import POINTER, Structure, c_double, c_size_t, c_void_p
 from pathlib import Path
 
 import numpy as np
@@ -176,7 +176,7 @@ def test_where_the_jacobian_can_be_nonzero(name: str) -> None:
     program = _program(Path("models", f"{name}.lag"))
     engine, draw = TapeEngine(program), np.random.default_rng(5)
     model = Model.from_address(engine.native.context)  # of a tape it is where its model stands
-    pattern = Pattern.from_address(model.jacobian_pattern)
+    pattern = Pattern.from_address(c_void_p.from_address(model.patterns).value)  # the first member of lag_patterns
     listed = np.zeros((pattern.rows, pattern.columns), dtype=bool)
     listed[[pattern.row[i] for i in range(pattern.count)], [pattern.column[i] for i in range(pattern.count)]] = True
     seen = np.zeros_like(listed)

@@ -252,6 +252,14 @@ static inline void put_kinds(random_tape *tape)
     put_section(tape, kinds, end);
 }
 
+/* Rows and columns of entries of a matrix, in any order. */
+static inline void put_pattern(random_tape *tape, uint32_t rows, uint32_t columns)
+{
+    const uint32_t entries = any(&tape->seed, rows * columns);
+    put_rows(tape, entries, rows);
+    put_rows(tape, entries, columns);
+}
+
 /* The tape of another random model, in `bytes`; returns its length. */
 static inline size_t write_random_tape(random_tape *tape)
 {
@@ -287,10 +295,9 @@ static inline size_t write_random_tape(random_tape *tape)
     put_rows(tape, n[LAG_TAPE_NFRICTION], n[LAG_TAPE_NCONTACT] + 1);
     put_rows(tape, n[LAG_TAPE_NSWITCHED], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NRESET], state);
-    const uint32_t entries = any(&tape->seed, n[LAG_TAPE_NC] * n[LAG_TAPE_NQ]);
-    for (int i = 0; i < 2; ++i) {
-        put_rows(tape, entries, i == 0 ? n[LAG_TAPE_NC] : n[LAG_TAPE_NQ]);
-    }
+    put_pattern(tape, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]);
+    put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]);
+    put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NK]);
     const uint32_t members = n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
     put_rows(tape, any(&tape->seed, 1) == 0 ? members : 0, members);
     put_section(tape, numbers, started ? (1 + state) * sizeof(double) : 0);

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -30,12 +31,13 @@ static void eliminate(const problem *x, double *a, double *response)
 static lag_status solve_kept(
     problem *x, size_t kept, const size_t *row, size_t rank, const double *response, const double *lam_response)
 {
-    const size_t size = lag_delassus_memory(x->n, x->m, kept);
+    const size_t size = lag_delassus_memory(x->m, kept);
     double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
+    const lag_patterns patterns = {NULL, NULL, NULL};
     CHECK(memory != NULL);
-    lag_delassus_place(&system, x->n, x->m, kept, row, NULL, NULL, memory);
+    lag_delassus_place(&system, x->n, x->m, kept, row, &patterns, memory);
     for (size_t i = 0; i < kept; ++i) {
         memcpy(jacobian + i * x->n, x->jacobian + row[i] * x->n, x->n * sizeof(double));
         gamma[i] = x->gamma[row[i]];
@@ -316,6 +318,55 @@ static void no_rows(void)
     CHECK_NEAR(x.a[0], 1.5, 1e-15);
 }
 
+/* ---- a chain ---- */
+
+enum { LINKS = 300 };
+
+/* Bodies of mass one, rows of the differences of neighbors: S is -1, 2, -1, and S x = 1 has the solution x_i = (i + 1)(n - i)/2. */
+static void a_chain_has_as_many_entries_as_it_is_long(void)
+{
+    static double jacobian[LINKS * (LINKS + 1)], zero[LINKS * LINKS], gamma[LINKS], a[LINKS + 1], lam[LINKS];
+    static size_t row[3 * LINKS], column[2 * LINKS], first[LINKS + 1], all_rows[LINKS];
+    static size_t beside_row[3 * LINKS], beside[3 * LINKS], beside_first[LINKS + 1];
+    size_t next = 0;
+    double entries = 0.0;
+    for (size_t i = 0; i < LINKS; ++i) {
+        all_rows[i] = row[2 * i] = row[2 * i + 1] = i;
+        first[i] = 2 * i;
+        column[2 * i] = i;
+        column[2 * i + 1] = i + 1;
+        jacobian[i * (LINKS + 1) + i] = -1.0;
+        jacobian[i * (LINKS + 1) + i + 1] = 1.0;
+        gamma[i] = 1.0;
+        beside_first[i] = next;
+        for (size_t k = i > 0 ? i - 1 : 0; k < LINKS && k <= i + 1; ++k) {
+            beside_row[next] = i;
+            beside[next++] = k;
+        }
+    }
+    first[LINKS] = 2 * LINKS;
+    beside_first[LINKS] = next;
+    const lag_pattern of_rows = {LINKS, LINKS + 1, 2 * LINKS, row, column, first};
+    const lag_pattern couplings = {LINKS, LINKS, next, beside_row, beside, beside_first};
+    const lag_patterns patterns = {&of_rows, &of_rows, &couplings};
+    double *memory = malloc(lag_delassus_memory(LINKS, LINKS) * sizeof(double));
+    lag_delassus system;
+    CHECK(memory != NULL);
+    lag_delassus_place(&system, LINKS + 1, LINKS, LINKS, all_rows, &patterns, memory);
+    system.response = system.jacobian = jacobian;
+    system.lam_response = zero;
+    CHECK(lag_delassus_factor(&system, LINKS) == LAG_OK);
+    lag_delassus_solve(&system, gamma, a, lam);
+    for (size_t i = 0; i < LINKS; ++i) {
+        const double exact = 0.5 * (double)(i + 1) * (double)(LINKS - i);
+        CHECK(fabs(lam[i] - exact) < 1e-10 * exact);
+        CHECK(fabs(a[i + 1] - a[i] - 1.0) < 1e-9);
+        entries += system.factor.count[i];
+    }
+    CHECK(entries <= 2.0 * LINKS);
+    free(memory);
+}
+
 int main(void)
 {
     independent_rows();
@@ -326,6 +377,7 @@ int main(void)
     rows_of_zeros();
     values_that_are_no_numbers();
     no_rows();
+    a_chain_has_as_many_entries_as_it_is_long();
     (void)printf("delassus: ok\n");
     return EXIT_SUCCESS;
 }

@@ -92,7 +92,7 @@ static void test_residuals_die_out(void)
     double k[4][4], y[4];
     const double first = x[0] + x[1];
     const double speed = x[2] + x[3];
-    double *memory = malloc(lag_motion_memory(&made) * sizeof(double));
+    double *memory = calloc(lag_motion_memory(&made), sizeof(double));
     lag_motion motion;
     CHECK(memory != NULL);
     lag_motion_place(&motion, &made, memory);

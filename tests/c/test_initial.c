@@ -108,7 +108,9 @@ static const unsigned char ONES[3] = {1, 1, 1};
 static const unsigned char NONE[3] = {0, 0, 0};
 static const size_t ROW[4] = {0, 0, 1, 1};
 static const size_t COLUMN[4] = {0, 1, 2, 3};
-static const lag_pattern PATTERN = {2, 4, 4, ROW, COLUMN};
+static const size_t FIRST[3] = {0, 2, 4};
+static const lag_pattern PATTERN = {2, 4, 4, ROW, COLUMN, FIRST};
+static const lag_patterns PATTERNS = {.jacobian = &PATTERN};
 
 static lag_model model_of(size_t second, size_t equations)
 {
@@ -127,7 +129,7 @@ static lag_model model_of(size_t second, size_t equations)
         .defaults = P,
         .position_level = ONES,
         .redundant = NONE,
-        .jacobian_pattern = second ? NULL : &PATTERN,
+        .patterns = second ? NULL : &PATTERNS,
         .prepare = prepare,
         .start = start,
         .position_constraint = position,
@@ -145,7 +147,7 @@ static lag_status find(const lag_model *model, const lag_start *said, const doub
     double *x, lag_initial *told)
 {
     lag_motion motion;
-    double *memory = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
+    double *memory = calloc(lag_motion_memory(model) + lag_initial_memory(model), sizeof(double));
     CHECK(memory != NULL);
     lag_motion_place(&motion, model, memory);
     CHECK(lag_motion_parameters(&motion, p) == LAG_OK);

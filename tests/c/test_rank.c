@@ -7,13 +7,14 @@
 
 enum { ROWS = 60, COLUMNS = ROWS + 1, ENTRIES = 2 * ROWS };
 
-static size_t row[ENTRIES], column[ENTRIES];
-static const lag_pattern PATTERN = {ROWS, COLUMNS, ENTRIES, row, column};
+static size_t row[ENTRIES], column[ENTRIES], first[ROWS + 1];
+static const lag_pattern PATTERN = {ROWS, COLUMNS, ENTRIES, row, column, first};
+static const lag_patterns PATTERNS = {.jacobian = &PATTERN};
 static double sizes[COLUMNS], row_sizes[ROWS], lasting[ROWS];
 
-static lag_model model_of(const lag_pattern *pattern, size_t rank)
+static lag_model model_of(const lag_patterns *patterns, size_t rank)
 {
-    return (lag_model){.version = LAG_MODEL_VERSION, .size = sizeof(lag_model), .nq = COLUMNS, .nc = ROWS, .rank = rank, .jacobian_pattern = pattern};
+    return (lag_model){.version = LAG_MODEL_VERSION, .size = sizeof(lag_model), .nq = COLUMNS, .nc = ROWS, .rank = rank, .patterns = patterns};
 }
 
 /* Row i holds i and i + 1, by 0.8 and 0.6. */
@@ -36,9 +37,9 @@ static lag_look place(const lag_model *model, double **memory)
     return look;
 }
 
-static void turns_and_losses_are_seen(const lag_pattern *pattern)
+static void turns_and_losses_are_seen(const lag_patterns *patterns)
 {
-    const lag_model model = model_of(pattern, ROWS);
+    const lag_model model = model_of(patterns, ROWS);
     static double jacobian[ROWS * COLUMNS];
     double *memory = NULL;
     lag_look look = place(&model, &memory);
@@ -87,7 +88,7 @@ static void rows_that_follow_are_found(void)
 /* A row that comes and goes is not looked at. */
 static void rows_that_go_are_left_out(void)
 {
-    const lag_model model = model_of(&PATTERN, ROWS);
+    const lag_model model = model_of(&PATTERNS, ROWS);
     static double jacobian[ROWS * COLUMNS];
     double *memory = NULL;
     lag_look look = place(&model, &memory);
@@ -104,14 +105,16 @@ int main(void)
 {
     for (size_t i = 0; i < ROWS; ++i) {
         row[2 * i] = row[2 * i + 1] = i;
+        first[i] = 2 * i;
         column[2 * i] = i;
         column[2 * i + 1] = i + 1;
         row_sizes[i] = lasting[i] = 1.0;
     }
+    first[ROWS] = ENTRIES;
     for (size_t j = 0; j < COLUMNS; ++j) {
         sizes[j] = 1.0;
     }
-    turns_and_losses_are_seen(&PATTERN);
+    turns_and_losses_are_seen(&PATTERNS);
     turns_and_losses_are_seen(NULL);
     rows_that_follow_are_found();
     rows_that_go_are_left_out();

@@ -153,8 +153,15 @@ static void read_tables(const lag_model *model, const lag_start *start)
     for (size_t i = 0; i < model->ncontact; ++i) {
         CHECK(model->contact_rows[i] < model->nc);
     }
-    for (size_t i = 0; model->jacobian_pattern != NULL && i < model->jacobian_pattern->count; ++i) {
-        CHECK(model->jacobian_pattern->row[i] < model->nc && model->jacobian_pattern->column[i] < model->nq);
+    const lag_pattern *patterns[] = {model->patterns->jacobian, model->patterns->response, model->patterns->coupling};
+    for (size_t k = 0; k < sizeof patterns / sizeof *patterns; ++k) {
+        const lag_pattern *pattern = patterns[k];
+        for (size_t i = 0; pattern != NULL && i < pattern->count; ++i) {
+            CHECK(pattern->row[i] < pattern->rows && pattern->column[i] < pattern->columns);
+        }
+        for (size_t i = 0; pattern != NULL && i <= pattern->rows; ++i) {
+            CHECK(pattern->first[i] <= pattern->count && (i == 0 || pattern->first[i - 1] <= pattern->first[i]));
+        }
     }
     for (size_t i = 0; start != NULL && i < 2 * model->nq + model->nz; ++i) {
         sum = sum + start->x[i] + (start->nominal == NULL ? 0.0 : start->nominal[i]);

@@ -31,7 +31,8 @@ class Results:
 
 
 def results(program: Program, function: Function, dialect: Dialect) -> Results:
-    """Clears arrays that are mostly zero first, and copies one half of symmetric ones."""
+    """Clears arrays that are mostly zero first, and copies one half of symmetric ones. Matrices in what the model
+    alone writes (lag/model.h) are clear."""
     graph = program.graph
     first: list[str] = []
     last: list[str] = []
@@ -40,8 +41,9 @@ def results(program: Program, function: Function, dialect: Dialect) -> Results:
         mirrored = _is_symmetric(block)
         places = _places(program.layout, function.name, position)
         if _is_sparse(graph, block):
-            zero = dialect.literal(0.0)
-            first.append(f"for (size_t i = 0; i < {len(block.elements)}; ++i) {{ {name}[i] = {zero}; }}")
+            count, zero = len(block.elements), dialect.literal(0.0)
+            where = f"lag_is_kept(at, {name}) ? 0 : {count}" if dialect is SINGLE and len(block.shape) == 2 else count
+            first.append(f"for (size_t i = 0, count = {where}; i < count; ++i) {{ {name}[i] = {zero}; }}")
         if mirrored:
             last.append(_MIRROR.format(name=name, n=block.shape[0]))
         stores += _stores(graph, block, name, places, mirrored)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import PREPARED, SINGLE, Place
@@ -14,7 +15,7 @@ from lagdsl.flat.events import INITIAL
 from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.passes.hoist import hoisted
-from lagdsl.program.passes.pattern import jacobian_pattern
+from lagdsl.program.passes.pattern import Pattern, patterns
 from lagdsl.program.program import Function, Layout, Program, Slot
 
 
@@ -137,20 +138,30 @@ def _tables(program: Program) -> str:
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     texts += [_array(kind, name, rows) for name, (kind, rows) in _instant_tables(layout).items()]
-    return "".join([*texts, _pattern(program)])
+    return "".join([*texts, _patterns(program)])
 
 
-def _pattern(program: Program) -> str:
-    """The entries of J that can be nonzero; no text without constraints."""
-    rows, columns = jacobian_pattern(program)
+def _patterns(program: Program) -> str:
+    """Patterns of the matrices; NULL for those that are not told."""
+    told = patterns(program)
+    members = [f"&model_{name}_pattern" if entries[0] else "NULL" for name, (_, entries) in told.items()]
+    return (
+        "".join(_pattern(name, shape, entries) for name, (shape, entries) in told.items())
+        + f"static const lag_patterns model_patterns = {{{', '.join(members)}}};\n\n"
+    )
+
+
+def _pattern(name: str, shape: tuple[int, int], entries: Pattern) -> str:
+    """The entries of a matrix that can be nonzero; no text where they are not told."""
+    rows, columns = entries
     if not rows:
         return ""
-    shape = f"{len(program.layout.constraints)}, {len(program.layout.coordinates)}, {len(rows)}"
+    first = [bisect_left(rows, row) for row in range(shape[0] + 1)]
+    tables = {"rows": rows, "columns": columns, "first": first}
     return (
-        _array("size_t", "jacobian_rows", list(map(str, rows)))
-        + _array("size_t", "jacobian_columns", list(map(str, columns)))
-        + "static const lag_pattern model_jacobian_pattern = "
-        + f"{{{shape}, model_jacobian_rows, model_jacobian_columns}};\n\n"
+        "".join(_array("size_t", f"{name}_{table}", list(map(str, numbers))) for table, numbers in tables.items())
+        + f"static const lag_pattern model_{name}_pattern = "
+        + f"{{{shape[0]}, {shape[1]}, {len(rows)}, model_{name}_rows, model_{name}_columns, model_{name}_first}};\n\n"
     )
 
 
@@ -240,7 +251,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         f".name = {string(program.name)}",
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
-        *([".jacobian_pattern = &model_jacobian_pattern"] if jacobian_pattern(program)[0] else []),
+        ".patterns = &model_patterns",
         ".prepare = model_prepare",
         *(f".{name} = model_{name}" for name in (*(f.name for f in _single(program)), *formed)),
     ]

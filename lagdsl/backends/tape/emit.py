@@ -17,10 +17,10 @@ from lagdsl.flat.events import INITIAL
 from lagdsl.program import functions as known
 from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.passes.along import Along, along, elements, shared
-from lagdsl.program.passes.pattern import jacobian_pattern
+from lagdsl.program.passes.pattern import patterns
 from lagdsl.program.program import Layout, Program, Slot
 
-VERSION: Final = 9
+VERSION: Final = 10
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (
@@ -195,7 +195,7 @@ def _tables(program: Program) -> list[bytes]:
         _words(instants.friction_contacts),
         _words(instants.switched_rows),
         _words(instants.reset_places),
-        *map(_words, jacobian_pattern(program)),
+        *(_words(numbers) for _, pattern in patterns(program).values() for numbers in pattern),
         _words(layout.components),
     ]
 

@@ -78,9 +78,6 @@ void lag_system_least(lag_system *system, const double *gamma, double *v);
 /* Doubles that the functions below need beside the workspace of the model. */
 size_t lag_dynamics_memory(const lag_model *model);
 
-/* Doubles of lag_arguments.kept for the functions below, which can do without. */
-size_t lag_dynamics_kept(const lag_model *model);
-
 /* Accelerations qdd (nq) and multipliers lam (nc) at t q qd z u w p, after prepare(). */
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
@@ -94,7 +91,7 @@ double lag_smallest_pivot(const lag_model *model);
 
 /*
  * Completes the results of elimination() for the rows that it left; qdd and lam hold its accelerations and multipliers and
- * receive the final ones. `memory` is lag_delassus_memory(nq, nc, nk). LAG_MISSING: it kept too few digits, or has values that
+ * receive the final ones. `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that
  * are no numbers.
  */
 lag_status lag_solve_eliminated(

@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 7u
+#define LAG_MODEL_VERSION 8u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -57,7 +57,15 @@ typedef struct lag_lasting {
 typedef struct lag_pattern {
     size_t rows, columns, count;
     const size_t *row, *column; /* (count) */
+    const size_t *first;        /* (rows + 1) the first of each row, then `count` */
 } lag_pattern;
+
+/* Positions of the nonzero elements of matrices; null: anywhere. */
+typedef struct lag_patterns {
+    const lag_pattern *jacobian; /* J (nc, nq) */
+    const lag_pattern *response; /* response (nk, nq) of elimination(), */
+    const lag_pattern *coupling; /* and its products with the rows that are kept (nk, nk), the diagonal among them */
+} lag_patterns;
 
 /* Kinds of entries of w, in the order of the entries. */
 typedef enum lag_kind {
@@ -75,7 +83,10 @@ typedef enum lag_kind {
     LAG_KIND_LOAD       /* a load that depends on the accelerations and multipliers that it causes: load() tells what it has to be */
 } lag_kind;
 
-/* Memory for results with few entries, zero at first and written by the model alone: what it leaves out is zero. */
+/*
+ * Memory for results with few entries, zero at first and written by the model alone: what it leaves out is zero. Each array is of one function;
+ * velocity_constraint() and dynamics(), dynamics() and mass_matrix() may share J and M.
+ */
 typedef struct lag_kept {
     double *first;
     size_t count;
@@ -106,6 +117,12 @@ typedef struct lag_arguments {
     const void *context; /* that of the model */
     const lag_kept *kept; /* null: there is none */
 } lag_arguments;
+
+/* True if a result lies in what the model alone writes: entries that are always zero are so. */
+static inline int lag_is_kept(const lag_arguments *at, const double *result)
+{
+    return at->kept != NULL && result >= at->kept->first && result < at->kept->first + at->kept->count;
+}
 
 typedef struct lag_model {
     unsigned version; /* LAG_MODEL_VERSION of the header it was compiled with */
@@ -322,8 +339,7 @@ typedef struct lag_model {
         const lag_arguments *at, double *position, double *rotation, double *velocity, double *jacobian, double *bias);
     /* ---- end of what is generated ---- */
 
-    /* where J can be nonzero; null: anywhere */
-    const lag_pattern *jacobian_pattern;
+    const lag_patterns *patterns; /* null: none is told */
     /* (nq + nz) which coordinates and states the equations couple: those of one number; null: all of them */
     const size_t *components;
 
@@ -360,5 +376,11 @@ typedef struct lag_model {
     /* of models that tell their terms and how frames and points move; zero where there are none */
     size_t ninertial, nplace, naxes, ntwist;
 } lag_model;
+
+/* Positions of the nonzero elements of J; null: anywhere. */
+static inline const lag_pattern *lag_jacobian_pattern(const lag_model *model)
+{
+    return model->patterns != NULL ? model->patterns->jacobian : NULL;
+}
 
 #endif

@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 9u
+#define LAG_TAPE_VERSION 10u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -37,6 +37,10 @@ typedef enum lag_tape_section {
     LAG_TAPE_RESET_PLACES,   /* uint32 (nreset) */
     LAG_TAPE_JACOBIAN_ROWS,  /* uint32: where J can be nonzero; or nothing */
     LAG_TAPE_JACOBIAN_COLUMNS, /* uint32, as many */
+    LAG_TAPE_RESPONSE_ROWS,  /* the same of the responses to the rows that are kept, */
+    LAG_TAPE_RESPONSE_COLUMNS,
+    LAG_TAPE_COUPLING_ROWS,  /* and of their products with these rows */
+    LAG_TAPE_COUPLING_COLUMNS,
     LAG_TAPE_COMPONENTS,     /* uint32 (nq + nz), or nothing */
     LAG_TAPE_START_STATE,    /* double: the time and x (1 + 2 nq + nz), or nothing */
     LAG_TAPE_START_FIXED,    /* bytes (2 nq + nz), or nothing; so are those that follow */

@@ -59,13 +59,12 @@ static lag_status rates(lag_instance *instance)
 static lag_status residuals(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    const lag_arguments *at = &instance->run->motion.at;
     lag_projection *projection = &instance->run->projection;
     lag_status status = LAG_OK;
     instance->values.residual[0] = instance->values.residual[1] = instance->values.slip = 0.0;
     lag_projection_measure(projection, instance->x + model->nq);
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
-        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
+        status = lag_projection_look(projection, level > 0);
         for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
             const double part = fabs(projection->phi[i]) / instance->run->sizes.rows[i];
             if (!isfinite(part)) {

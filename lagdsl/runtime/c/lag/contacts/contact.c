@@ -18,7 +18,7 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
 {
     contacts->gap = lag_take(memory, model->ngap);
     contacts->speed = lag_take(memory, model->ngap);
-    contacts->jacobian = contacts->motion->gradients;
+    contacts->jacobian = contacts->motion->written.gaps;
     contacts->blows.part = lag_take(memory, model->ngap);
     lag_inequalities_place(&contacts->blows.rows, model, lag_take(memory, lag_inequalities_memory(model)));
 }
@@ -40,7 +40,7 @@ static void place_each(lag_contacts *contacts, size_t count, double **memory)
 /* Gradients of gaps have the entries of the rows that their contacts are while they are closed; all, where nobody tells these. */
 static void find_entries(lag_contacts *contacts, const lag_model *model)
 {
-    const lag_pattern *pattern = model->jacobian_pattern;
+    const lag_pattern *pattern = lag_jacobian_pattern(model);
     for (size_t i = 0; i < model->ncontact; ++i) {
         size_t k = 0;
         while (pattern != NULL && k < pattern->count && pattern->row[k] < model->contact_rows[i]) {

@@ -50,7 +50,7 @@ static void scale_one(lag_contacts *contacts, size_t i, const double *gradient, 
 static void find_scales(lag_contacts *contacts)
 {
     const lag_model *model = contacts->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     for (size_t i = 0; i < model->ncontact; ++i) {
         const size_t first = (size_t)contacts->sizes.first[i];
         const size_t count = (size_t)contacts->sizes.entries[i];
@@ -113,7 +113,7 @@ void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
 /* The multiplier of one contact that would cancel the accelerations that the forces give its coordinates, each by itself. */
 static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 {
-    const lag_pattern *entries = contacts->motion->model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(contacts->motion->model);
     const size_t n = contacts->motion->model->nq;
     const size_t first = (size_t)contacts->sizes.first[i];
     const size_t end = first + (size_t)contacts->sizes.entries[i];

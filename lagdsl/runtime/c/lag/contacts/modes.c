@@ -21,7 +21,7 @@ size_t lag_modes_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw +
-           model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc * (n + 1) +
+           model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc +
            lag_loads_memory(model);
 }
 
@@ -42,7 +42,7 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
     modes->heading = lag_take(&memory, model->nslip);
     modes->force = lag_take(&memory, n);
     modes->qdd = lag_take(&memory, n);
-    modes->jacobian = lag_take(&memory, model->nc * n);
+    modes->jacobian = contacts->motion->written.sought;
     modes->gamma = lag_take(&memory, model->nc);
     lag_loads_place(&modes->loads, model, memory);
 }

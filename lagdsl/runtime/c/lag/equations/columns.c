@@ -47,7 +47,6 @@ static chains link(const lag_model *model, double *memory)
 /* Row i of M, from the sum of rows of several components. */
 static void take_own(const lag_model *model, const chains *c, size_t i, const double *sum, double *row)
 {
-    clear(model->nq, row);
     for (size_t j = (size_t)c->last[chain_of(model, i)]; j > 0; j = (size_t)c->before[j - 1]) {
         row[j - 1] = model->components == NULL || model->components[j - 1] == model->components[i] ? sum[j - 1] : 0.0;
     }
@@ -69,6 +68,7 @@ lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, 
         status = model->momentum_tangent(&along, sum);
         for (size_t i = 0; i < n && status == LAG_OK; ++i) {
             if (memory[i] != 0.0) {
+                clear(lag_is_kept(at, mass) ? 0 : n, mass + i * n);
                 take_own(model, &c, i, sum, mass + i * n);
             }
         }

@@ -12,7 +12,7 @@ size_t lag_correction_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk;
-    return n + 3 * m + kept * (2 * n + m + 2) + lag_delassus_memory(n, m, kept);
+    return n + 3 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
 }
 
 /* Adds the effect of the multipliers of the rows left to run time. */
@@ -21,15 +21,12 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
     double pivot = 0.0;
     double *qdd = lag_take(&memory, model->nq);
     double *own = lag_take(&memory, model->nc);
-    double *response = lag_take(&memory, model->nk * model->nq);
-    double *lam_response = lag_take(&memory, model->nk * model->nc);
-    double *jacobian = lag_take(&memory, model->nk * model->nq);
-    double *gamma = lag_take(&memory, model->nk);
+    const lag_left_rows left = lag_left_rows_place(model, at->kept, &memory);
     double *right = lag_take(&memory, model->nk);
     lag_delassus system;
-    lag_status status = model->elimination(at, qdd, own, response, lam_response, jacobian, gamma, &pivot);
+    lag_status status = model->elimination(at, qdd, own, left.response, left.lam_response, left.jacobian, left.gamma, &pivot);
     if (status == LAG_OK) {
-        status = lag_factor_eliminated(model, response, lam_response, jacobian, pivot, memory, &system);
+        status = lag_factor_eliminated(model, left.response, left.lam_response, left.jacobian, pivot, memory, &system);
     }
     for (size_t i = 0; i < model->nk; ++i) {
         right[i] = -residual[model->kept_rows[i]];
@@ -43,7 +40,7 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
 /* Residuals that are left after the change, into `left` (nc). */
 static void find_left(const lag_model *model, const double *residual, const double *jacobian, const double *change, double *left)
 {
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     for (size_t i = 0; i < model->nc; ++i) {
         left[i] = residual[i] + (entries == NULL ? lag_dot(model->nq, jacobian + i * model->nq, change) : 0.0);
     }

@@ -11,110 +11,106 @@ static const double LEAST_PIVOT = 1e-6;
 static const double LARGEST_EXCESS = 1e-10;
 static const double SHORT_RESPONSE = 1e-3;
 
-/* Column of entry k. */
-static size_t column_of(const lag_delassus *s, size_t k)
+size_t lag_left_rows_kept(const lag_model *model)
 {
-    return s->pattern.entries != NULL ? s->pattern.entries->column[k] : k;
+    return model->nk * (2 * model->nq + model->nc);
+}
+
+lag_left_rows lag_left_rows_place(const lag_model *model, const lag_kept *kept, double **memory)
+{
+    double *first = kept != NULL ? kept->first : NULL;
+    double **sparse = kept != NULL ? &first : memory;
+    lag_left_rows rows;
+    rows.response = lag_take(sparse, model->nk * model->nq);
+    rows.lam_response = lag_take(sparse, model->nk * model->nc);
+    rows.jacobian = lag_take(sparse, model->nk * model->nq);
+    rows.gamma = lag_take(memory, model->nk);
+    return rows;
+}
+
+size_t lag_delassus_memory(size_t m, size_t kept)
+{
+    return kept > 0 ? lag_pivoted_cholesky_memory(kept) + kept * kept + kept * m + 2 * kept : 0;
+}
+
+void lag_delassus_place(
+    lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, const lag_patterns *patterns, double *memory)
+{
+    s->n = n;
+    s->m = m;
+    s->kept = kept;
+    s->rank = 0;
+    s->dependent = 0;
+    s->row = row;
+    s->response = NULL;
+    s->lam_response = NULL;
+    s->jacobian = NULL;
+    s->patterns = patterns != NULL ? *patterns : (lag_patterns){NULL, NULL, NULL};
+    s->work.part = lag_take(&memory, kept);
+    s->work.x = lag_take(&memory, kept);
+    lag_pivoted_cholesky_place(&s->factor, kept, lag_take(&memory, lag_pivoted_cholesky_memory(kept)));
+    s->gram = lag_take(&memory, kept * kept);
+    s->excess = lag_take(&memory, kept * m);
 }
 
 /* Row i of J times y (n). */
 static double along(const lag_delassus *s, size_t i, const double *y)
 {
+    const lag_pattern *entries = s->patterns.jacobian;
     const double *row = s->jacobian + i * s->n;
-    const size_t end = (size_t)s->pattern.end[i];
     double sum = 0.0;
-    for (size_t k = (size_t)s->pattern.first[i]; k < end; ++k) {
-        const size_t j = column_of(s, k);
-        sum += row[j] * y[j];
+    if (entries == NULL) {
+        for (size_t j = 0; j < s->n; ++j) {
+            sum += row[j] * y[j];
+        }
+        return sum;
+    }
+    for (size_t k = entries->first[s->row[i]]; k < entries->first[s->row[i] + 1]; ++k) {
+        sum += row[entries->column[k]] * y[entries->column[k]];
     }
     return sum;
 }
 
+/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
+static void weigh(lag_delassus *s)
+{
+    double longest = 0.0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->factor.left[i] = along(s, i, s->response + i * s->n);
+        longest = fmax(longest, s->factor.left[i]);
+    }
+    for (size_t i = 0; i < s->kept; ++i) {
+        const double part = fmin(1.0, s->factor.left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
+        s->factor.weight[i] = s->factor.left[i] > 0.0 ? part / s->factor.left[i] : 0.0;
+    }
+}
+
+/* Entries of S beside the diagonal that are not zero. */
+static void form(lag_delassus *s)
+{
+    const lag_pattern *couplings = s->patterns.coupling;
+    for (size_t i = 0; i < s->kept; ++i) {
+        const size_t first = couplings != NULL ? couplings->first[i] : 0;
+        const size_t end = couplings != NULL ? couplings->first[i + 1] : i;
+        for (size_t e = first; e < end; ++e) {
+            const size_t k = couplings != NULL ? couplings->column[e] : e;
+            const double entry = k < i ? along(s, i, s->response + k * s->n) : 0.0;
+            if (entry != 0.0) {
+                lag_pivoted_cholesky_join(&s->factor, i, k, entry);
+            }
+        }
+    }
+}
+
 int lag_delassus_holds(const lag_delassus *s, size_t i)
 {
-    const size_t end = (size_t)s->pattern.end[i];
-    size_t k = (size_t)s->pattern.first[i];
-    while (k < end && s->jacobian[i * s->n + column_of(s, k)] == 0.0) {
+    const lag_pattern *entries = s->patterns.jacobian;
+    const size_t end = entries != NULL ? entries->first[s->row[i] + 1] : s->n;
+    size_t k = entries != NULL ? entries->first[s->row[i]] : 0;
+    while (k < end && s->jacobian[i * s->n + (entries != NULL ? entries->column[k] : k)] == 0.0) {
         ++k;
     }
     return k < end;
-}
-
-/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. The largest one that is comparable. */
-static double weigh(lag_delassus *s)
-{
-    double longest = 0.0;
-    double first = -1.0;
-    for (size_t i = 0; i < s->kept; ++i) {
-        s->left[i] = along(s, i, s->response + i * s->n);
-        longest = fmax(longest, s->left[i]);
-    }
-    for (size_t i = 0; i < s->kept; ++i) {
-        const double part = fmin(1.0, s->left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
-        s->weight[i] = s->left[i] > 0.0 ? part / s->left[i] : 0.0;
-        const double own = s->left[i] * s->weight[i];
-        first = own > first ? own : first;
-    }
-    return first;
-}
-
-/* Among positions from k to the end: that of the row that has the longest rest. */
-static size_t longest_rest(const lag_delassus *s, size_t k, size_t end)
-{
-    size_t best = k;
-    double largest = -1.0;
-    for (size_t i = k; i < end; ++i) {
-        const size_t row = (size_t)s->chosen[i];
-        const double own = s->left[row] * s->weight[row];
-        if (own > largest) {
-            largest = own;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Column k of the factor, for the rows up to position `end` that are not chosen yet. */
-static void append_column(lag_delassus *s, size_t k, size_t end)
-{
-    const size_t pivot = (size_t)s->chosen[k];
-    double *own = s->factor + pivot * s->kept;
-    const double root = sqrt(s->left[pivot]);
-    const size_t from = (size_t)s->lead[pivot];
-    own[k] = root;
-    for (size_t i = k + 1; i < end; ++i) {
-        const size_t row = (size_t)s->chosen[i];
-        double *to = s->factor + row * s->kept;
-        const double element = along(s, row, s->response + pivot * s->n);
-        to[k] = (element - lag_dot(k - from, to + from, own + from)) / root;
-        s->left[row] -= to[k] * to[k];
-        s->lead[row] += (size_t)s->lead[row] == k && to[k] == 0.0 ? 1.0 : 0.0;
-    }
-}
-
-/* The rows of the component that row i leads come to position `begin` and behind it; the end of them. */
-static size_t gather(lag_delassus *s, size_t i, size_t begin)
-{
-    size_t k = begin;
-    for (size_t row = i; row < s->kept; row = s->components.several ? (size_t)s->components.follower[row] : row + 1) {
-        s->chosen[k] = (double)row;
-        s->lead[row] = (double)begin;
-        ++k;
-    }
-    return k;
-}
-
-/* x (rank) := L'^-1 x for the chosen rows. */
-static void solve_upper(const lag_delassus *s, double *x)
-{
-    for (size_t i = s->rank; i-- > 0;) {
-        const size_t row = (size_t)s->chosen[i];
-        const double *own = s->factor + row * s->kept;
-        x[i] /= own[i];
-        for (size_t k = (size_t)s->lead[row]; k < i; ++k) {
-            x[k] -= own[k] * x[i];
-        }
-    }
 }
 
 /* Adds to lam (m) what multipliers x (kept) of the kept rows are and add to the others. */
@@ -132,15 +128,13 @@ static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
 /* Each row beyond the rank, less the independent ones that give the same. */
 static void find_direction(lag_delassus *s, size_t own, double *direction)
 {
-    for (size_t k = 0; k < s->rank; ++k) {
-        const int shared = (double)k >= s->lead[own] && (double)k < s->reach[own];
-        s->work.rest[k] = shared ? s->factor[own * s->kept + k] : 0.0;
-    }
-    solve_upper(s, s->work.rest);
+    const lag_pivoted_cholesky *factor = &s->factor;
     lag_fill(s->kept, 0.0, s->work.x);
-    for (size_t k = 0; k < s->rank; ++k) {
-        s->work.x[(size_t)s->chosen[k]] = -s->work.rest[k];
+    for (size_t e = 0; e < (size_t)factor->count[own]; ++e) {
+        const size_t i = lag_pivoted_cholesky_beside(factor, own, e);
+        s->work.x[i] = lag_pivoted_cholesky_has(factor, i) ? -*lag_pivoted_cholesky_entry(factor, own, i) : 0.0;
     }
+    lag_pivoted_cholesky_solve_upper(factor, s->rank, s->work.x);
     s->work.x[own] = 1.0;
     lag_fill(s->m, 0.0, direction);
     add_multipliers(s, s->work.x, direction);
@@ -155,7 +149,7 @@ static int find_excess(lag_delassus *s)
 {
     const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
-        find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
+        find_direction(s, (size_t)s->factor.chosen[s->rank + i], s->excess + i * s->m);
         for (size_t j = 0; j <= i; ++j) {
             s->gram[i * count + j] = lag_dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
         }
@@ -193,9 +187,9 @@ static void forget_zero_rows(lag_delassus *s)
 {
     s->dependent = 0;
     for (size_t i = s->rank; i < s->kept; ++i) {
-        const size_t own = (size_t)s->chosen[i];
+        const size_t own = (size_t)s->factor.chosen[i];
         if (lag_delassus_holds(s, own) || adds(s, own)) {
-            s->chosen[s->rank + s->dependent++] = (double)own;
+            s->factor.chosen[s->rank + s->dependent++] = (double)own;
         }
     }
 }
@@ -206,96 +200,50 @@ static lag_status factor_nothing(lag_delassus *s)
     s->dependent = 0;
     for (size_t i = 0; i < s->kept; ++i) {
         if (adds(s, i)) {
-            s->chosen[s->dependent++] = (double)i;
+            s->factor.chosen[s->dependent++] = (double)i;
         }
     }
     return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
-/*
- * Factors the rows at positions from *k to `end`, of one component; *k is the position behind the independent ones. LAG_MISSING: a rest is neither
- * long enough nor round-off beside `first`.
- */
-static lag_status factor_rows(lag_delassus *s, size_t *k, size_t end, double first)
-{
-    for (; *k < end; ++*k) {
-        const size_t best = longest_rest(s, *k, end);
-        const double kept = s->chosen[*k];
-        s->chosen[*k] = s->chosen[best];
-        s->chosen[best] = kept;
-        const size_t pivot = (size_t)s->chosen[*k];
-        const double size = s->left[pivot] * s->weight[pivot];
-        if (size <= LARGEST_EXCESS * first) {
-            return LAG_OK;
-        }
-        if (!(size > LEAST_PIVOT * first) || !isfinite(s->left[pivot])) {
-            return LAG_MISSING;
-        }
-        append_column(s, *k, end);
-    }
-    return LAG_OK;
-}
-
 lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
 {
-    size_t k = 0;
-    size_t others = 0;
     s->rank = rank;
     s->dependent = s->kept - rank;
     if (rank == 0) {
         return factor_nothing(s);
     }
-    const double first = weigh(s);
-    for (size_t i = 0; i < (s->components.several ? s->kept : 1); ++i) {
-        if (s->components.several && s->components.leader[(size_t)s->components.component[i]] != (double)i) {
-            continue;
-        }
-        const size_t end = gather(s, i, k);
-        if (factor_rows(s, &k, end, first) != LAG_OK) {
-            return LAG_MISSING;
-        }
-        for (size_t at = k; at < end; ++at) {
-            s->reach[(size_t)s->chosen[at]] = (double)k;
-            s->work.x[others++] = s->chosen[at];
-        }
-    }
-    if (k != rank) {
+    weigh(s);
+    form(s);
+    if (lag_pivoted_cholesky_factor(&s->factor, LEAST_PIVOT, LARGEST_EXCESS) != rank) {
         return LAG_MISSING;
-    }
-    for (size_t at = 0; at < others; ++at) {
-        s->chosen[rank + at] = s->work.x[at];
     }
     forget_zero_rows(s);
     return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
-/* Multipliers x (kept) that give what is missing to gamma; zero for rows that are not chosen. */
+/* Multipliers work.x (kept) that give what is missing to gamma; zero for rows that are not chosen. */
 static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
 {
-    for (size_t k = 0; k < s->rank; ++k) {
-        const size_t row = (size_t)s->chosen[k];
-        const double *own = s->factor + row * s->kept;
-        const double missing = gamma[row] - along(s, row, a);
-        const size_t from = (size_t)s->lead[row];
-        s->work.rest[k] = (missing - lag_dot(k - from, own + from, s->work.rest + from)) / own[k];
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->work.x[i] = gamma[i] - along(s, i, a);
     }
-    solve_upper(s, s->work.rest);
-    for (size_t k = 0; k < s->kept; ++k) {
-        s->work.x[(size_t)s->chosen[k]] = k < s->rank ? s->work.rest[k] : 0.0;
+    lag_pivoted_cholesky_solve_lower(&s->factor, s->rank, s->work.x);
+    lag_pivoted_cholesky_solve_upper(&s->factor, s->rank, s->work.x);
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->work.x[i] = lag_pivoted_cholesky_has(&s->factor, i) ? s->work.x[i] : 0.0;
     }
 }
 
 static void add_accelerations(const lag_delassus *s, double *a)
 {
+    const lag_pattern *responses = s->patterns.response;
     for (size_t i = 0; i < s->kept; ++i) {
-        if (s->work.x[i] == 0.0) {
-            continue;
-        }
         const double *response = s->response + i * s->n;
-        size_t j = s->components.several ? (size_t)s->components.coordinate[(size_t)s->components.component[i]] : 0;
-        while (j < s->n) {
+        const size_t end = responses != NULL ? responses->first[i + 1] : s->n;
+        for (size_t e = responses != NULL ? responses->first[i] : 0; e < end && s->work.x[i] != 0.0; ++e) {
+            const size_t j = responses != NULL ? responses->column[e] : e;
             a[j] += response[j] * s->work.x[i];
-            j = s->components.several ? (size_t)s->components.beside[j] : j + 1;
         }
     }
 }

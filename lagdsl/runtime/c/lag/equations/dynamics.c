@@ -10,33 +10,23 @@
 /* Arrays that the functions of this file work in. */
 typedef struct places {
     double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
-    double *response, *lam_response;         /* (nk, nq) (nk, nc) */
-    double *kept_jacobian, *kept_gamma;      /* (nk, nq) (nk) */
+    lag_left_rows left;
     double *delassus;
     double *system;
 } places;
 
-size_t lag_dynamics_kept(const lag_model *model)
-{
-    return model->nk * (2 * model->nq + model->nc);
-}
-
-/* `kept`: memory of lag_arguments.kept, for what elimination gives; null: there is none. */
-static places place(const lag_model *model, double *kept, double *memory)
+/* `kept`: memory of lag_arguments.kept; null: there is none. */
+static places place(const lag_model *model, const lag_kept *kept, double *memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    double **sparse = kept != NULL ? &kept : &memory;
     places at;
     at.mass = lag_take(&memory, n * n);
     at.force = lag_take(&memory, n);
     at.jacobian = lag_take(&memory, m * n);
     at.gamma = lag_take(&memory, m);
-    at.response = lag_take(sparse, model->nk * n);
-    at.lam_response = lag_take(sparse, model->nk * m);
-    at.kept_jacobian = lag_take(sparse, model->nk * n);
-    at.kept_gamma = lag_take(&memory, model->nk);
-    at.delassus = lag_take(&memory, lag_delassus_memory(n, m, model->nk));
+    at.left = lag_left_rows_place(model, kept, &memory);
+    at.delassus = lag_take(&memory, lag_delassus_memory(m, model->nk));
     at.system = memory;
     return at;
 }
@@ -45,7 +35,7 @@ size_t lag_dynamics_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(n, m, model->nk);
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
     return n * n + n + m * n + m + kept + lag_system_memory(n, m) + lag_feedback_memory(model);
 }
 
@@ -98,8 +88,7 @@ lag_status lag_factor_eliminated(
     lag_delassus *system)
 {
     size_t rank = 0;
-    lag_delassus_place(
-        system, model->nq, model->nc, model->nk, model->kept_rows, model->jacobian_pattern, model->components, memory);
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, model->patterns, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
@@ -153,16 +142,16 @@ lag_status lag_forward_dynamics_of_lane(
     if (formed->qdd != NULL) {
         pick(n, formed->qdd, lanes, lane, qdd);
         pick(m, formed->lam, lanes, lane, lam);
-        pick(kept * n, formed->response, lanes, lane, to.response);
-        pick(kept * m, formed->lam_response, lanes, lane, to.lam_response);
-        pick(kept * n, formed->jacobian, lanes, lane, to.kept_jacobian);
-        pick(kept, formed->gamma, lanes, lane, to.kept_gamma);
+        pick(kept * n, formed->response, lanes, lane, to.left.response);
+        pick(kept * m, formed->lam_response, lanes, lane, to.left.lam_response);
+        pick(kept * n, formed->jacobian, lanes, lane, to.left.jacobian);
+        pick(kept, formed->gamma, lanes, lane, to.left.gamma);
         return lag_solve_eliminated(
             model,
-            to.response,
-            to.lam_response,
-            to.kept_jacobian,
-            to.kept_gamma,
+            to.left.response,
+            to.left.lam_response,
+            to.left.jacobian,
+            to.left.gamma,
             formed->pivot[lane],
             to.delassus,
             qdd,
@@ -194,12 +183,12 @@ static lag_status eliminate(solver *s, const lag_arguments *at, int again, doubl
     const places *to = &s->to;
     double pivot = 0.0;
     lag_status status = model->elimination(
-        at, qdd, lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, &pivot);
+        at, qdd, lam, to->left.response, to->left.lam_response, to->left.jacobian, to->left.gamma, &pivot);
     if (status == LAG_OK && model->nk > 0 && !again) {
-        status = lag_factor_eliminated(model, to->response, to->lam_response, to->kept_jacobian, pivot, to->delassus, &s->kept);
+        status = lag_factor_eliminated(model, to->left.response, to->left.lam_response, to->left.jacobian, pivot, to->delassus, &s->kept);
     }
     if (status == LAG_OK && model->nk > 0) {
-        lag_delassus_solve(&s->kept, to->kept_gamma, qdd, lam);
+        lag_delassus_solve(&s->kept, to->left.gamma, qdd, lam);
     }
     return status == LAG_OK && pivot > lag_smallest_pivot(model) && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
 }
@@ -251,7 +240,7 @@ static lag_status solve_rest(
     double *loads = lag_take(&memory, lag_feedback_memory(model));
     solver s; /* not set to zero: that takes as long as small systems do */
     s.model = model;
-    s.to = place(model, at->kept != NULL ? at->kept->first : NULL, memory);
+    s.to = place(model, at->kept, memory);
     s.coordinate = coordinate;
     if (model->nload > 0) {
         return lag_feedback_solve(model, at, solve_with_loads, &s, loads, chord, qdd, lam);

@@ -84,7 +84,7 @@ static size_t place(const lag_model *model, size_t lanes, double *memory, places
     at->kept.lam_response = lag_take(&end, model->nk * m);
     at->kept.jacobian = lag_take(&end, model->nk * n);
     at->kept.gamma = lag_take(&end, model->nk);
-    at->kept.delassus = lag_take(&end, lag_delassus_memory(n, m, model->nk));
+    at->kept.delassus = lag_take(&end, lag_delassus_memory(m, model->nk));
     at->dense.system = lag_take(&end, lag_system_memory(n, m));
     at->dynamics = lag_take(&end, lag_dynamics_memory(model));
     return (size_t)(end - memory);
@@ -95,7 +95,7 @@ size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t lanes = lanes_of(tangents) * (variables(model) + 2 * n + 2 * m + model->nz + model->ny + 1);
-    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(n, m, model->nk);
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
     const size_t dense = n * n + m * n + lag_system_memory(n, m);
     return lanes + 3 * n + 3 * m + kept + dense + lag_dynamics_memory(model);
 }

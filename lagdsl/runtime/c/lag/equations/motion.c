@@ -15,10 +15,20 @@ static size_t loads_memory(const lag_model *model)
     return model->nload > 0 ? model->nload * (model->nq + model->nc) + states + lag_feedback_chord_memory(model) : 0;
 }
 
-/* Results with few entries: those of the dynamics, then the gradients of gaps. */
+/* Results with few entries: those of the dynamics, then the others. */
 static size_t kept_memory(const lag_model *model)
 {
-    return lag_dynamics_kept(model) + model->ngap * model->nq;
+    return lag_left_rows_kept(model) + (model->ngap + model->nq + 3 * model->nc) * model->nq;
+}
+
+static void place_written(lag_written *written, const lag_model *model, double *memory)
+{
+    const size_t rows = model->nc * model->nq;
+    written->gaps = lag_take(&memory, model->ngap * model->nq);
+    written->mass = lag_take(&memory, model->nq * model->nq);
+    written->rows[0] = lag_take(&memory, rows);
+    written->rows[1] = lag_take(&memory, rows);
+    written->sought = lag_take(&memory, rows);
 }
 
 size_t lag_motion_memory(const lag_model *model)
@@ -77,10 +87,6 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
 
 void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory)
 {
-    const size_t count = lag_motion_memory(model);
-    for (size_t i = 0; i < count; ++i) {
-        memory[i] = 0.0;
-    }
     memset(motion, 0, sizeof *motion);
     motion->model = model;
     motion->at.context = model->context;
@@ -88,7 +94,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->memory = motion->at.workspace + model->workspace;
     motion->kept = (lag_kept){motion->memory + lag_jacobian_memory(model, NULL), kept_memory(model)};
     motion->at.kept = &motion->kept;
-    motion->gradients = motion->kept.first + lag_dynamics_kept(model);
+    place_written(&motion->written, model, motion->kept.first + lag_left_rows_kept(model));
     motion->u = motion->kept.first + motion->kept.count;
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;

@@ -8,6 +8,14 @@
 /* The inputs u (nu) at time t; `before`: where one jumps then, its value before the jump is wanted. */
 typedef void lag_inputs(void *context, double t, int before, double *u);
 
+/* Results with few entries, in what the model alone writes (lag_arguments.kept). */
+typedef struct lag_written {
+    double *gaps;                 /* (ngap, nq) of contact() */
+    double *rows[2];              /* (nc, nq) J, of position_constraint(); of velocity_constraint() or dynamics(): whoever looks at it does so just before */
+    double *mass;                 /* (nq, nq) M */
+    double *sought;               /* (nc, nq) J in the problem of accelerations (lag/contacts/modes.h) */
+} lag_written;
+
 typedef struct lag_motion {
     const lag_model *model;
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
@@ -15,7 +23,7 @@ typedef struct lag_motion {
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */
-    double *gradients;   /* (ngap, nq) for those of gaps, in what the model alone writes (lag_arguments.kept) */
+    lag_written written;
     double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
@@ -34,7 +42,7 @@ static inline size_t lag_motion_size(const lag_model *model)
 /* Doubles for a motion. */
 size_t lag_motion_memory(const lag_model *model);
 
-/* Lays out `motion` in `memory`; u and w are zero, p the defaults. It must not be moved afterwards. */
+/* Lays out `motion` in `memory`, which is zero; u and w are zero, p the defaults. It must not be moved afterwards. */
 void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory);
 
 /* Other parameters (np), which must stay: prepares the workspace. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/equations/correction.h"
+#include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
@@ -33,21 +34,21 @@ size_t lag_projection_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t rows = m + most_held(model);
-    return 4 * m + 2 * rows + 5 * n + model->nz + m * n + rows * n + n * n + lag_correction_memory(model) +
+    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + n * n + lag_correction_memory(model) +
            lag_system_memory(n, rows);
 }
 
 /* All belong together where nobody tells what the rows hold. */
 size_t lag_component_of(const lag_model *model, size_t coordinate)
 {
-    return model->components != NULL && model->jacobian_pattern != NULL ? model->components[coordinate] : 0;
+    return model->components != NULL && lag_jacobian_pattern(model) != NULL ? model->components[coordinate] : 0;
 }
 
 /* Rows hold coordinates of one component; those that hold none may count to any. */
 static void find_components(lag_projection *projection)
 {
     const lag_model *model = projection->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     lag_fill(model->nc, 0.0, projection->component);
     for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
         projection->component[entries->row[k]] = (double)lag_component_of(model, entries->column[k]);
@@ -85,8 +86,8 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->least = projection->limits;
     projection->sizes = projection->round_off + m;
     projection->phi = projection->sizes + n;
-    projection->jacobian = projection->phi + m;
-    projection->step.mass = projection->jacobian + m * n;
+    projection->jacobian = motion->written.rows[1];
+    projection->step.mass = projection->phi + m;
     projection->step.chosen = projection->step.mass + n * n;
     projection->step.right = projection->step.chosen + rows * n;
     projection->step.force = projection->step.right + rows;
@@ -109,6 +110,14 @@ void lag_projection_limits(lag_projection *projection, double tolerance, const d
         projection->round_off[i] = LAG_ROUNDING * row_sizes[i];
         projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), projection->round_off[i]);
     }
+}
+
+lag_status lag_projection_look(lag_projection *projection, int velocities)
+{
+    lag_motion *motion = projection->motion;
+    const lag_model *model = motion->model;
+    projection->jacobian = motion->written.rows[velocities];
+    return (velocities ? model->velocity_constraint : model->position_constraint)(&motion->at, projection->phi, projection->jacobian);
 }
 
 /* The largest residual among rows of position level, in limits. Not a number stays none. */
@@ -199,7 +208,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
     motion->at.q = projection->point;
     projection->step.formed = 0;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
-        const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+        const lag_status status = lag_projection_look(projection, 0);
         const double size = largest(projection);
         if (status != LAG_OK || !(size < (double)INFINITY) || size > CLOSE * before) {
             return LAG_PROJECTION_FAILED;
@@ -251,7 +260,8 @@ static int satisfies(lag_projection *projection, double size)
 {
     const lag_model *model = projection->motion->model;
     for (size_t i = 0; i < model->nc; ++i) {
-        const double left = projection->phi[i] + lag_dot(model->nq, projection->jacobian + i * model->nq, projection->step.change);
+        const lag_entries entries = lag_entries_of(model, i);
+        const double left = projection->phi[i] + lag_entries_dot(&entries, projection->jacobian + i * model->nq, projection->step.change);
         const double part = fabs(left) / (projection->least[i] * largest_beside(projection, i));
         if (!model->position_level[i] && !(part <= fmax(CLOSE, LAG_REACHED * size))) {
             projection->lost = i;
@@ -265,7 +275,7 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
 {
     lag_motion *motion = projection->motion;
     const size_t n = motion->model->nq;
-    const lag_status status = motion->model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    const lag_status status = lag_projection_look(projection, 1);
     const double size = status == LAG_OK ? largest_of_rates(projection, x + n) : (double)INFINITY;
     if (!(size < (double)INFINITY)) {
         return LAG_PROJECTION_FAILED;
@@ -354,7 +364,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
         return LAG_OK;
     }
     lag_motion_look(motion, t, x);
-    lag_status status = model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    lag_status status = lag_projection_look(projection, 1);
     if (status != LAG_OK || !lag_any(model->nc, projection->phi)) {
         return status;
     }
@@ -384,6 +394,6 @@ double lag_projection_distance(lag_projection *projection, double t, const doubl
     lag_motion *motion = projection->motion;
     const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / LAG_ROUNDING : 1.0;
     lag_motion_look(motion, t, x);
-    const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+    const lag_status status = lag_projection_look(projection, 0);
     return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
 
 /*
@@ -11,62 +12,77 @@
  */
 static const double LEFT = 0.25;
 
-static size_t entries_of(const lag_model *model)
-{
-    return model->jacobian_pattern != NULL ? model->jacobian_pattern->count : model->nc * model->nq;
-}
-
 size_t lag_look_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return 2 * m * model->nq + (m + 1) + entries_of(model) + 4 * m + (m + 1) + m * (m + 1) / 2;
+    return 3 * lag_entries_count(model) + 4 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
 }
 
 /* Columns of each row. */
 static void list_columns(lag_look *look)
 {
-    const lag_pattern *pattern = look->model->jacobian_pattern;
     size_t next = 0;
     for (size_t i = 0; i < look->m; ++i) {
+        const lag_entries entries = lag_entries_of(look->model, i);
         look->first[i] = (double)next;
-        for (size_t j = 0; pattern == NULL && j < look->n; ++j) {
-            look->column[next++] = (double)j;
-        }
-        for (size_t k = 0; pattern != NULL && k < pattern->count; ++k) {
-            if (pattern->row[k] == i) {
-                look->column[next++] = (double)pattern->column[k];
-            }
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            look->column[next++] = (double)lag_entry_column(&entries, k);
         }
     }
     look->first[look->m] = (double)next;
 }
 
-/* True if two rows share a coordinate; `marks` (n) are those of one of them. */
-static int shares(const lag_look *look, size_t row, const double *marks)
+static size_t end_of(const lag_look *look, size_t row)
 {
-    const size_t end = (size_t)look->first[row + 1];
-    size_t k = (size_t)look->first[row];
-    while (k < end && marks[(size_t)look->column[k]] == 0.0) {
-        ++k;
-    }
-    return k < end;
+    return (size_t)look->first[row + 1];
 }
 
-static void mark(const lag_look *look, size_t row, double value, double *marks)
+/* Rows of each column, ascending, in the memory of the entries. */
+static void list_rows(const lag_look *look, double *first, double *row)
 {
-    for (size_t k = (size_t)look->first[row]; k < (size_t)look->first[row + 1]; ++k) {
-        marks[(size_t)look->column[k]] = value;
+    lag_fill(look->n + 1, 0.0, first);
+    for (size_t k = 0; k < end_of(look, look->m - 1); ++k) {
+        first[(size_t)look->column[k]] += 1.0;
+    }
+    for (size_t j = 0; j < look->n; ++j) { /* where each ends; then, backwards, where it begins */
+        first[j + 1] += first[j];
+    }
+    for (size_t i = look->m; i-- > 0;) {
+        for (size_t k = end_of(look, i); k-- > (size_t)look->first[i];) {
+            row[(size_t)--first[(size_t)look->column[k]]] = (double)i;
+        }
+    }
+}
+
+/* Rows that share a column with a row, and stand nowhere yet, come behind the others, ascending. */
+static void append_neighbors(lag_look *look, size_t row, const double *first, const double *rows, double *place, size_t *count)
+{
+    const size_t begin = *count;
+    for (size_t k = (size_t)look->first[row]; k < end_of(look, row) && *count < look->m; ++k) {
+        const size_t column = (size_t)look->column[k];
+        for (size_t e = (size_t)first[column]; e < (size_t)first[column + 1]; ++e) {
+            size_t at = *count;
+            if (place[(size_t)rows[e]] != 0.0) {
+                continue;
+            }
+            for (; at > begin && look->order[at - 1] > rows[e]; --at) {
+                look->order[at] = look->order[at - 1];
+            }
+            look->order[at] = rows[e];
+            place[(size_t)rows[e]] = (double)++*count;
+        }
+    }
+    for (size_t at = begin; at < *count; ++at) {
+        place[(size_t)look->order[at]] = (double)(at + 1);
     }
 }
 
 /* Rows next to each other, from the first one on: neighbors follow in turn, then what is not connected with them. */
-static void put_in_order(lag_look *look)
+static void put_in_order(lag_look *look, const double *first, const double *rows)
 {
     double *place = look->reach; /* 1 + where a row stands; 0: nowhere yet */
-    double *marks = look->now;
     size_t count = 0;
     lag_fill(look->m, 0.0, place);
-    lag_fill(look->n, 0.0, marks);
     for (size_t seed = 0; seed < look->m; ++seed) {
         size_t next = count;
         if (place[seed] == 0.0) {
@@ -74,33 +90,31 @@ static void put_in_order(lag_look *look)
             place[seed] = (double)count;
         }
         for (; next < count; ++next) {
-            const size_t row = (size_t)look->order[next];
-            mark(look, row, 1.0, marks);
-            for (size_t other = 0; other < look->m; ++other) {
-                if (place[other] == 0.0 && shares(look, other, marks)) {
-                    look->order[count++] = (double)other;
-                    place[other] = (double)count;
-                }
-            }
-            mark(look, row, 0.0, marks);
+            append_neighbors(look, (size_t)look->order[next], first, rows, place, &count);
         }
     }
 }
 
-static void find_reach(lag_look *look)
+/* The first row in the order that shares a column with each; `low` (n) is the first that has an entry in a column. */
+static void find_reach(lag_look *look, double *low)
 {
-    double *marks = look->now;
     size_t next = 0;
-    for (size_t i = 0; i < look->m; ++i) {
-        size_t other = 0;
-        mark(look, (size_t)look->order[i], 1.0, marks);
-        while (other < i && !shares(look, (size_t)look->order[other], marks)) {
-            ++other;
+    lag_fill(look->n, (double)look->m, low);
+    for (size_t i = look->m; i-- > 0;) {
+        const size_t row = (size_t)look->order[i];
+        for (size_t k = (size_t)look->first[row]; k < end_of(look, row); ++k) {
+            low[(size_t)look->column[k]] = (double)i;
         }
-        mark(look, (size_t)look->order[i], 0.0, marks);
-        look->reach[i] = (double)other;
+    }
+    for (size_t i = 0; i < look->m; ++i) {
+        const size_t row = (size_t)look->order[i];
+        double reach = (double)i;
+        for (size_t k = (size_t)look->first[row]; k < end_of(look, row); ++k) {
+            reach = low[(size_t)look->column[k]] < reach ? low[(size_t)look->column[k]] : reach;
+        }
+        look->reach[i] = reach;
         look->start[i] = (double)next;
-        next += i - other + 1;
+        next += i - (size_t)reach + 1;
     }
     look->start[look->m] = (double)next;
 }
@@ -116,25 +130,26 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
     look->most = model->rank;
     look->sizes = sizes;
     look->row_sizes = row_sizes;
-    look->rows = lag_take(&memory, m * n);
-    look->now = lag_take(&memory, m * n);
+    look->rows = lag_take(&memory, lag_entries_count(model));
+    look->now = lag_take(&memory, lag_entries_count(model));
     look->first = lag_take(&memory, m + 1);
-    look->column = lag_take(&memory, entries_of(model));
+    look->column = lag_take(&memory, lag_entries_count(model));
     look->order = lag_take(&memory, m);
     look->reach = lag_take(&memory, m);
     look->start = lag_take(&memory, m + 1);
     look->follows = lag_take(&memory, m);
     look->trial = lag_take(&memory, m);
+    double *low = lag_take(&memory, n);
+    double *of_columns = lag_take(&memory, n + 1);
     look->band = memory;
     if (m > 0) {
         list_columns(look);
-        put_in_order(look);
-        find_reach(look);
+        list_rows(look, of_columns, look->now);
+        put_in_order(look, of_columns, look->now);
+        find_reach(look, low);
     }
     lag_fill(m, 0.0, look->follows);
     lag_fill(m, 0.0, look->trial);
-    lag_fill(m * n, 0.0, look->rows);
-    lag_fill(m * n, 0.0, look->now);
 }
 
 /* Rows that come and go, or follow from others, say nothing. */
@@ -154,11 +169,18 @@ static size_t redundant_rows(const lag_look *look)
     return count > look->most ? count - look->most : 0;
 }
 
-static double product(const lag_look *look, size_t row, const double *a, const double *b)
+/* Row i of a times row j of b, both by entries. */
+static double product(const lag_look *look, size_t i, size_t j, const double *a, const double *b)
 {
+    const size_t end = end_of(look, i);
+    const size_t others = end_of(look, j);
+    size_t l = (size_t)look->first[j];
     double sum = 0.0;
-    for (size_t k = (size_t)look->first[row]; k < (size_t)look->first[row + 1]; ++k) {
-        sum += a[(size_t)look->column[k]] * b[(size_t)look->column[k]];
+    for (size_t k = (size_t)look->first[i]; k < end; ++k) {
+        while (l < others && look->column[l] < look->column[k]) {
+            ++l;
+        }
+        sum += l < others && look->column[l] == look->column[k] ? a[k] * b[l] : 0.0;
     }
     return sum;
 }
@@ -203,7 +225,6 @@ static double least_pivot(lag_look *look, size_t spare)
 /* The products of rows a with rows b, made symmetric, less a part of those of b; of each row that does not count with itself one. */
 static void multiply(const lag_look *look, const double *a, const double *b, double part)
 {
-    const size_t n = look->n;
     for (size_t i = 0; i < look->m; ++i) {
         const size_t row = (size_t)look->order[i];
         const size_t reach = (size_t)look->reach[i];
@@ -212,8 +233,8 @@ static void multiply(const lag_look *look, const double *a, const double *b, dou
             const size_t other = (size_t)look->order[j];
             double sum = i == j ? 1.0 : 0.0;
             if (counts(look, row) && counts(look, other)) {
-                sum = 0.5 * (product(look, row, a + row * n, b + other * n) + product(look, row, b + row * n, a + other * n));
-                sum -= part > 0.0 ? part * product(look, row, b + row * n, b + other * n) : 0.0;
+                sum = 0.5 * (product(look, row, other, a, b) + product(look, row, other, b, a));
+                sum -= part > 0.0 ? part * product(look, row, other, b, b) : 0.0;
             }
             line[j - reach] = sum;
         }
@@ -226,7 +247,7 @@ static void scale(lag_look *look, const double *jacobian)
     for (size_t i = 0; i < look->m; ++i) {
         for (size_t k = (size_t)look->first[i]; k < (size_t)look->first[i + 1]; ++k) {
             const size_t j = (size_t)look->column[k];
-            look->now[i * n + j] = jacobian[i * n + j] * look->sizes[j] / look->row_sizes[i];
+            look->now[k] = jacobian[i * n + j] * look->sizes[j] / look->row_sizes[i];
         }
     }
 }
@@ -257,7 +278,7 @@ lag_status lag_look_at(lag_look *look, const double *jacobian)
     }
     look->margin = lag_look_margin(look, jacobian);
     look->rank = look->most;
-    memcpy(look->rows, look->now, look->m * look->n * sizeof(double));
+    memcpy(look->rows, look->now, lag_entries_count(look->model) * sizeof(double));
     memcpy(look->follows, look->trial, look->m * sizeof(double));
     return look->margin > LAG_RANK_NEAR ? LAG_OK : LAG_ATTENTION;
 }

@@ -23,7 +23,7 @@ typedef struct lag_look {
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
     const double *lasting;    /* (m) 0: this row comes and goes and does not count; null: all do */
-    double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
+    double *rows, *now;       /* (entries) J in these sizes, at the last state and now */
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */

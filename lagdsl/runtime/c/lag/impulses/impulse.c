@@ -22,7 +22,7 @@ static const double NOTHING = 1e-60;
 size_t lag_impulse_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return 8 * n + n * n + model->nc * (n + 1) + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
+    return 8 * n + model->nc + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
 }
 
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
@@ -37,8 +37,8 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     impulse->size = lag_take(&memory, n);
     impulse->change = lag_take(&memory, n);
     impulse->chosen = lag_take(&memory, n);
-    impulse->mass = lag_take(&memory, n * n);
-    impulse->jacobian = lag_take(&memory, model->nc * n);
+    impulse->mass = motion->written.mass;
+    impulse->jacobian = motion->written.rows[1];
     impulse->residual = lag_take(&memory, model->nc);
     impulse->w = lag_take(&memory, model->nw);
     impulse->holding = lag_take(&memory, model->ncontact);

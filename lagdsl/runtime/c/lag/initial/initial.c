@@ -12,8 +12,8 @@ size_t lag_initial_memory(const lag_model *model)
 {
     const size_t q = lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_initialization_all_memory(model) : 0;
-    const size_t ranks = lag_larger(lag_initialization_rank_memory(model), model->nc * model->nq + lag_svd_memory(model->nc, model->nq));
-    const size_t sizes = lag_initialization_row_sizes_memory(model);
+    const size_t ranks = lag_larger(lag_initialization_rank_memory(model), lag_initialization_look_memory(model));
+    const size_t sizes = lag_larger(lag_initialization_row_sizes_memory(model), lag_parts_memory(model->nc, model->nq));
     return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), lag_larger(ranks, sizes));
 }
 
@@ -81,21 +81,10 @@ static void find(lag_initialization *b, const unsigned char *set, double *x)
 /* Rates that the constraints leave free at x. */
 static size_t find_freedom(lag_initialization *b, const unsigned char *set, const double *x)
 {
-    const lag_model *model = b->motion->model;
-    const size_t n = model->nq;
-    double *memory = b->memory;
-    double *matrix = lag_take(&memory, model->nc * n);
+    const size_t n = b->motion->model->nq;
     memcpy(b->q, x, n * sizeof(double));
     lag_initialization_velocities(b);
-    if (as_compiled(b, set) && lag_initialization_is_regular(b, memory)) {
-        return n - model->rank;
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        for (size_t j = 0; j < n; ++j) {
-            matrix[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
-        }
-    }
-    return n - lag_initialization_rank(model->nc, n, matrix, memory);
+    return n - lag_initialization_count(b, as_compiled(b, set), b->memory);
 }
 
 static void copy(size_t count, const double *x, double *to)
@@ -156,7 +145,10 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             find(&b, set, x);
             b.told.freedom = find_freedom(&b, set, x);
             copy(model->nc, b.row_sizes, found.row_sizes);
-            copy(model->nc * model->nq, b.pattern, found.pattern);
+            if (found.pattern != NULL) {
+                lag_fill(model->nc * model->nq, 0.0, found.pattern);
+                lag_initialization_spread(&b, found.pattern);
+            }
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.starts.x, x);
             check_bounds(model, start, &found);

@@ -33,7 +33,7 @@ static int is_joined(const lag_initialization *b, size_t row)
 {
     const size_t n = b->motion->model->nq;
     size_t j = 0;
-    while (b->equations.joined != NULL && j < n && !(b->equations.joined[j] && b->pattern[row * n + j] != 0.0)) {
+    while (b->equations.joined != NULL && j < n && !(b->equations.joined[j] && lag_initialization_depends(b, row, j))) {
         ++j;
     }
     return b->equations.joined != NULL && j < n;
@@ -160,7 +160,7 @@ static lag_parts find_parts(const positions *p, double *pattern, double *memory)
     const lag_initialization *b = p->b;
     for (size_t i = 0; i < b->rows; ++i) {
         for (size_t k = 0; k < p->count; ++k) {
-            pattern[i * p->count + k] = b->pattern[(size_t)b->row[i] * b->motion->model->nq + (size_t)p->free[k]];
+            pattern[i * p->count + k] = lag_initialization_depends(b, (size_t)b->row[i], (size_t)p->free[k]);
         }
     }
     return lag_parts_of(b->rows, p->count, pattern, memory);

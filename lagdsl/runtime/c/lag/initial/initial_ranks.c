@@ -90,7 +90,8 @@ static void place(walk *w, lag_initialization *b)
     lag_fill(m * n, 0.0, w->best);
     lag_fill(m + n, 0.0, w->ranks);
     lag_fill(m + n, 0.0, w->rough);
-    memcpy(w->jacobian, b->pattern, m * n * sizeof(double));
+    lag_fill(m * n, 0.0, w->jacobian);
+    lag_initialization_spread(b, w->jacobian);
     for (size_t i = 0; i < b->rows; ++i) {
         memcpy(pattern + i * n, w->jacobian + (size_t)b->row[i] * n, n * sizeof(double));
     }

@@ -119,8 +119,10 @@ static void find_parts(lag_rates *r)
     for (size_t k = 0; k < n * n; ++k) {
         mass[k] = isfinite(mass[k]) ? mass[k] * b->sizes[k / n] * b->sizes[k % n] : 0.0;
     }
+    lag_fill(model->nc * n, 0.0, r->pattern);
+    lag_initialization_spread(b, r->pattern);
     for (size_t k = 0; k < (r->conditions + n) * n; ++k) {
-        r->pattern[k] = r->table[k] != 0.0 || (k < model->nc * n && b->pattern[k] != 0.0);
+        r->pattern[k] = r->table[k] != 0.0 || (k < model->nc * n && r->pattern[k] != 0.0);
     }
     for (size_t j = 0; j < n; ++j) {
         r->pattern[(r->conditions + j) * n + j] = 1.0;

@@ -1,5 +1,6 @@
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
 #include "lag/equations/discretes.h"
+#include "lag/equations/entries.h"
 #include "lag/initial/initialization.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
@@ -21,7 +22,7 @@ size_t lag_initialization_lengths(const lag_model *model)
 
 size_t lag_initialization_row_sizes_memory(const lag_model *model)
 {
-    return model->np + model->nc * model->nq;
+    return model->np + lag_entries_count(model);
 }
 
 int lag_initialization_has_defaults(const lag_initialization *b)
@@ -71,23 +72,37 @@ static void go_to(lag_initialization *b, size_t k, unsigned long long *seed, con
     }
 }
 
-/* Lengths of the rows of J as it was looked at last, which is look k; largest entries into the pattern. */
-static void measure(lag_initialization *b, size_t k)
+/* Lengths of the rows of J as it was looked at last, less the entries `less` (or null), which is look k; largest entries into the pattern. */
+static void measure(lag_initialization *b, size_t k, const double *less)
 {
-    const size_t n = b->motion->model->nq;
-    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+    const lag_model *model = b->motion->model;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
         double size = 0.0;
         double length = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            const double plain = b->jacobian[i * n + j];
+        for (size_t e = entries.first; e < entries.end; ++e) {
+            const size_t j = lag_entry_column(&entries, e);
+            const double plain = b->jacobian[i * model->nq + j] - (less != NULL ? less[entries.before + e] : 0.0);
             const double entry = plain * b->sizes[j];
-            const double seen = b->pattern[i * n + j];
+            double *seen = b->pattern + entries.before + e;
             size += entry * entry;
             length += plain * plain;
-            b->pattern[i * n + j] = fabs(entry) <= seen ? seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
+            *seen = fabs(entry) <= *seen ? *seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
         }
         sizes_of(b, i)[k] = sqrt(size);
         lengths_of(b, i)[k] = sqrt(length);
+    }
+}
+
+/* The entries of J as it was looked at last. */
+static void keep(const lag_initialization *b, double *kept)
+{
+    const lag_model *model = b->motion->model;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t e = entries.first; e < entries.end; ++e) {
+            kept[entries.before + e] = b->jacobian[i * model->nq + lag_entry_column(&entries, e)];
+        }
     }
 }
 
@@ -114,7 +129,7 @@ static void look_at_branches(lag_initialization *b, const double *q)
     for (size_t k = 0; k < SIZED_AT; ++k) {
         turn_discretes(b, &seed);
         lag_initialization_velocities(b);
-        measure(b, k);
+        measure(b, k, NULL);
     }
     memcpy(b->motion->w, b->aside.w, model->nw * sizeof(double));
 }
@@ -123,10 +138,12 @@ static void look_at_branches(lag_initialization *b, const double *q)
 static size_t component_of(const lag_initialization *b, size_t row)
 {
     const lag_model *model = b->motion->model;
-    const double *entries = b->pattern + row * model->nq;
+    const lag_entries entries = lag_entries_of(model, row);
+    double largest = 0.0;
     size_t most = 0;
-    for (size_t j = 1; j < model->nq; ++j) {
-        most = entries[j] > entries[most] ? j : most;
+    for (size_t k = entries.first; k < entries.end; ++k) {
+        most = b->pattern[entries.before + k] > largest ? lag_entry_column(&entries, k) : most;
+        largest = fmax(largest, b->pattern[entries.before + k]);
     }
     return model->components != NULL && model->nq > 0 ? model->components[most] : 0;
 }
@@ -157,17 +174,14 @@ static void measure_changes(lag_initialization *b, const double *q)
     for (size_t k = 0; k < SIZED_AT; ++k) {
         go_to(b, k, &seed, q);
         lag_initialization_velocities(b);
-        memcpy(before, b->jacobian, model->nc * model->nq * sizeof(double));
+        keep(b, before);
         for (size_t j = 0; j < model->nq; ++j) {
             b->q[j] *= 1.0 + (lag_initialization_draw(&signs) > 0.0 ? ERROR : -ERROR);
         }
         (void)lag_motion_parameters(motion, off);
         lag_initialization_velocities(b);
         (void)lag_motion_parameters(motion, p);
-        for (size_t e = 0; e < model->nc * model->nq; ++e) {
-            b->jacobian[e] -= before[e];
-        }
-        measure(b, k);
+        measure(b, k, before);
     }
 }
 
@@ -207,8 +221,10 @@ static void leave_out_round_off(lag_initialization *b)
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
         const size_t component = component_of(b, i);
         const double round_off = LAG_NO_ROW * most[component];
-        for (size_t j = 0; j < n; ++j) {
-            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(LAG_EXACT * b->row_sizes[i], round_off);
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            double *entry = b->pattern + entries.before + k;
+            *entry = *entry > fmax(LAG_EXACT * b->row_sizes[i], round_off);
         }
         if (!(b->row_sizes[i] > round_off)) {
             b->row_sizes[i] = b->row_sizes[i] > 0.0 ? most[component] : 1.0;
@@ -222,11 +238,11 @@ void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
     double *length = b->lengths + 2 * SIZED_AT * model->nc;
     unsigned long long seed = 20011;
     int any = 0;
-    lag_fill(model->nc * model->nq, 0.0, b->pattern);
+    lag_fill(lag_entries_count(model), 0.0, b->pattern);
     for (size_t k = 0; k < SIZED_AT; ++k) {
         go_to(b, k, &seed, q);
         lag_initialization_velocities(b);
-        measure(b, k);
+        measure(b, k, NULL);
     }
     for (size_t i = 0; i < model->nc; ++i) {
         b->row_sizes[i] = usual(sizes_of(b, i));

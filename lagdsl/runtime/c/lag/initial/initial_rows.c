@@ -225,7 +225,7 @@ void lag_joint_measure(lag_joint *joint, double *jacobian)
         const int rates = i >= b->rows;
         const size_t row = rates ? i - b->rows : (size_t)b->row[i];
         for (size_t j = 0; j < n; ++j) {
-            joint->pattern[i * joint->all + (rates ? n : 0) + j] = b->pattern[row * n + j];
+            joint->pattern[i * joint->all + (rates ? n : 0) + j] = lag_initialization_depends(b, row, j);
         }
     }
     for (int point = 0; point <= POINTS; ++point) {

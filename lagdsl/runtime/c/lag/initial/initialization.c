@@ -1,3 +1,4 @@
+#include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
 #include "lag/initial/initialization.h"
 
@@ -27,8 +28,8 @@ size_t lag_initialization_rows(const lag_model *model)
 
 size_t lag_initialization_memory(const lag_model *model)
 {
-    return 5 * lag_motion_size(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
-           model->nc + lag_initialization_lengths(model) + model->nc * model->nq;
+    return 5 * lag_motion_size(model) + 3 * model->nc + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
+           model->nc + lag_initialization_lengths(model) + lag_entries_count(model);
 }
 
 void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory)
@@ -45,7 +46,7 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     b->starts.written = lag_take(&memory, size);
     b->starts.fixed = lag_take(&memory, size);
     b->phi = lag_take(&memory, model->nc);
-    b->jacobian = lag_take(&memory, model->nc * model->nq);
+    b->jacobian = motion->written.rows[1];
     b->q = lag_take(&memory, model->nq);
     b->qd = lag_take(&memory, model->nq);
     b->z = lag_take(&memory, model->nz);
@@ -53,7 +54,7 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     b->aside.w = lag_take(&memory, model->nw);
     b->still = lag_take(&memory, model->nq + model->nc);
     b->lengths = lag_take(&memory, lag_initialization_lengths(model));
-    b->pattern = lag_take(&memory, model->nc * model->nq);
+    b->pattern = lag_take(&memory, lag_entries_count(model));
     b->memory = memory;
     for (size_t i = 0; i < model->nc; ++i) {
         if (model->position_level[i]) {
@@ -64,27 +65,33 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
 
 /* ---- what is asked ---- */
 
-static void ask(lag_initialization *b, lag_status (*function)(const lag_arguments *, double *, double *))
+static void ask(lag_initialization *b, lag_status (*function)(const lag_arguments *, double *, double *), double *jacobian)
 {
     lag_arguments *at = &b->motion->at;
     const lag_model *model = b->motion->model;
     at->q = b->q;
     at->qd = b->qd;
     at->z = b->z;
+    b->jacobian = jacobian;
     if (function(at, b->phi, b->jacobian) != LAG_OK) {
         lag_fill(model->nc, (double)NAN, b->phi);
-        lag_fill(model->nc * model->nq, (double)NAN, b->jacobian);
+        for (size_t i = 0; i < model->nc; ++i) { /* only what the model writes, too */
+            const lag_entries entries = lag_entries_of(model, i);
+            for (size_t k = entries.first; k < entries.end; ++k) {
+                b->jacobian[i * model->nq + lag_entry_column(&entries, k)] = (double)NAN;
+            }
+        }
     }
 }
 
 void lag_initialization_positions(lag_initialization *b)
 {
-    ask(b, b->motion->model->position_constraint);
+    ask(b, b->motion->model->position_constraint, b->motion->written.rows[0]);
 }
 
 void lag_initialization_velocities(lag_initialization *b)
 {
-    ask(b, b->motion->model->velocity_constraint);
+    ask(b, b->motion->model->velocity_constraint, b->motion->written.rows[1]);
 }
 
 double lag_initialization_draw(unsigned long long *seed)
@@ -121,11 +128,71 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
     return lag_svd_rank(&svd, LAG_RANK);
 }
 
+size_t lag_initialization_look_memory(const lag_model *model)
+{
+    const size_t dense = model->nc * model->nq + lag_svd_memory(model->nc, model->nq);
+    return model->nc + lag_larger(lag_look_memory(model), dense);
+}
+
 int lag_initialization_is_regular(lag_initialization *b, double *memory)
 {
+    const lag_model *model = b->motion->model;
+    double *lasting = lag_take(&memory, model->nc);
     lag_look look;
-    lag_look_place(&look, b->motion->model, b->sizes, b->row_sizes, memory);
+    lag_fill(model->nc, 1.0, lasting);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        lasting[model->contact_rows[i]] = 0.0;
+    }
+    for (size_t i = 0; i < model->nslip; ++i) {
+        lasting[model->friction_rows[i]] = 0.0;
+    }
+    lag_look_place(&look, model, b->sizes, b->row_sizes, memory);
+    look.lasting = lasting;
     return lag_look_at(&look, b->jacobian) == LAG_OK;
+}
+
+/* Flags (nc) of rows of J that are not zero. Returns how many of these are independent in general; nc + 1: some may depend on those that are zero. */
+static size_t find_rows(const lag_initialization *b, double *there)
+{
+    const lag_model *model = b->motion->model;
+    size_t count = 0;
+    size_t zero = 0;
+    size_t redundant = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        const int depends = model->redundant != NULL && model->redundant[i];
+        there[i] = 0.0;
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            there[i] = b->jacobian[i * model->nq + lag_entry_column(&entries, k)] != 0.0 ? 1.0 : there[i];
+        }
+        zero += there[i] == 0.0;
+        redundant += there[i] != 0.0 && depends;
+        count += there[i] != 0.0 && !depends;
+    }
+    return zero > 0 && redundant > 0 ? model->nc + 1 : count;
+}
+
+size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory)
+{
+    const lag_model *model = b->motion->model;
+    double *there = lag_take(&memory, model->nc);
+    const size_t count = find_rows(b, there);
+    lag_look look;
+    if (count == 0 || (as_compiled && count <= model->nc)) {
+        lag_look_place(&look, model, b->sizes, b->row_sizes, memory);
+        look.lasting = there;
+        look.most = count;
+        if (lag_look_at(&look, b->jacobian) == LAG_OK) {
+            return count;
+        }
+    }
+    double *matrix = lag_take(&memory, model->nc * model->nq);
+    for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t j = 0; j < model->nq; ++j) {
+            matrix[i * model->nq + j] = b->jacobian[i * model->nq + j] * b->sizes[j] / b->row_sizes[i];
+        }
+    }
+    return lag_initialization_rank(model->nc, model->nq, matrix, memory);
 }
 
 /* ---- sizes ---- */
@@ -133,26 +200,48 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory)
 void lag_initialization_find_pattern(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
-    lag_fill(entries != NULL ? model->nc * model->nq : 0, 0.0, b->pattern);
-    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
-        b->pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    if (lag_jacobian_pattern(model) != NULL) {
+        lag_fill(lag_entries_count(model), 1.0, b->pattern);
     }
-    for (size_t k = 0; entries == NULL && k < model->nswitched; ++k) {
+    for (size_t k = 0; lag_jacobian_pattern(model) == NULL && k < model->nswitched; ++k) {
         lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
     }
 }
 
-/* Coordinates that constraints tie together have one size for each unit: their largest start value, not that of strangers. */
-static void find_sizes_of_parts(lag_initialization *b, const double *q)
+int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j)
+{
+    const lag_entries entries = lag_entries_of(b->motion->model, row);
+    size_t k = entries.column != NULL ? entries.first : j;
+    while (k < entries.end && lag_entry_column(&entries, k) != j) {
+        ++k;
+    }
+    return k < entries.end && b->pattern[entries.before + k] != 0.0;
+}
+
+void lag_initialization_spread(const lag_initialization *b, double *dense)
 {
     const lag_model *model = b->motion->model;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            dense[i * model->nq + lag_entry_column(&entries, k)] = b->pattern[entries.before + k];
+        }
+    }
+}
+
+/* Parts of the rows where the model tells their entries; else from these at points about q. */
+static lag_parts find_parts(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const lag_pattern *entries = lag_jacobian_pattern(model);
     const size_t n = model->nq;
-    const double *group = b->starts.widths;
     unsigned long long seed = 20011;
+    if (entries != NULL) {
+        return lag_parts_of_entries(model->nc, n, entries->count, entries->row, entries->column, b->memory);
+    }
     lag_fill(model->nc * n, 0.0, b->pattern);
     memcpy(b->q, q, n * sizeof(double));
-    for (size_t point = 0; point < LOOKED_AT && model->jacobian_pattern == NULL; ++point) {
+    for (size_t point = 0; point < LOOKED_AT; ++point) {
         lag_initialization_velocities(b);
         for (size_t k = 0; k < model->nc * n; ++k) {
             b->pattern[k] = b->pattern[k] != 0.0 || b->jacobian[k] != 0.0;
@@ -160,14 +249,26 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
         lag_initialization_point(b, &seed, point, q, b->q);
     }
     lag_initialization_find_pattern(b);
-    const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->memory);
-    for (size_t j = 0; j < n; ++j) {
-        double most = 0.0;
-        for (size_t k = 0; k < n; ++k) {
-            const int alike = parts.column_part[k] == parts.column_part[j] && group[k] == group[j];
-            most = alike && isfinite(q[k]) ? fmax(most, fabs(q[k])) : most;
+    return lag_parts_of(model->nc, n, b->pattern, b->memory);
+}
+
+/* Coordinates that constraints tie together have one size for each unit: their largest start value, not that of strangers. */
+static void find_sizes_of_parts(lag_initialization *b, const double *q)
+{
+    const double *group = b->starts.widths;
+    const lag_parts parts = find_parts(b, q);
+    for (size_t which = 0; which < parts.count; ++which) {
+        size_t first = 0;
+        const size_t count = lag_parts_columns(&parts, which, &first);
+        for (size_t k = first; k < first + count; ++k) {
+            const size_t j = (size_t)parts.column[k];
+            double most = 0.0;
+            for (size_t l = first; l < first + count; ++l) {
+                const size_t other = (size_t)parts.column[l];
+                most = group[other] == group[j] && isfinite(q[other]) ? fmax(most, fabs(q[other])) : most;
+            }
+            b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
         }
-        b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
     }
 }
 

@@ -36,12 +36,12 @@ typedef struct lag_initialization {
     double *row;                 /* (rows) which they are */
     lag_start_values starts;
     double *sizes, *row_sizes;   /* (2 nq + nz) (nc) natural ones */
-    double *phi, *jacobian;      /* (nc) (nc, nq) */
+    double *phi, *jacobian;      /* (nc) (nc, nq) as they were looked at last */
     double *q, *qd, *z;          /* (nq) (nq) (nz) where the functions are asked */
     lag_set_aside aside;
     double *still;               /* (nq + nc) zeros */
     double *lengths;             /* lag_initialization_lengths() of rows at several points */
-    double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
+    double *pattern;             /* (entries of J) 1: it is not zero everywhere */
     lag_tied equations;
     double *memory;              /* of each part in turn */
     lag_initial told;
@@ -74,6 +74,10 @@ void lag_initialization_find_pattern(lag_initialization *b);
 /* 1: the parameters are those of the model. */
 int lag_initialization_has_defaults(const lag_initialization *b);
 
+/* 1: row `row` depends on coordinate j somewhere. The same of all, into `dense` (nc, nq). */
+int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j);
+void lag_initialization_spread(const lag_initialization *b, double *dense);
+
 /* Parameters were changed: they are prepared, and discretes are those of the start with them. */
 void lag_initialization_parameters(lag_initialization *b);
 
@@ -87,8 +91,12 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
 /* A number of normal distribution, about. */
 double lag_initialization_draw(unsigned long long *seed);
 
-/* 1: rows that are independent in general are clearly so in J as it was looked at last; lag_look_memory() doubles. */
+/* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was looked at last. */
 int lag_initialization_is_regular(lag_initialization *b, double *memory);
+
+/* Independent rows of J as it was looked at last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
+size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
+size_t lag_initialization_look_memory(const lag_model *model);
 
 /* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
 size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory);

@@ -27,35 +27,29 @@ static size_t leader_of(double *leader, size_t x)
     return x;
 }
 
-static void join(size_t m, size_t n, const double *pattern, double *leader)
+static void join(double *leader, size_t a, size_t b)
 {
-    for (size_t i = 0; i < m + n; ++i) {
-        leader[i] = pattern != NULL ? (double)i : 0.0;
-    }
-    for (size_t i = 0; pattern != NULL && i < m; ++i) {
-        for (size_t j = 0; j < n; ++j) {
-            if (pattern[i * n + j] != 0.0) {
-                const size_t a = leader_of(leader, i);
-                const size_t b = leader_of(leader, m + j);
-                leader[a > b ? a : b] = (double)(a < b ? a : b);
-            }
-        }
-    }
+    a = leader_of(leader, a);
+    b = leader_of(leader, b);
+    leader[a > b ? a : b] = (double)(a < b ? a : b);
 }
 
 /* Sorts rows or columns by their part; keeps the order inside a part. */
 static void order(size_t count, const double *part, size_t parts, double *ordered, double *first)
 {
-    size_t next = 0;
-    for (size_t which = 0; which < parts; ++which) {
-        first[which] = (double)next;
-        for (size_t i = 0; i < count; ++i) {
-            if ((size_t)part[i] == which) {
-                ordered[next++] = (double)i;
-            }
-        }
+    for (size_t which = 0; which <= parts; ++which) {
+        first[which] = 0.0;
     }
-    first[parts] = (double)next;
+    for (size_t i = 0; i < count; ++i) {
+        first[(size_t)part[i]] += 1.0;
+    }
+    for (size_t which = 0; which < parts; ++which) { /* where each ends; then, backwards, where it begins */
+        first[which + 1] += first[which];
+    }
+    for (size_t i = count; i-- > 0;) {
+        first[(size_t)part[i]] -= 1.0;
+        ordered[(size_t)first[(size_t)part[i]]] = (double)i;
+    }
 }
 
 void lag_parts_order(lag_parts *parts)
@@ -64,28 +58,60 @@ void lag_parts_order(lag_parts *parts)
     order(parts->n, parts->column_part, parts->count, parts->column, parts->first_column);
 }
 
-lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory)
+/* Every row and column leads a part of its own. */
+static lag_parts place_parts(size_t m, size_t n, double *memory)
 {
-    lag_parts parts;
-    parts.m = m;
-    parts.n = n;
-    parts.count = 0;
+    lag_parts parts = {.m = m, .n = n};
     parts.row_part = lag_take(&memory, m);
     parts.column_part = lag_take(&memory, n);
     parts.row = lag_take(&memory, m);
     parts.column = lag_take(&memory, n);
     parts.first_row = lag_take(&memory, m + n + 1);
     parts.first_column = lag_take(&memory, m + n + 1);
-    double *leader = parts.first_row;
-    double *name = parts.first_column;
-    join(m, n, pattern, leader);
     for (size_t i = 0; i < m + n; ++i) {
-        const size_t its = leader_of(leader, i);
-        name[i] = its == i ? (double)parts.count++ : name[its];
+        parts.first_row[i] = (double)i;
     }
-    memcpy(parts.row_part, name, m * sizeof(double));
-    memcpy(parts.column_part, name + m, n * sizeof(double));
-    lag_parts_order(&parts);
+    return parts;
+}
+
+/* Numbers the parts by their leaders. */
+static void number_parts(lag_parts *parts)
+{
+    double *leader = parts->first_row;
+    double *name = parts->first_column;
+    for (size_t i = 0; i < parts->m + parts->n; ++i) {
+        const size_t its = leader_of(leader, i);
+        name[i] = its == i ? (double)parts->count++ : name[its];
+    }
+    memcpy(parts->row_part, name, parts->m * sizeof(double));
+    memcpy(parts->column_part, name + parts->m, parts->n * sizeof(double));
+    lag_parts_order(parts);
+}
+
+lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory)
+{
+    lag_parts parts = place_parts(m, n, memory);
+    for (size_t i = 0; pattern == NULL && i < m + n; ++i) {
+        parts.first_row[i] = 0.0;
+    }
+    for (size_t i = 0; pattern != NULL && i < m; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            if (pattern[i * n + j] != 0.0) {
+                join(parts.first_row, i, m + j);
+            }
+        }
+    }
+    number_parts(&parts);
+    return parts;
+}
+
+lag_parts lag_parts_of_entries(size_t m, size_t n, size_t count, const size_t *row, const size_t *column, double *memory)
+{
+    lag_parts parts = place_parts(m, n, memory);
+    for (size_t k = 0; k < count; ++k) {
+        join(parts.first_row, row[k], m + column[k]);
+    }
+    number_parts(&parts);
     return parts;
 }
 

@@ -49,6 +49,9 @@ size_t lag_parts_memory(size_t m, size_t n);
 /* Every column of `pattern` (m, n), 0 where an entry vanishes everywhere, in a part with the rows it shares entries with. Null: one part. */
 lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory);
 
+/* The same for a list of the entries. */
+lag_parts lag_parts_of_entries(size_t m, size_t n, size_t count, const size_t *row, const size_t *column, double *memory);
+
 /* Fills what follows from the parts of rows and columns and their count. */
 void lag_parts_order(lag_parts *parts);
 

@@ -32,13 +32,12 @@ static double largest(size_t count, const double *x)
 static void find_residuals(lag_run *run, double *residual)
 {
     const lag_model *model = run->motion.model;
-    const lag_arguments *at = &run->motion.at;
     double *phi = run->projection.phi;
     residual[0] = residual[1] = 0.0;
     if (model->nc > 0) {
-        const lag_status positions = model->position_constraint(at, phi, run->projection.jacobian);
+        const lag_status positions = lag_projection_look(&run->projection, 0);
         residual[0] = positions == LAG_OK ? largest(model->nc, phi) : (double)NAN;
-        const lag_status velocities = model->velocity_constraint(at, phi, run->projection.jacobian);
+        const lag_status velocities = lag_projection_look(&run->projection, 1);
         residual[1] = velocities == LAG_OK ? largest(model->nc, phi) : (double)NAN;
     }
 }

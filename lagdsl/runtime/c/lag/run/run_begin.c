@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/initial.h"
 #include "lag/run.h"
 
@@ -20,11 +21,13 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     }
     if (model->nc > 0 && options->sizes.row_sizes == NULL) {
         lag_motion_look(&run->motion, t, x);
-        status = model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+        status = lag_projection_look(&run->projection, 1);
     }
     for (size_t i = 0; i < model->nc; ++i) {
         double sum = 0.0;
-        for (size_t j = 0; j < model->nq; ++j) {
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            const size_t j = lag_entry_column(&entries, k);
             const double entry = run->projection.jacobian[i * model->nq + j] * run->sizes.natural[j];
             sum += entry * entry;
         }

@@ -52,7 +52,7 @@ static lag_status see(lag_run *run)
 {
     run->ranks.look.rank = 0;
     lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
-    const lag_status status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    const lag_status status = lag_projection_look(&run->projection, 1);
     return status == LAG_OK ? lag_look_at(&run->ranks.look, run->projection.jacobian) : status;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
@@ -29,15 +30,15 @@ static const double LIMIT = 1e-3, SMALL = 1e-6;
 size_t lag_singular_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return 2 * m * model->nq + 2 * m + NODES * (2 * (model->nq + model->nz) + m) + 3 * lag_motion_size(model) + lag_svd_memory(model->nq, m);
+    return m * model->nq + 2 * m + NODES * (2 * (model->nq + model->nz) + m) + 3 * lag_motion_size(model) + lag_svd_memory(model->nq, m);
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 {
     const lag_model *model = run->motion.model;
     const size_t entries = model->nc * model->nq, width = model->nq + model->nz, size = lag_motion_size(model);
-    double **const arrays[] = {&s->jacobian, &s->rows, &s->phi, &s->drift, &s->values, &s->coefficients, &s->multipliers, &s->state, &s->rates, &s->largest};
-    const size_t sizes[] = {entries, entries, model->nc, model->nc, NODES * width, NODES * width, NODES * model->nc, size, size, size};
+    double **const arrays[] = {&s->rows, &s->phi, &s->drift, &s->values, &s->coefficients, &s->multipliers, &s->state, &s->rates, &s->largest};
+    const size_t sizes[] = {entries, model->nc, model->nc, NODES * width, NODES * width, NODES * model->nc, size, size, size};
     *s = (lag_singular){.run = run, .distance = -1.0, .margin = (double)INFINITY};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         *arrays[i] = lag_take(&memory, sizes[i]);
@@ -47,17 +48,22 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 
 /* ---- looks ---- */
 
+/* J as it was looked at last. */
+static const double *jacobian_of(const lag_singular *s)
+{
+    return s->run->motion.written.rows[1];
+}
+
 static int jacobian_at(lag_singular *s, double t, const double *x)
 {
     lag_motion *motion = &s->run->motion;
-    const lag_model *model = motion->model;
     lag_motion_look(motion, t, x);
-    return model->velocity_constraint(&motion->at, s->run->projection.phi, s->jacobian) == LAG_OK && lag_finite(model->nc * model->nq, s->jacobian);
+    return lag_projection_look(&s->run->projection, 1) == LAG_OK && lag_entries_finite(motion->model, jacobian_of(s));
 }
 
 double lag_singular_margin(lag_singular *s, double t, const double *x)
 {
-    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->ranks.look, s->jacobian) : 0.0;
+    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->ranks.look, jacobian_of(s)) : 0.0;
 }
 
 static int is_independent(const lag_run *run, size_t row)
@@ -78,11 +84,11 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
             s->drift[count++] = phi[i] / run->sizes.rows[i];
         }
     }
-    known = known && model->position_constraint(&run->motion.at, phi, run->projection.jacobian) == LAG_OK;
+    known = known && lag_projection_look(&run->projection, 0) == LAG_OK;
     for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
         if (is_independent(run, i)) {
             for (size_t j = 0; j < model->nq; ++j) {
-                s->rows[j * count + column] = s->jacobian[i * model->nq + j] * run->sizes.natural[j] / run->sizes.rows[i];
+                s->rows[j * count + column] = jacobian_of(s)[i * model->nq + j] * run->sizes.natural[j] / run->sizes.rows[i];
             }
             s->phi[column++] = model->position_level[i] ? phi[i] / run->sizes.rows[i] : 0.0;
         }
@@ -135,8 +141,8 @@ static double lost_at(lag_singular *s)
         const double last = fmin(first + part * step, stepper->t);
         memcpy(s->state, stepper->x, stepper->ode->size * sizeof(double));
         const int known = last == stepper->t || lag_stepper_dense(stepper, last, s->state) == LAG_OK;
-        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->ranks.look, s->jacobian)) {
-            (void)lag_look_at(&s->run->ranks.look, s->jacobian);
+        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->ranks.look, jacobian_of(s))) {
+            (void)lag_look_at(&s->run->ranks.look, jacobian_of(s));
             first = last;
         } else if (part > ldexp(1.0, -HALVINGS)) {
             part *= 0.5;
@@ -212,7 +218,7 @@ lag_status lag_singular_after(lag_singular *s, double *shorter)
     const double before = lag_singular_margin(s, stepper->t_before, stepper->x_before);
     int moved = 0;
     run->ranks.look.rank = 0;
-    (void)lag_look_at(&run->ranks.look, s->jacobian); /* of the state before */
+    (void)lag_look_at(&run->ranks.look, jacobian_of(s)); /* of the state before */
     *shorter = SHORTER * step;
     if (fmin(before, behind) < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {

@@ -26,7 +26,7 @@ typedef struct lag_singular {
     struct lag_run *run;
     double distance;                 /* [s] to a singular position ahead; 0: the state is near one; negative: none is known */
     double margin;                   /* of the rank at the end of the last step; infinite: not known */
-    double *jacobian, *rows;         /* (nc, nq) (nq, rows) J, and its rows that are independent in general, scaled, as columns; */
+    double *rows;                    /* (nq, rows) those of J that are independent in general, scaled, as columns; */
     double *phi, *drift;             /* (rows) their residuals, of positions, and of rates */
     double *values, *coefficients;   /* (7, nq + nz) derivatives of rates and states of first order at the nodes; of their polynomials */
     double *multipliers;             /* (7, nc) */

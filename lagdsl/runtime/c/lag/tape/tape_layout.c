@@ -43,6 +43,27 @@ static const size_t *take_rows(const lag_tape_parts *parts, lag_tape_section sec
     return count > 0 ? first : NULL;
 }
 
+/* A pattern with so many rows, in the section of these and the one behind it, row by row; null where it is not told. */
+static const lag_pattern *take_pattern(const lag_tape_parts *parts, lag_tape_section section, size_t rows, size_t columns, size_t **to, lag_pattern *pattern)
+{
+    *pattern = (lag_pattern){.rows = rows, .columns = columns, .count = (size_t)lag_tape_pattern_length(parts, section)};
+    if (pattern->count == 0) {
+        return NULL;
+    }
+    pattern->row = take_rows(parts, section, to, pattern->count);
+    pattern->column = take_rows(parts, section + 1, to, pattern->count);
+    size_t *first = *to;
+    for (size_t i = 0, k = 0; i <= rows; ++i) {
+        while (k < pattern->count && pattern->row[k] < i) {
+            ++k;
+        }
+        first[i] = k;
+    }
+    pattern->first = first;
+    *to += rows + 1;
+    return pattern;
+}
+
 /* A section as it stands; null where it is empty. */
 static const void *section(const lag_tape_parts *parts, lag_tape_section which)
 {
@@ -119,10 +140,10 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->friction_contacts = take_rows(parts, LAG_TAPE_FRICTION_CONTACTS, &row_memory, model->nfriction);
     model->switched_rows = take_rows(parts, LAG_TAPE_SWITCHED_ROWS, &row_memory, model->nswitched);
     model->reset_places = take_rows(parts, LAG_TAPE_RESET_PLACES, &row_memory, model->nreset);
-    tape->pattern = (lag_pattern){.rows = model->nc, .columns = model->nq, .count = (size_t)lag_tape_pattern_length(parts)};
-    tape->pattern.row = take_rows(parts, LAG_TAPE_JACOBIAN_ROWS, &row_memory, tape->pattern.count);
-    tape->pattern.column = take_rows(parts, LAG_TAPE_JACOBIAN_COLUMNS, &row_memory, tape->pattern.count);
-    model->jacobian_pattern = tape->pattern.count > 0 ? &tape->pattern : NULL;
+    tape->patterns.jacobian = take_pattern(parts, LAG_TAPE_JACOBIAN_ROWS, model->nc, model->nq, &row_memory, &tape->jacobian);
+    tape->patterns.response = take_pattern(parts, LAG_TAPE_RESPONSE_ROWS, model->nk, model->nq, &row_memory, &tape->response);
+    tape->patterns.coupling = take_pattern(parts, LAG_TAPE_COUPLING_ROWS, model->nk, model->nk, &row_memory, &tape->coupling);
+    model->patterns = &tape->patterns;
     model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)lag_tape_components_length(parts));
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);
     model->position_level = section(parts, LAG_TAPE_POSITION_LEVEL);

@@ -27,7 +27,8 @@ enum {
 typedef struct lag_tape {
     lag_model model; /* whose context is this structure */
     lag_start start;
-    lag_pattern pattern;
+    lag_pattern jacobian, response, coupling;
+    lag_patterns patterns; /* of these, those that are told */
     lag_states states;
     lag_tangents tangents[2];
     size_t row, shared[2], along_row[2];
@@ -84,8 +85,8 @@ static inline int lag_tape_has(const lag_tape *tape, size_t function)
 /* Finds the parts; false if they do not fill `count` bytes exactly. */
 int lag_tape_divide(const unsigned char *bytes, size_t count, lag_tape_parts *parts);
 
-/* Entries of J that can be nonzero. */
-uint64_t lag_tape_pattern_length(const lag_tape_parts *parts);
+/* Entries of a pattern, whose rows are this section. */
+uint64_t lag_tape_pattern_length(const lag_tape_parts *parts, lag_tape_section rows);
 
 /* Coordinates and states whose component is told. */
 uint64_t lag_tape_components_length(const lag_tape_parts *parts);

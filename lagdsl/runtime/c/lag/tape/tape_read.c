@@ -82,9 +82,16 @@ static uint64_t messages(const uint32_t *size)
     return (uint64_t)size[LAG_TAPE_NA] + size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NRESET] + size[LAG_TAPE_NSTOP] + size[LAG_TAPE_NFAIL];
 }
 
-uint64_t lag_tape_pattern_length(const lag_tape_parts *parts)
+uint64_t lag_tape_pattern_length(const lag_tape_parts *parts, lag_tape_section rows)
 {
-    return parts->part[LAG_TAPE_JACOBIAN_ROWS].length / sizeof(uint32_t);
+    return parts->part[rows].length / sizeof(uint32_t);
+}
+
+/* Numbers of a pattern of so many rows, with the first entry of each; none where it is not told. */
+static uint64_t pattern(const lag_tape_parts *parts, lag_tape_section rows, uint64_t count)
+{
+    const uint64_t length = lag_tape_pattern_length(parts, rows);
+    return length > 0 ? 2 * length + count + 1 : 0;
 }
 
 uint64_t lag_tape_components_length(const lag_tape_parts *parts)
@@ -97,7 +104,15 @@ static uint64_t rows(const lag_tape_parts *parts)
     const uint32_t *size = parts->size;
     const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSLIP] +
                             2 * (uint64_t)size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
-    return listed + 2 * lag_tape_pattern_length(parts) + lag_tape_components_length(parts);
+    return listed + pattern(parts, LAG_TAPE_JACOBIAN_ROWS, size[LAG_TAPE_NC]) + pattern(parts, LAG_TAPE_RESPONSE_ROWS, size[LAG_TAPE_NK]) +
+           pattern(parts, LAG_TAPE_COUPLING_ROWS, size[LAG_TAPE_NK]) + lag_tape_components_length(parts);
+}
+
+/* Entries of a matrix, in the section of their rows and the one behind it, that can be nonzero. */
+static int pattern_agrees(const lag_tape_parts *parts, lag_tape_section rows, uint64_t count, uint64_t width)
+{
+    const uint64_t length = lag_tape_pattern_length(parts, rows);
+    return length <= count * width && holds(parts, rows, length, sizeof(uint32_t)) && holds(parts, rows + 1, length, sizeof(uint32_t));
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -117,9 +132,9 @@ static int sizes_agree(const lag_tape_parts *parts)
            holds(parts, LAG_TAPE_FRICTION_CONTACTS, n[LAG_TAPE_NFRICTION], word) &&
            holds(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NSWITCHED], word) &&
            holds(parts, LAG_TAPE_RESET_PLACES, n[LAG_TAPE_NRESET], word) &&
-           lag_tape_pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
-           holds(parts, LAG_TAPE_JACOBIAN_ROWS, lag_tape_pattern_length(parts), word) &&
-           holds(parts, LAG_TAPE_JACOBIAN_COLUMNS, lag_tape_pattern_length(parts), word) &&
+           pattern_agrees(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]) &&
+           pattern_agrees(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]) &&
+           pattern_agrees(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NK]) &&
            may_hold(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ], word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
@@ -234,6 +249,8 @@ static int rows_agree(const lag_tape_parts *parts)
            n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && along_agrees(parts, 0) && along_agrees(parts, 1) && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
            frictions_agree(parts) && below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
+           below(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_RESPONSE_COLUMNS, n[LAG_TAPE_NQ]) &&
+           below(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_COUPLING_COLUMNS, n[LAG_TAPE_NK]) &&
            below(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]) &&
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }

@@ -44,17 +44,10 @@ static void store(const uint32_t *word, const double *row, double *result)
     }
 }
 
-/* True if the result lies in what the model alone writes, at the same places whenever it does. */
-static int is_kept(const lag_arguments *at, const double *result)
-{
-    const uintptr_t place = (uintptr_t)result - (uintptr_t)(at->kept != NULL ? at->kept->first : NULL);
-    return at->kept != NULL && place < at->kept->count * sizeof(double);
-}
-
 static void scatter(const uint32_t *word, const lag_arguments *at, const double *row, double *result)
 {
     const uint32_t count = word[3];
-    if (!is_kept(at, result)) {
+    if (!lag_is_kept(at, result)) {
         memset(result, 0, word[2] * sizeof(double));
     }
     for (uint32_t i = 0; i < count; ++i) {
