@@ -222,8 +222,9 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     """Discontinuities, and checks that need a model without errors."""
     dimensions = {id(load): dimension for load, dimension in ctx.product.solved}
     solved = [dimensions.get(id(load)) for load in flat.loads]
-    sampled = sampled_corners(flat, ctx.product.sampled)
-    flat = discontinuities(flat, ctx.product.met, ctx.sink)
+    met = ctx.product.met
+    sampled = sampled_corners(flat, met)
+    flat = discontinuities(flat, [each for each in met if each.moves], ctx.sink)
     flat = replace(flat, events=replace(flat.events, sampled=sampled))
     dependence = Dependence(flat)
     flat = with_feedback(solved, flat, dependence)

@@ -13,7 +13,7 @@ SOURCES = (".py", ".c", ".h")
 MOST_FILES, MOST_LINES, MOST_FIELDS = 25, 400, 10
 
 # Longer files, each with what stands in the way of two.
-LONG: dict[str, str] = {}
+LONG: dict[str, str] = {"structures.py": "it is generated: a mirror of the structures of C"}
 # Objects that change with more fields, each with what stands in the way of fewer.
 LARGE: dict[str, str] = {}
 

@@ -34,7 +34,7 @@ def met(
     located: bool = True,
     pieces: Pieces | None = None,
 ) -> FlatExpression:
-    """The same expression, remembered where `values` move, on which its branches depend. `text` is that of the node
+    """The same expression, remembered where `values` change, on which its branches depend. `text` is that of the node
     unless given. Not `located`: no instant is searched for."""
     if latest(*values) not in (Variability.DISCRETE, Variability.CONTINUOUS):
         return expression
@@ -47,10 +47,9 @@ def met(
         order=highest(*values),
         located=located and not ctx.current.quiet,
         pieces=pieces,
+        moves=moves(*values),
     )
-    if moves(*values):
-        ctx.product.met.append(found)
-    ctx.product.sampled.append(found)
+    ctx.product.met.append(found)
     return expression
 
 

@@ -30,7 +30,8 @@ class Met:
 
     `expression` is its node in the flat model, which the pass knows by identity, `text` the name of the guard,
     `function` what the text calls ("" of relations), `order` that of the operands. Not `located`: in `noEvent`, or the
-    cut of `atan2`. A table has `pieces`; every other function shows its operands itself.
+    cut of `atan2`. A table has `pieces`; every other function shows its operands itself. It `moves` between events, or
+    only clauses may meet it.
     """
 
     expression: FlatExpression
@@ -41,6 +42,7 @@ class Met:
     order: Order
     located: bool = True
     pieces: Pieces | None = None
+    moves: bool = True
 
 
 @mutable_record()
@@ -49,7 +51,6 @@ class Product:
 
     `forces` are those of compliant contacts and of friction. `solved` are the loads that depend on the motion that
     they cause, each with the dimension of its value. `met` are the discontinuities, operands before what reads them.
-    `sampled` are those that clauses may read, also of discrete variables.
     `names` are taken; `unlabelled` counts the constraints, contacts and frictions that get a number for a name.
     """
 
@@ -61,7 +62,6 @@ class Product:
     solved: list[tuple[flat_model.Load, Dimension]] = field(default_factory=list)
     occurrences: Occurrences = field(default_factory=Occurrences)
     met: list[Met] = field(default_factory=list)
-    sampled: list[Met] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
     unlabelled: Counter[str] = field(default_factory=Counter)
 
