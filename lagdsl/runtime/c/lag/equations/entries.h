@@ -6,7 +6,7 @@
 
 #include "lag/model.h"
 
-/* Those of one row, from `first` on; a null `column` means all columns. Among all entries the row begins behind `before`. */
+/* The entries of one row, from `first` on; a null `column` means all columns. Among all entries the row begins behind `before`. */
 typedef struct lag_entries {
     size_t first, end, before;
     const size_t *column;
