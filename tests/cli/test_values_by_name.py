@@ -341,10 +341,13 @@ class TestSilence:
     def test_a_sampled_controller_is_held(self, invoke: Invoke, tmp_path: Path) -> None:
         path = tmp_path / "sampled.lag"
         path.write_text(SAMPLED)
-        for command in ("linearize", "modes", "trim"):
+        for command in ("linearize", "trim"):
             result = invoke(command, path, "--set", "x.start=0 m")
             assert "note[N0876]" in result.stderr, (command, result.stderr)
             assert "`held`, which `sample(0, 0.1 s)` sets" in words(result)
+        modes = invoke("modes", path, "--set", "x.start=0 m")
+        assert "N0876" not in modes.stderr
+        assert "sampled loop" in modes.stdout
         assert "N0876" not in invoke("linearize", MODELS / "pendulum.lag").stderr
 
     def test_redundant_closures_are_told_by_check_alone(self, invoke: Invoke) -> None:

@@ -13,7 +13,7 @@ from lagdsl.semantics.scope.product import Met
 
 
 def sampled_corners(flat: fm.FlatModel, met: Sequence[Met]) -> tuple[SampledCorner, ...]:
-    """Those among `met` that actions of clauses reach, with the variables and states that they set."""
+    """The discontinuities among `met` that actions of clauses reach, with the variables and states that these set."""
     known = {id(each.expression) for each in met}
     found: dict[int, list[str]] = {}
     for when in flat.events.whens:
