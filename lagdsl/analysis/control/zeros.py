@@ -14,8 +14,6 @@ from lagdsl.numerics.rank import Floats
 
 # Singular values below this part of the norm of the balanced matrices are zeros.
 _ZERO = 1e-13
-# Zeros below this part of the norm are zero: twice the digits of a double one.
-_ORIGIN = 1e-14
 
 Matrices = tuple[Floats, Floats, Floats, Floats]
 
@@ -38,10 +36,28 @@ def invariant_zeros(a: Floats, b: Floats, c: Floats, d: Floats) -> Complexes:
         return np.zeros(0, dtype=np.complex128)
     # Columns that [C, D] does not see: the motions with outputs that are zero.
     unseen = qr(np.hstack([c, d]).T, mode="full")[0][:, len(c) :]
-    found = eig(np.hstack([a, b]) @ unseen, unseen[:states], right=False)
+    moved, seen = np.hstack([a, b]) @ unseen, unseen[:states]
+    found = eig(moved, seen, right=False)
     finite = np.asarray(found[np.isfinite(found)], dtype=np.complex128)
-    finite[np.abs(finite) <= _ORIGIN * size] = 0.0
+    finite = finite[np.argsort(np.abs(finite))]
+    finite[: _multiplicity_of_zero(np.linalg.solve(seen, moved))] = 0.0
     return finite[np.lexsort((-finite.imag, finite.real, np.abs(finite).round(12)))]
+
+
+def _multiplicity_of_zero(a: Floats) -> int:
+    """How often zero is an eigenvalue of A (n, n): a double one is lost in eigenvalues of the size of the root of
+    round-off. Null spaces are split off in turn. Source: Golub and Van Loan, Matrix Computations, 4th ed., section 7.6.
+    """
+    count = 0
+    size = float(np.linalg.norm(a, 2))
+    while len(a):
+        _, sizes, rows = np.linalg.svd(a)
+        rank = int(np.count_nonzero(sizes > _ZERO * size))
+        if rank == len(a):
+            break
+        count += len(a) - rank
+        a = rows[:rank] @ a @ rows[:rank].T
+    return count
 
 
 def _balanced(a: Floats, b: Floats, c: Floats, d: Floats) -> Matrices:
