@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import keys_of, number
+from lagdsl.api.run_inputs import InputsOfRuns
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.numerics.rank import Floats
@@ -18,7 +19,6 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.aliases import results_names
 from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target
-from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
 from lagdsl.sweep.plan import Task, require_few
 from lagdsl.sweep.run import Options, Outcome, SweptModel
@@ -85,13 +85,13 @@ def simulate_many(
     stop: float | None,
     interval: float | None,
     tolerance: float | None,
-    inputs: Mapping[str, Signal],
+    inputs: InputsOfRuns,
     solver: str,
     columns: Sequence[str] | None,
     threads: int | None,
     progress: Callable[[float], None] | None,
 ) -> Motions:
-    """See `Model.simulate_many`; names are known."""
+    """See `Model.simulate_many`; names of parameters and starts are known."""
     end, step = options_of(compilation.flat, stop=stop, interval=interval)
     options = Options(
         stop=end,
@@ -99,12 +99,12 @@ def simulate_many(
         tolerance=tolerance,
         solver=solver,
         engine=engine,
-        inputs=dict(inputs),
+        inputs=inputs.shared,
         columns=None if columns is None else tuple(columns),
     )
     subjects = [SweptModel(flat=compilation.flat, program=compilation.program)]
     times = times_of(subjects, options)
-    count, (chosen, starts) = _runs(parameters, start)
+    count, (chosen, starts) = _runs({name: len(each) for name, each in inputs.own.items()}, parameters, start)
     require_few(count)
     require_room(count, len(times), width_of(subjects, options), None)
     tasks = (
@@ -113,11 +113,13 @@ def simulate_many(
             swept=0,
             parameters={name: values[k] for name, values in chosen.items()},
             start={name: values[k] for name, values in starts.items()},
+            inputs={name: values[k] for name, values in inputs.own.items()},
         )
         for k in range(count)
     )
     outcomes: list[Outcome] = []
-    for outcome in in_threads(subjects, options, tasks, count, cores() if threads is None else threads):
+    asked = cores() if threads is None else threads
+    for outcome in in_threads(subjects, options, tasks, count, 1 if inputs.calls_python else asked):
         outcomes.append(outcome)
         if progress is not None:
             progress(len(outcomes) / count)
@@ -155,10 +157,11 @@ def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
     return np.reshape([number(target, each) for each in array.ravel().tolist()], array.shape)
 
 
-def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
-    """The number of runs, and each value in every one of them. Raises ValueError for sequences that do not fit."""
+def _runs(inputs: dict[str, int], *given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
+    """The number of runs, and each value in every one of them; of `inputs` the numbers of signals are told. Raises
+    ValueError for sequences that do not fit."""
     arrays = [{name: real_numbers(name, values) for name, values in each.items()} for each in given]
-    lengths = {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
+    lengths = inputs | {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
     for each in arrays:
         for name, values in each.items():
             if values.ndim > 1:

@@ -21,7 +21,7 @@ from lagdsl.version import __version__
 if TYPE_CHECKING:
     import xarray
 
-STATUS, MESSAGE = "status of the run", "why it failed"
+STATUS, MESSAGE, TABLES = "status of the run", "why it failed", "tables of inputs"
 ENDINGS = (".nc", ".parquet", ".csv")
 _LARGEST_VARIABLE = 2**31 - 4  # bytes, of the classic format, which SciPy writes
 
@@ -48,7 +48,7 @@ def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: st
     data[_free("ended", taken)] = (dims, found.ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
     coordinates: dict[str, Any] = {axis.name: _coordinate(axis, (axis.name,)) for axis in plan.axes}
     coordinates |= {axis.name: _coordinate(axis, (sample,)) for axis in plan.samples}
-    coordinates |= {axis.name: ((), axis.values[0], {"units": axis.unit}) for axis in plan.fixed}
+    coordinates |= {axis.name: _coordinate(axis, ()) for axis in plan.fixed}
     coordinates[time] = ((time,), times, {"units": "s"})
     if plan.samples:
         coordinates[sample] = ((sample,), np.arange(shape[-1]))
@@ -136,8 +136,11 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
     return Collected(columns=columns, units=units, status=status, message=message, ended=ended)
 
 
-def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Floats, dict[str, str]]:
-    return dims, np.array(axis.values), {"units": axis.unit}
+def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
+    """Without dimensions the single value."""
+    about = {"long_name": TABLES} if axis.labels else {"units": axis.unit}
+    values = axis.labels or axis.values
+    return dims, np.array(values if dims else values[0]), about
 
 
 def _free(name: str, taken: set[str]) -> str:
