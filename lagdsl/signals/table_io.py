@@ -18,6 +18,7 @@ from lagdsl.flat.model import FlatModel, Input
 from lagdsl.record import record
 from lagdsl.signals.hold import Hold
 from lagdsl.signals.inputs import Signal
+from lagdsl.signals.parquet import write_columns
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile, Span
 from lagdsl.source.whole_file import whole_file
@@ -118,12 +119,8 @@ def _csv(header: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
 
 
 def _write_parquet(trajectory: Trajectory, draft: Path) -> None:
-    import pyarrow
-    import pyarrow.parquet
-
-    fields = [pyarrow.field(c.name, pyarrow.float64(), metadata={"unit": c.unit}) for c in trajectory.columns]
-    table = pyarrow.table([column.values for column in trajectory.columns], schema=pyarrow.schema(fields))
-    pyarrow.parquet.write_table(table, draft)
+    columns = {column.name: column.values for column in trajectory.columns}
+    write_columns(columns, {column.name: column.unit for column in trajectory.columns}, trajectory.model, draft)
 
 
 # ---- reading ---------------------------------------------------------------------------------------------------------
