@@ -211,7 +211,7 @@ def _settings(
     starts: dict[str, list[float]],
     inputs: InputsOfRuns,
 ) -> tuple[dict[str, Floats], dict[str, str]]:
-    """What was set in every run, with its units, by the names that a sweep gives it; of inputs those that are numbers
+    """Settings of every run and their units, by the names that a sweep gives them; of inputs those that are numbers
     in every run."""
     signals: dict[str, list[Signal]] = {name: [signal] * runs for name, signal in inputs.shared.items()} | inputs.own
     numbers = {name: [float(s) for s in each if isinstance(s, (int, float))] for name, each in signals.items()}

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import pandas as pd
 
-# Where pandas keeps the `attrs` of a data frame in the metadata of a file.
+# Key of the `attrs` of a data frame in the metadata of a file, as pandas writes and reads them.
 _ATTRIBUTES = "PANDAS_ATTRS"
 
 

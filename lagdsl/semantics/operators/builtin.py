@@ -15,6 +15,7 @@ from lagdsl.semantics.operators import array_functions
 from lagdsl.semantics.operators.application import Application, same, scalars
 from lagdsl.semantics.operators.arithmetic import divided, dot
 from lagdsl.semantics.operators.arrays import extreme
+from lagdsl.semantics.operators.columns import column
 from lagdsl.semantics.operators.discontinuous import met, moves
 from lagdsl.semantics.operators.tables import table
 from lagdsl.semantics.scope.context import Context
@@ -283,6 +284,7 @@ BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     "size": (array_functions.size, 1, 2),
     "linspace": (array_functions.linspace, 3, 3),
     "table": (table, 3, 4),
+    "column": (column, 2, 2),
 }
 
 
