@@ -22,10 +22,15 @@ def signals_of(flat: FlatModel, inputs: Mapping[str, Signal | str] | Path | str 
     file cannot be read, ValueError for a text that is no value of its input."""
     if not isinstance(inputs, (Path, str)):
         return {name: _signal(flat, name, signal) for name, signal in (inputs or {}).items()}
+    return signals_of_file(flat, Path(inputs))
+
+
+def signals_of_file(flat: FlatModel, path: Path) -> dict[str, Signal]:
+    """The tables of a file by name. Raises CompilationFailed where it cannot be read."""
     from lagdsl.signals.table_io import in_si, read_inputs
 
     sink = Sink()
-    tables = read_inputs(Path(inputs), sink)
+    tables = read_inputs(path, sink)
     found = in_si(tables or {}, flat, sink)
     sink.raise_if_errors()
     return found

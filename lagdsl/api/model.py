@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     import xarray
 
     from lagdsl.api.motions import Motions
+    from lagdsl.api.run_inputs import GivenOfRuns
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.runtime.engines.broadcast import BatchEngine
@@ -204,7 +205,7 @@ class Model(Stepped):
         stop: float | None = None,
         interval: float | None = None,
         tolerance: float | None = None,
-        inputs: Mapping[str, Signal | str] | Path | str | None = None,
+        inputs: GivenOfRuns = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
         threads: int | None = None,
@@ -214,10 +215,12 @@ class Model(Stepped):
 
         `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
         `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
-        `simulate`, numbers or sequences of one length. `columns` are the names to keep, `threads` the number of
-        cores to use. Raises KeyError and ValueError for arguments that do not fit.
+        `simulate`, numbers or sequences of one length. Entries of inputs are signals of any form; a pair of columns of
+        numbers is one table. A sequence of mappings or of files has all inputs of each run. `columns` are the names to
+        keep, `threads` the number of cores to use. Raises KeyError and ValueError for arguments that do not fit.
         """
         from lagdsl.api.motions import simulate_many, values_of_runs
+        from lagdsl.api.run_inputs import inputs_of_runs
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
@@ -229,7 +232,7 @@ class Model(Stepped):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(self._compilation.flat, inputs),
+            inputs=inputs_of_runs(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
             threads=threads,
@@ -244,7 +247,7 @@ class Model(Stepped):
         stop: float | None = None,
         interval: float | None = None,
         tolerance: float | None = None,
-        inputs: Mapping[str, Signal | str] | Path | str | None = None,
+        inputs: GivenOfRuns = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
         output: Path | str | None = None,
@@ -253,10 +256,12 @@ class Model(Stepped):
         scheduler: str | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> xarray.Dataset:
-        """Motions for every combination of `values`, each for all `samples`, as one labelled dataset.
+        """Motions for every combination of `values` and `inputs`, each for all `samples`, as one labelled dataset.
 
         Names are those of parameters and, for starts, `theta.start` or `der(theta).start`; values are numbers or
-        sequences of them, in SI units. `samples` are drawn by the caller: entry k of all of them belongs to sample k.
+        sequences of them, in SI units. Inputs are those of `simulate`, a sequence of numbers or of signals for an axis,
+        or a sequence of files for the axis `input`. `samples`, of inputs too, are drawn by the caller: entry k of all
+        of them belongs to sample k.
         Every column has an axis for each sequence, `sample` and `time`; `status`, `message` and `ended` tell how each
         run went: a run that fails ends no sweep. With `output` (.nc, .parquet, .csv) finished runs are kept on disk,
         and `resume` goes on after an interruption. `jobs` is the number of threads (default: the cores), `scheduler`
@@ -275,7 +280,7 @@ class Model(Stepped):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(self._compilation.flat, inputs),
+            inputs=inputs,
             solver=solver,
             columns=columns,
             output=None if output is None else Path(output),

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, KeysView, Mapping, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.names import keys_of, number
+from lagdsl.api.run_inputs import InputsOfRuns
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics.suggest import did_you_mean, listing
+from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
@@ -17,13 +22,19 @@ from lagdsl.runtime.engines.cores import cores
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.aliases import results_names
 from lagdsl.settings.arrays import family
-from lagdsl.settings.target import Target
+from lagdsl.settings.target import Kind, Target, targets
 from lagdsl.signals.inputs import Signal
-from lagdsl.sweep.dataset import collect, require_room
+from lagdsl.signals.parquet import attributes, require_parquet, write_columns
+from lagdsl.source.whole_file import whole_file
+from lagdsl.sweep.dataset import Collected, collect, dataset_of_runs, free_name, require_room
 from lagdsl.sweep.plan import Task, require_few
 from lagdsl.sweep.run import Options, Outcome, SweptModel
 from lagdsl.sweep.sweep import options_of, times_of, width_of
 from lagdsl.sweep.threads import in_threads
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray
 
 
 @record(kw_only=True)
@@ -31,15 +42,19 @@ class Motions:
     """Runs that share the times of their rows: `motions["theta"]` has the shape (runs, rows), SI units.
 
     `time` (rows,) and `ended` (runs,) [s]; `failures` says by the number of a run why it failed. Rows after the end of
-    a run are nan. `aliases` are other names of columns, with the name that each stands for.
+    a run are nan. `aliases` are other names of columns, with the name that each stands for. `settings` (runs,) are the
+    values that were set, by the names that a sweep gives them: `l`, `theta.start`. `units` has those of all columns and
+    settings.
     """
 
+    model: str
     time: Floats
     columns: dict[str, Floats]
     units: dict[str, str]
     ended: Floats
     failures: dict[int, str]
     aliases: dict[str, str]
+    settings: dict[str, Floats]
 
     def __len__(self) -> int:
         return len(self.ended)
@@ -75,6 +90,58 @@ class Motions:
     def names(self) -> list[str]:
         return list(self.columns)
 
+    def to_xarray(self) -> xarray.Dataset:
+        """Columns over `run` and `time`, with `status`, `message` and `ended` of each run as `Model.sweep` has them.
+        Settings are coordinates of the runs; units are attributes. Needs the extra `sweep`."""
+        _require("xarray", "labelled datasets")
+        runs = range(len(self))
+        found = Collected(
+            columns=self.columns,
+            units=self.units,
+            status=["failed" if k in self.failures else "ok" for k in runs],
+            message=[self.failures.get(k, "") for k in runs],
+            ended=self.ended,
+        )
+        return dataset_of_runs(found, self.time, self.settings, self.units, model=self.model)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A row for every run and time: `run`, the settings, `time`, the columns; `attrs["units"]` has the SI unit of
+        each. Needs the extra `table`."""
+        _require("pandas", "data frames")
+        import pandas as pd
+
+        frame = pd.DataFrame(self._table())
+        frame.attrs = attributes(self.model, self._units())
+        return frame
+
+    def to_parquet(self, path: Path | str) -> None:
+        """Write the rows of `to_dataframe` to `path`; the metadata have the units of the columns, which pandas reads
+        into `attrs["units"]`. Needs the extra `table`. Raises OSError."""
+        require_parquet()
+        with whole_file(Path(path)) as draft:
+            write_columns(self._table(), self._units(), self.model, draft)
+
+    def _table(self) -> dict[str, NDArray[Any]]:
+        rows = len(self.time)
+        settings = {name: np.repeat(values, rows) for name, values in self.settings.items()}
+        columns = {name: values.ravel() for name, values in self.columns.items()}
+        run, time = (free_name(name, {*settings, *columns}) for name in ("run", "time"))
+        return {
+            run: np.repeat(np.arange(len(self)), rows),
+            **settings,
+            time: np.tile(self.time, len(self)),
+            **columns,
+        }
+
+    def _units(self) -> dict[str, str]:
+        return {free_name("time", {*self.settings, *self.columns}): "s", **self.units}
+
+
+def _require(package: str, what: str) -> None:
+    """Raise ModuleNotFoundError where a package is missing."""
+    if find_spec(package) is None:
+        raise ModuleNotFoundError(f"{what} need {package}: pip install {package}")
+
 
 def simulate_many(
     compilation: Compilation,
@@ -85,13 +152,13 @@ def simulate_many(
     stop: float | None,
     interval: float | None,
     tolerance: float | None,
-    inputs: Mapping[str, Signal],
+    inputs: InputsOfRuns,
     solver: str,
     columns: Sequence[str] | None,
     threads: int | None,
     progress: Callable[[float], None] | None,
 ) -> Motions:
-    """See `Model.simulate_many`; names are known."""
+    """See `Model.simulate_many`; names of parameters and starts are known."""
     end, step = options_of(compilation.flat, stop=stop, interval=interval)
     options = Options(
         stop=end,
@@ -99,12 +166,12 @@ def simulate_many(
         tolerance=tolerance,
         solver=solver,
         engine=engine,
-        inputs=dict(inputs),
+        inputs=inputs.shared,
         columns=None if columns is None else tuple(columns),
     )
     subjects = [SweptModel(flat=compilation.flat, program=compilation.program)]
     times = times_of(subjects, options)
-    count, (chosen, starts) = _runs(parameters, start)
+    count, (chosen, starts) = _runs({name: len(each) for name, each in inputs.own.items()}, parameters, start)
     require_few(count)
     require_room(count, len(times), width_of(subjects, options), None)
     tasks = (
@@ -113,23 +180,45 @@ def simulate_many(
             swept=0,
             parameters={name: values[k] for name, values in chosen.items()},
             start={name: values[k] for name, values in starts.items()},
+            inputs={name: values[k] for name, values in inputs.own.items()},
         )
         for k in range(count)
     )
     outcomes: list[Outcome] = []
-    for outcome in in_threads(subjects, options, tasks, count, cores() if threads is None else threads):
+    asked = cores() if threads is None else threads
+    for outcome in in_threads(subjects, options, tasks, count, 1 if inputs.calls_python else asked):
         outcomes.append(outcome)
         if progress is not None:
             progress(len(outcomes) / count)
     found = collect(count, len(times), outcomes)
+    settings, units = _settings(compilation.flat, count, chosen, starts, inputs)
     return Motions(
+        model=compilation.flat.name,
         time=times,
         columns=found.columns,
-        units=found.units,
+        units=found.units | units,
         ended=found.ended,
         failures={k: found.message[k] for k in range(count) if found.status[k] != "ok"},
         aliases=results_names(compilation.flat),
+        settings=settings,
     )
+
+
+def _settings(
+    flat: FlatModel,
+    runs: int,
+    parameters: dict[str, list[float]],
+    starts: dict[str, list[float]],
+    inputs: InputsOfRuns,
+) -> tuple[dict[str, Floats], dict[str, str]]:
+    """Settings of every run and their units, by the names that a sweep gives them; of inputs those that are numbers
+    in every run."""
+    signals: dict[str, list[Signal]] = {name: [signal] * runs for name, signal in inputs.shared.items()} | inputs.own
+    numbers = {name: [float(s) for s in each if isinstance(s, (int, float))] for name, each in signals.items()}
+    given: dict[Kind, dict[str, list[float]]] = {"parameter": parameters, "start": starts, "input": numbers}
+    values = {target: given[target.kind].get(target.key, []) for target in targets(flat, tuple(given)).values()}
+    known = {target.name: (np.array(each), target.unit) for target, each in values.items() if len(each) == runs}
+    return {name: each for name, (each, _) in known.items()}, {name: unit for name, (_, unit) in known.items()}
 
 
 def values_of_runs(
@@ -155,10 +244,11 @@ def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
     return np.reshape([number(target, each) for each in array.ravel().tolist()], array.shape)
 
 
-def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
-    """The number of runs, and each value in every one of them. Raises ValueError for sequences that do not fit."""
+def _runs(inputs: dict[str, int], *given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
+    """The number of runs, and each value in every one of them; of `inputs` the numbers of signals are told. Raises
+    ValueError for sequences that do not fit."""
     arrays = [{name: real_numbers(name, values) for name, values in each.items()} for each in given]
-    lengths = {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
+    lengths = inputs | {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
     for each in arrays:
         for name, values in each.items():
             if values.ndim > 1:

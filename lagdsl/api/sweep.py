@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lagdsl.api.input_axes import input_axes
 from lagdsl.api.names import keys_of, number, spread
+from lagdsl.api.run_inputs import GivenOfRuns
 from lagdsl.api.texts import require_units
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
@@ -18,7 +20,6 @@ from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.target import Target, targets
-from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan
 from lagdsl.sweep.run import Options, SweptModel
 from lagdsl.sweep.sweep import Work, options_of, sweep
@@ -39,7 +40,7 @@ def run_sweep(
     stop: float | None,
     interval: float | None,
     tolerance: float | None,
-    inputs: Mapping[str, Signal],
+    inputs: GivenOfRuns,
     solver: str,
     columns: Sequence[str] | None,
     output: Path | None,
@@ -50,13 +51,15 @@ def run_sweep(
 ) -> xarray.Dataset:
     """See `Model.sweep`."""
     flat, program = compilation.flat, compilation.program
-    known = {target.name: target for target in targets(flat, ("parameter", "start")).values()}
+    known = targets(flat, ("parameter", "start"))
     values, samples = by_own_names(flat, values), by_own_names(flat, samples)
     single, many = _axes(values, known)
+    drawn = known | targets(flat, ("input",))
+    given = input_axes(flat, inputs)
     plan = Plan(
-        axes=tuple(many),
-        samples=tuple(_axis(target, numbers, drawn=True) for target, numbers in _elements(samples, known)),
-        fixed=tuple(single),
+        axes=(*many, *given.many),
+        samples=tuple(_axis(target, numbers, drawn=True) for target, numbers in _elements(samples, drawn)),
+        fixed=(*single, *given.fixed),
     )
     end, step = options_of(flat, stop=stop, interval=interval)
     options = Options(
@@ -65,7 +68,7 @@ def run_sweep(
         tolerance=tolerance,
         solver=solver,
         engine=engine,
-        inputs=dict(inputs),
+        inputs=given.shared,
         columns=None if columns is None else tuple(columns),
     )
     work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume)
@@ -108,14 +111,20 @@ def _axis(target: Target, values: ArrayLike, *, drawn: bool = False) -> Axis:
 
 
 def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[Setting]:
-    """Values of every run of a dataset that `run_sweep` made of this model, or of a part of it. Raises ValueError."""
+    """Values of every run of a dataset that `run_sweep` made of this model, or of a part of it. Raises ValueError, also
+    where runs have tables of their own, which no dataset holds."""
     from lagdsl.page.runs import Setting
-    from lagdsl.sweep.dataset import STATUS
+    from lagdsl.sweep.dataset import STATUS, TABLES
 
     if data.attrs.get("model") != flat.name:
         raise ValueError(f"the sweep is of `{data.attrs.get('model')}`, not of `{flat.name}`")
     status = next(v for v in data.data_vars.values() if v.attrs.get("long_name") == STATUS)
-    known = {target.name: target for target in targets(flat, ("parameter", "start")).values()}
+    for name, coordinate in data.coords.items():
+        if coordinate.attrs.get("long_name") == TABLES:
+            raise ValueError(
+                f"the dataset has no tables of `{name}`: show one run with `inputs`, or use lag sweep --page"
+            )
+    known = targets(flat, ("parameter", "start", "input"))
     names = [str(name) for name in data.coords if str(name) in known]
     values = {name: np.broadcast_to(_aligned(data, name, status), status.shape).ravel().tolist() for name in names}
     varied = [name for name in names if len(set(values[name])) > 1]
@@ -125,7 +134,8 @@ def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[Setting]:
         label = ", ".join(_told(known[name], own[name]) for name in varied)
         parameters = {known[name].key: value for name, value in own.items() if known[name].kind == "parameter"}
         start = {known[name].key: value for name, value in own.items() if known[name].kind == "start"}
-        found.append(Setting(label=label or f"run {k + 1}", parameters=parameters, start=start))
+        inputs = {name: value for name, value in own.items() if known[name].kind == "input"}
+        found.append(Setting(label=label or f"run {k + 1}", parameters=parameters, start=start, inputs=inputs))
     return found
 
 

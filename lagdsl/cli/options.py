@@ -77,17 +77,26 @@ _takes_input = click.option(
     metavar="NAME=VALUE|FILE",
     help="Value of an input, 'f=2 N', or a CSV file: time and a column for each input.",
 )
+_takes_hold = click.option(
+    "--input-hold",
+    "held",
+    is_flag=True,
+    help="Hold inputs between the rows of a file; without it, real numbers are linear between rows.",
+)
 takes_inputs: Decorator = group("inputs", InputOptions, _takes_input)
-takes_signals: Decorator = group(
+takes_signals: Decorator = group("inputs", InputOptions, _takes_input, _takes_hold)
+takes_swept_signals: Decorator = group(
     "inputs",
     InputOptions,
-    _takes_input,
     click.option(
-        "--input-hold",
-        "held",
-        is_flag=True,
-        help="Hold inputs between the rows of a file; without it, real numbers are linear between rows.",
+        "--input",
+        "given",
+        multiple=True,
+        metavar="NAME=VALUES|FILES",
+        help="Values of an input, as for --set: 'f=1, 2, 3 N'; or a CSV file: time and a column for each input; or a "
+        "pattern of such files, 'wind/*.csv', for a run with each.",
     ),
+    _takes_hold,
 )
 
 

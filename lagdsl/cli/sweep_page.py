@@ -30,11 +30,12 @@ def require_one_machine(plan: Plan) -> None:
 
 def page_of(plan: Plan, models: Sequence[FlatModel], wishes: Wishes, source: SourceFile, sink: Sink) -> str:
     """Raises CompilationFailed where no run has a motion."""
-    from lagdsl.sweep.plan import place, settings
+    from lagdsl.sweep.plan import inputs_of, place, settings
 
     found = []
     for k in range(plan.runs):
         chosen = settings(plan, k)
         label = place(plan, k) or f"run {k + 1}"
-        found.append(Setting(label=label, parameters=chosen["parameter"], start=chosen["start"]))
+        own = inputs_of(plan, k)
+        found.append(Setting(label=label, parameters=chosen["parameter"], start=chosen["start"], inputs=own))
     return sweep_page(models[0], found, wishes, source=source, sink=sink)

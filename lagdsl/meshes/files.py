@@ -16,13 +16,18 @@ READERS = {".stl": read_stl, ".obj": read_obj, ".dae": read_collada}
 
 
 def place_of(name: str, folder: Path) -> Path:
+    """The mesh that a text in `folder` means by a relative name; raises MeshError."""
+    if not is_drawable(name):
+        raise MeshError(f"files of meshes end in {', '.join(READERS)}")
+    return named_in(name, folder)
+
+
+def named_in(name: str, folder: Path) -> Path:
     """The file that a text in `folder` means by a relative name; raises MeshError.
 
     It lies in the package of the text: the nearest folder around it that has a package.xml, else its own. A name never
     leads out of it.
     """
-    if not is_drawable(name):
-        raise MeshError(f"files of meshes end in {', '.join(READERS)}")
     if Path(name).is_absolute():
         raise MeshError("its name begins at the root of the machine, not at the folder of the text")
     home = folder.resolve()

@@ -14,6 +14,7 @@ from lagdsl.page.page import head_of_recording, html_of, starts_of
 from lagdsl.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.record import record
+from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
 
@@ -40,11 +41,12 @@ class Run:
 
 @record(kw_only=True)
 class Setting:
-    """Values of one run of a sweep, by name in SI units."""
+    """Values of one run of a sweep, by name in SI units, and inputs that are its own."""
 
     label: str
     parameters: Mapping[str, float] = field(default_factory=dict)
     start: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, Signal] = field(default_factory=dict)
 
 
 def sweep_page(
@@ -55,7 +57,8 @@ def sweep_page(
     source: SourceFile | None = None,
     sink: Sink | None = None,
 ) -> str:
-    """The page of a sweep, with a slider over its runs; `wishes` is what all of them share.
+    """The page of a sweep, with a slider over its runs; `wishes` is what all of them share. Where runs have inputs of
+    their own, the page shows the recorded motions and integrates none anew.
 
     Runs without a motion are shown as far as there is one; errors go to `sink`. Raises CompilationFailed where no run
     has a motion, ValueError for more runs than a page holds.
@@ -66,7 +69,7 @@ def sweep_page(
     prepared = prepare(flat, starts)
     width = len(prepared.compilation.flat.outputs) + 2 * len(flat.coordinates) + len(flat.states) + 4
     rows = min(max(_MOST_NUMBERS // (width * max(len(settings), 1)), _LEAST_ROWS), _MOST_ROWS)
-    found: list[Recording] = []
+    found: list[tuple[Recording, Wishes]] = []
     runs: list[Run] = []
     failures: list[CompilationFailed] = []
     for setting in settings:
@@ -74,24 +77,32 @@ def sweep_page(
             wishes,
             parameters={**wishes.parameters, **setting.parameters},
             start={**wishes.start, **setting.start},
+            inputs={**wishes.inputs, **setting.inputs},
         )
         try:
             made = recorded(prepared, own, rows, Sink())
         except CompilationFailed as failure:
             failures.append(failure)
             continue
-        found.append(made)
+        found.append((made, own))
         runs.append(Run(label=setting.label, motion=made.motion, span=made.span, said=made.ended, p=made.p.tolist()))
     if not found:
         raise failures[0]
     if failures and sink is not None:
         for diagnostic in failures[0].diagnostics:
             sink.add(diagnostic)
-    first = found[0]
-    head = head_of_recording(first, wishes, source)
+    first, own = found[0]
+    head = head_of_recording(first, replace(wishes, inputs=own.inputs), source)
     compiled = prepared.compilation
+    if len({_identity(setting.inputs) for setting in settings}) > 1:  # sliders of inputs are those of one run
+        return page_of_runs(flat, head, runs)
     made_tape = tape(compiled.program, start_of(compiled.flat, first.span[0], starts_of(first)))
     return page_of_runs(flat, head, runs, made_tape)
+
+
+def _identity(inputs: Mapping[str, Signal]) -> tuple[tuple[str, float], ...]:
+    """Numbers are equal by their values, other signals if they are one object."""
+    return tuple((name, each if isinstance(each, (int, float)) else id(each)) for name, each in inputs.items())
 
 
 def page_of_runs(flat: FlatModel, head: dict[str, Json], runs: Sequence[Run], model_tape: bytes = b"") -> str:

@@ -14,7 +14,7 @@ from lagdsl.settings.aliases import by_own_names
 from lagdsl.settings.arrays import spread
 from lagdsl.settings.failure import SettingError, UnknownSettingError, short
 from lagdsl.settings.literal import Literal
-from lagdsl.settings.target import Target, find, lacks_unit, note_lacking_unit, targets, to_vary, value_of
+from lagdsl.settings.target import Target, find, lacks_unit, note_lacking_unit, targets, value_of
 
 _DECIMAL_COMMA = re.compile(r"[^,:]*[0-9],[0-9][^,:]*")
 
@@ -65,18 +65,26 @@ def one_value(target: Target, text: str) -> Literal:
 def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str, float]:
     """Inputs by name, SI units; N0871 for numbers that lack a unit. Raises SettingError for unknown names and values
     that do not fit."""
-    known = targets(flat, ("input",))
     values: dict[str, float] = {}
+    for name, (target, text) in texts_of_inputs(flat, pairs).items():
+        _require_one(name, text, "`lag sweep --input` takes ranges and lists")
+        given = value_of(target, text)
+        if lacks_unit(target, given):
+            note_lacking_unit(target, text, given.value, sink)
+        values[name] = given.value
+    return values
+
+
+def texts_of_inputs(flat: FlatModel, pairs: Mapping[str, str]) -> dict[str, tuple[Target, str]]:
+    """Inputs by name, with the texts that are given for them. Raises SettingError for unknown names."""
+    known = targets(flat, ("input",))
+    found: dict[str, tuple[Target, str]] = {}
     for name, text in spread(pairs, known).items():
         if name not in known:
             hint = did_you_mean(name, known, f"inputs: {listing(name, known)}")
             raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
-        _require_one(name, text, to_vary(known[name]))
-        given = value_of(known[name], text)
-        if lacks_unit(known[name], given):
-            note_lacking_unit(known[name], text, given.value, sink)
-        values[name] = given.value
-    return values
+        found[name] = known[name], text
+    return found
 
 
 def _require_one(name: str, text: str, hint: str) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping
 from typing import Literal as OneOf
 from typing import TypeAlias
@@ -86,17 +85,6 @@ def find(flat: FlatModel, name: str, known: Mapping[str, Target]) -> Target:
     if name not in known:
         raise UnknownSettingError(_unknown(flat, name, known))
     return known[name]
-
-
-def to_vary(target: Target) -> str:
-    """The way to several values of an input."""
-    item, own = target.quantity, re.sub(r"[^A-Za-z0-9_]", "_", target.name) + "_0"
-    value = literal_text("1", target.unit)
-    return (
-        f"an input has one value, or one table over time, in all runs; to vary it, write "
-        f"`parameter {item.type_name} {own} = {value};` and `input {item.type_name} {target.name} = {own};`, and set "
-        f"`{own}`"
-    )
 
 
 def value_of(target: Target, text: str) -> Literal:

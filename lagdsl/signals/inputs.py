@@ -29,7 +29,7 @@ _NONE = np.zeros(0)
 # A monotone cubic has a continuous slope: of higher derivatives only the second is a function.
 _MOST_DERIVATIVES = 2
 _MOST_NAMED = 4
-_KINDS = "a number, a function of time, a pair (times, values) or a Hold of these"
+KINDS = "a number, a function of time, a pair (times, values) or a Hold of these"
 
 
 @record()
@@ -228,7 +228,7 @@ def _function(
     try:
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
-        raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
+        raise ValueError(f"input `{item.name}` must be {KINDS}") from error
     if not np.isfinite(constant):
         raise ValueError(f"input `{item.name}` must be a finite number, not {constant:g}")
     if order == 0:
@@ -284,7 +284,7 @@ def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
     try:
         times, values = (np.asarray(column, dtype=np.float64) for column in signal)
     except (TypeError, ValueError) as error:
-        raise ValueError(f"input `{name}` must be {_KINDS}") from error
+        raise ValueError(f"input `{name}` must be {KINDS}") from error
     if times.ndim != 1 or times.shape != values.shape or len(times) < 2:
         raise ValueError(
             f"the table of input `{name}` needs as many values as times, two at least; "

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import re
 from collections.abc import Callable, Iterable
 from functools import partial
 from importlib.util import find_spec
@@ -13,13 +12,24 @@ from typing import TypeAlias
 
 import numpy as np
 
+from lagdsl.columns.csv_file import (
+    TRUTHS,
+    cell_span,
+    head_of,
+    in_si_units,
+    line_span,
+    numbered_rows,
+    numbers_of_row,
+    read_file,
+)
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.record import record
 from lagdsl.signals.hold import Hold
 from lagdsl.signals.inputs import Signal
+from lagdsl.signals.parquet import write_columns
 from lagdsl.signals.trajectory import Trajectory
-from lagdsl.source import SourceFile, Span
+from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
 from lagdsl.units.dimension import TIME
 from lagdsl.units.naming import describe
@@ -38,10 +48,7 @@ class Table:
 
 
 Tables: TypeAlias = dict[str, Table]  # by name of the input
-_LARGEST_INPUT = 200_000_000
 _PARQUET = ".parquet"
-_TRUTHS = {"true": 1.0, "false": 0.0}
-_WITH_UNIT = re.compile(r"(.*\S)\s+\[([^\[\]]+)\]")
 
 
 def has_writer(path: Path, sink: Sink) -> bool:
@@ -118,12 +125,8 @@ def _csv(header: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
 
 
 def _write_parquet(trajectory: Trajectory, draft: Path) -> None:
-    import pyarrow
-    import pyarrow.parquet
-
-    fields = [pyarrow.field(c.name, pyarrow.float64(), metadata={"unit": c.unit}) for c in trajectory.columns]
-    table = pyarrow.table([column.values for column in trajectory.columns], schema=pyarrow.schema(fields))
-    pyarrow.parquet.write_table(table, draft)
+    columns = {column.name: column.values for column in trajectory.columns}
+    write_columns(columns, {column.name: column.unit for column in trajectory.columns}, trajectory.model, draft)
 
 
 # ---- reading ---------------------------------------------------------------------------------------------------------
@@ -132,31 +135,22 @@ def _write_parquet(trajectory: Trajectory, draft: Path) -> None:
 def read_inputs(path: Path, sink: Sink, *, way: str | None = None) -> Tables | None:
     """Columns of a CSV file that has a column `time`; every fault is reported with its line (E0820 to E0824, E0827,
     E0829). `way` is what helps where there is no such file."""
-    try:
-        with path.open("rb") as file:
-            content = file.read(_LARGEST_INPUT + 1)  # a device without end is no danger
-        if len(content) > _LARGEST_INPUT:
-            raise OSError(0, f"larger than {_LARGEST_INPUT // 1_000_000} MB")
-        text = content.decode("utf-8-sig")
-    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        sink.report("E0820", None, file=path, reason=reason, help=way)
-        return None
-    return parse_inputs(SourceFile(str(path), text.replace("\r\n", "\n").replace("\r", "\n")), sink)
+    file = read_file(path, sink, way=way)
+    return None if file is None else parse_inputs(file, sink)
 
 
 def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
     """The same for a text."""
     before = len(sink.diagnostics)
-    numbered = [(n, _cells(line)) for n, line in enumerate(file.text.split("\n"), 1) if line.strip()]
-    heads = [_head(cell) for cell in numbered[0][1]] if numbered else []
+    numbered = numbered_rows(file)
+    heads = [head_of(cell) for cell in numbered[0][1]] if numbered else []
     names = [name for name, _ in heads]
     first = numbered[0][0] if numbered else None
     _check_names(file, first, names, sink)
     _check_units(file, first, heads, sink)
     if len(sink.diagnostics) > before:
         return None
-    rows = [_row(file, line, cells, names, sink) for line, cells in numbered[1:]]
+    rows = [numbers_of_row(file, line, cells, names, sink) for line, cells in numbered[1:]]
     if len(rows) < 2:
         sink.report("E0827", None, file=file.name, found=len(rows))
     if len(sink.diagnostics) > before:
@@ -166,9 +160,9 @@ def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
     backward = np.flatnonzero(np.diff(times) < 0.0)
     if len(backward):
         line = numbered[int(backward[0]) + 2][0]
-        sink.report("E0822", _line_span(file, line), line=line)
+        sink.report("E0822", line_span(file, line), line=line)
         return None
-    seconds = _converted(times.tolist(), dict(heads)["time"])
+    seconds = in_si_units(times.tolist(), dict(heads)["time"])
     words = [_words(file, numbered[1:], i) for i in range(len(heads))]
     return {
         name: Table(seconds, table[:, i].tolist(), unit, words[i])
@@ -189,7 +183,7 @@ def in_si(tables: Tables, flat: FlatModel, sink: Sink, *, hold: bool = False) ->
         if table.words and name in inputs and inputs[name].base != "Boolean":
             place, text, line = table.words
             sink.report("E0823", place, text=text, line=line, column=name)
-        values = _converted(table.values, table.unit)
+        values = in_si_units(table.values, table.unit)
         found[name] = Hold(table.times, values) if hold else (table.times, values)
     return found
 
@@ -207,28 +201,13 @@ def _misfit(unit: str, item: Input) -> str:
 def _words(file: SourceFile, rows: list[tuple[int, list[str]]], index: int) -> tuple[Label, str, int] | None:
     for line, cells in rows:
         text = cells[index].strip()
-        if text.lower() in _TRUTHS:
-            return Label(_cell_span(file, line, cells, index)), text, line
+        if text.lower() in TRUTHS:
+            return Label(cell_span(file, line, cells, index)), text, line
     return None
 
 
-def _converted(values: list[float], unit: str) -> list[float]:
-    """From `unit` to SI."""
-    if not unit:
-        return values
-    definition = parse_unit(unit)
-    converted: list[float] = (np.array(values) * definition.factor + definition.offset).tolist()
-    return converted
-
-
-def _head(cell: str) -> tuple[str, str]:
-    """Name and unit of `tau [N.m]`; `tau[1]` is a name."""
-    found = _WITH_UNIT.fullmatch(cell.strip())
-    return (found[1], found[2].strip()) if found else (cell.strip(), "")
-
-
 def _check_names(file: SourceFile, line: int | None, names: list[str], sink: Sink) -> None:
-    span = None if line is None else _line_span(file, line)
+    span = None if line is None else line_span(file, line)
     if "time" not in names:
         sink.report("E0821", span, file=file.name, column="`time`")
     elif len(names) == 1:
@@ -247,49 +226,4 @@ def _check_units(file: SourceFile, line: int | None, heads: list[tuple[str, str]
         except UnknownUnit as error:
             why = str(error)
         if why and line is not None:
-            sink.report("E0878", _line_span(file, line), name=name, unit=unit, why=why)
-
-
-def _cells(line: str) -> list[str]:
-    """Cells of one line as they stand; quotes, which may hide a comma as in `"u[1,2]"`, are taken off."""
-    if '"' not in line:
-        return line.split(",")
-    cells: list[str] = next(csv.reader([line], skipinitialspace=True))
-    return cells
-
-
-def _row(file: SourceFile, line: int, cells: list[str], names: list[str], sink: Sink) -> list[float]:
-    """Numbers of one line; the faults of the file's first lines are all reported, each once."""
-    if len(cells) != len(names):
-        sink.report("E0824", _line_span(file, line), line=line, found=len(cells), expected=len(names))
-        return [np.nan] * len(names)
-    numbers = [_number(cell) for cell in cells]
-    for index, number in enumerate(numbers):
-        if number is None:
-            place = Label(_cell_span(file, line, cells, index))
-            sink.report("E0823", place, text=cells[index].strip()[:40], line=line, column=names[index])
-    return [np.nan if number is None else number for number in numbers]
-
-
-def _cell_span(file: SourceFile, line: int, cells: list[str], index: int) -> Span:
-    """An empty cell is shown by the comma before it, a cell of a line with quotes by the whole line."""
-    if ",".join(cells) != file.line(line):
-        return _line_span(file, line)
-    start = file.line_starts[line - 1] + sum(len(cell) + 1 for cell in cells[:index])
-    return Span(file, start if cells[index] else max(start - 1, 0), start + len(cells[index]))
-
-
-def _number(cell: str) -> float | None:
-    truth = _TRUTHS.get(cell.strip().lower())
-    if truth is not None:
-        return truth
-    try:
-        number = float(cell)
-    except ValueError:
-        return None
-    return number if np.isfinite(number) and "_" not in cell else None
-
-
-def _line_span(file: SourceFile, line: int) -> Span:
-    start = file.line_starts[line - 1]
-    return Span(file, start, start + max(len(file.line(line)), 1))
+            sink.report("E0878", line_span(file, line), name=name, unit=unit, why=why)

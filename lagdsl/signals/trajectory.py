@@ -16,6 +16,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.settings.arrays import family
 from lagdsl.signals.moved import MovedRow
+from lagdsl.signals.parquet import attributes
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -197,7 +198,7 @@ class Trajectory:
         except ModuleNotFoundError as missing:
             raise ModuleNotFoundError(f"data frames need pandas: pip install pandas ({missing})") from missing
         frame = pd.DataFrame({column.name: column.values for column in self.columns})
-        frame.attrs = {"model": self.model, "units": {column.name: column.unit for column in self.columns}}
+        frame.attrs = attributes(self.model, {column.name: column.unit for column in self.columns})
         return frame
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:

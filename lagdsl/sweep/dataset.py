@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
-from importlib.util import find_spec
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ import numpy as np
 
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.signals.parquet import require_parquet, write_frame
 from lagdsl.signals.table_io import with_unit
 from lagdsl.source.whole_file import whole_file
 from lagdsl.sweep.plan import Axis, Plan
@@ -21,7 +21,7 @@ from lagdsl.version import __version__
 if TYPE_CHECKING:
     import xarray
 
-STATUS, MESSAGE = "status of the run", "why it failed"
+STATUS, MESSAGE, TABLES = "status of the run", "why it failed", "tables of inputs"
 ENDINGS = (".nc", ".parquet", ".csv")
 _LARGEST_VARIABLE = 2**31 - 4  # bytes, of the classic format, which SciPy writes
 
@@ -32,27 +32,45 @@ def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: st
     Quantities that the plan set are coordinates, with their units. Rows after the end of a run that failed, and columns
     that a model lacks, are nan. A name that the model has itself ends in `_`.
     """
-    import xarray
-
     found = collect(plan.runs, len(times), outcomes)
     taken = {*found.columns, *(axis.name for axis in (*plan.axes, *plan.samples, *plan.fixed))}
-    sample, time = (_free(name, taken) for name in ("sample", "time"))
+    sample = free_name("sample", taken)
     dims = (*(axis.name for axis in plan.axes), *((sample,) if plan.samples else ()))
-    shape = plan.shape
+    coordinates: dict[str, Any] = {axis.name: _coordinate(axis, (axis.name,)) for axis in plan.axes}
+    coordinates |= {axis.name: _coordinate(axis, (sample,)) for axis in plan.samples}
+    coordinates |= {axis.name: _coordinate(axis, ()) for axis in plan.fixed}
+    if plan.samples:
+        coordinates[sample] = ((sample,), np.arange(plan.shape[-1]))
+    return _labelled(found, times, dict(zip(dims, plan.shape, strict=True)), coordinates, model)
+
+
+def dataset_of_runs(
+    found: Collected, times: Floats, settings: Mapping[str, Floats], units: Mapping[str, str], *, model: str
+) -> xarray.Dataset:
+    """The same over `run` and `time`; `settings` (runs,) are coordinates of the runs."""
+    run = free_name("run", {*found.columns, *settings})
+    coordinates: dict[str, Any] = {name: ((run,), each, {"units": units[name]}) for name, each in settings.items()}
+    coordinates[run] = ((run,), np.arange(len(found.ended)))
+    return _labelled(found, times, {run: len(found.ended)}, coordinates, model)
+
+
+def _labelled(
+    found: Collected, times: Floats, sizes: dict[str, int], coordinates: dict[str, Any], model: str
+) -> xarray.Dataset:
+    """Every column over the dimensions of `sizes` and the time."""
+    import xarray
+
+    taken = {*found.columns, *coordinates}
+    time, dims, shape = free_name("time", taken), tuple(sizes), tuple(sizes.values())
     data: dict[str, Any] = {
         name: ((*dims, time), values.reshape(*shape, len(times)), {"units": found.units[name]})
         for name, values in found.columns.items()
     }
-    data[_free("status", taken)] = (dims, np.array(found.status).reshape(shape), {"long_name": STATUS})
-    data[_free("message", taken)] = (dims, np.array(found.message).reshape(shape), {"long_name": MESSAGE})
-    data[_free("ended", taken)] = (dims, found.ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
-    coordinates: dict[str, Any] = {axis.name: _coordinate(axis, (axis.name,)) for axis in plan.axes}
-    coordinates |= {axis.name: _coordinate(axis, (sample,)) for axis in plan.samples}
-    coordinates |= {axis.name: ((), axis.values[0], {"units": axis.unit}) for axis in plan.fixed}
-    coordinates[time] = ((time,), times, {"units": "s"})
-    if plan.samples:
-        coordinates[sample] = ((sample,), np.arange(shape[-1]))
-    return xarray.Dataset(data, coordinates, {"model": model, "lagdsl": __version__})
+    data[free_name("status", taken)] = (dims, np.array(found.status).reshape(shape), {"long_name": STATUS})
+    data[free_name("message", taken)] = (dims, np.array(found.message).reshape(shape), {"long_name": MESSAGE})
+    data[free_name("ended", taken)] = (dims, found.ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
+    every = {**coordinates, time: ((time,), times, {"units": "s"})}
+    return xarray.Dataset(data, every, {"model": model, "lagdsl": __version__})
 
 
 def about_runs(data: xarray.Dataset, long_name: str) -> list[str]:
@@ -65,8 +83,8 @@ def require_writer(path: Path) -> None:
     """Raise ValueError for an ending that is none of ENDINGS, ModuleNotFoundError where a package is missing."""
     if path.suffix.lower() not in ENDINGS:
         raise ValueError(f"{path.name}: sweeps are written as {', '.join(ENDINGS)}")
-    if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
-        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install pyarrow")
+    if path.suffix.lower() == ".parquet":
+        require_parquet()
 
 
 def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:
@@ -86,20 +104,20 @@ def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:
 
 
 def write(data: xarray.Dataset, path: Path, *, units: bool = False) -> None:
-    """NetCDF with all dimensions, or a table with a row for every run and time, on request with names of columns as in
-    `theta [rad]`. Raises OSError."""
+    """NetCDF with all dimensions, or a table with a row for every run and time; `units` asks for names of columns as in
+    `theta [rad]` in CSV. Raises OSError."""
     with whole_file(path) as draft:
         if path.suffix.lower() == ".nc":
             data.to_netcdf(draft)
             return
         table = data.to_dataframe().reset_index()
-        if units:
-            known = {str(name): str(variable.attrs.get("units", "")) for name, variable in data.variables.items()}
-            table = table.rename(columns={name: with_unit(name, unit) for name, unit in known.items()})
+        known = {str(name): str(each.attrs["units"]) for name, each in data.variables.items() if "units" in each.attrs}
         if path.suffix.lower() == ".parquet":
-            table.to_parquet(draft, index=False)
-        else:
-            table.to_csv(draft, index=False, lineterminator="\n")
+            write_frame(table, known, str(data.attrs["model"]), draft)
+            return
+        if units:
+            table = table.rename(columns={name: with_unit(name, unit) for name, unit in known.items()})
+        table.to_csv(draft, index=False, lineterminator="\n")
 
 
 def _memory() -> int | None:
@@ -136,9 +154,13 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
     return Collected(columns=columns, units=units, status=status, message=message, ended=ended)
 
 
-def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Floats, dict[str, str]]:
-    return dims, np.array(axis.values), {"units": axis.unit}
+def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
+    """Without dimensions the single value."""
+    about = {"long_name": TABLES} if axis.labels else {"units": axis.unit}
+    values = axis.labels or axis.values
+    return dims, np.array(values if dims else values[0]), about
 
 
-def _free(name: str, taken: set[str]) -> str:
-    return _free(f"{name}_", taken) if name in taken else name
+def free_name(name: str, taken: set[str]) -> str:
+    """`name`, or `name_` where it is taken."""
+    return free_name(f"{name}_", taken) if name in taken else name

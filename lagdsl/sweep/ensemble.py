@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from itertools import groupby
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.engines.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.runtime.signal_tables import TabledInputs
-from lagdsl.signals.inputs import given_inputs, signals
+from lagdsl.signals.inputs import given_inputs, is_allowed, signals
 from lagdsl.simulate.initial_words import FAR
 from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
@@ -55,12 +56,16 @@ class Ensemble:
         """The outcome of every task, None for one that has to be made by itself to tell what is wrong with it; fewer
         outcomes where `stop` was set. All tasks set the same names."""
         outcomes: list[Outcome | None] = []
-        for first in range(0, len(tasks), self._most):
-            outcomes += self._run(tasks[first : first + self._most], bench, stop)
+        for _, group in groupby(tasks, key=_form):
+            alike = list(group)
+            for first in range(0, len(alike), self._most):
+                outcomes += self._run(alike[first : first + self._most], bench, stop)
+                if stop.is_set:
+                    return outcomes
         return outcomes
 
     def _run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
-        tellable = [self._parameters(task) for task in tasks]
+        tellable = [self._parameters(task) if self._has_inputs(task) else None for task in tasks]
         known = [k for k, p in enumerate(tellable) if p is not None]
         outcomes: list[Outcome | None] = [None] * len(tasks)
         if not known:
@@ -113,21 +118,33 @@ class Ensemble:
             check_clocks(self._flat, values, span, MOST_STEPS, sink)
         return None if sink.diagnostics else p
 
+    def _has_inputs(self, task: Task) -> bool:
+        """True if the inputs of the run that are numbers are what the model allows."""
+        items, sink = {item.name: item for item in self._flat.inputs}, Sink()
+        return all(
+            name in items and bool(np.isfinite(value)) and is_allowed(items[name], np.array([value]), None, sink)
+            for name, value in _numbers(task).items()
+        )
+
     def _settings(
         self, tasks: Sequence[Task], p: Floats
     ) -> tuple[EnsembleSettings, Callable[[int, float], Floats]] | None:
-        """Settings for C, and the inputs (nu,) of a run at a time; None if each run must report errors of its options
-        by itself."""
+        """Settings for C of runs whose inputs have one form, and the inputs (nu,) of a run at a time; None if each run
+        must report errors of its options by itself."""
         flat, engine, options = self._flat, self._engine, self._options
         t0, sink = flat.experiment.start_time, Sink()
         with np.errstate(all="ignore"):
             q, _, _, u = engine.evaluate_many("start", t0, p)
-        inputs = signals(flat, u[0], options.inputs, (t0, options.stop), sink, speeds=engine.layout.speeds)
+        own = {**options.inputs, **tasks[0].inputs}
+        inputs = signals(flat, u[0], own, (t0, options.stop), sink, speeds=engine.layout.speeds)
         places = places_of(flat)
         if sink.has_errors or inputs.tables is None or not all(name in places for name in tasks[0].start):
             return None
-        outside = given_inputs(flat, options.inputs)
-        u = np.where(outside, inputs.at(t0), u)
+        u = np.where(given_inputs(flat, own), inputs.at(t0), u)
+        columns = {item.name: k for k, item in enumerate(flat.inputs)}
+        numbers = [_numbers(task) for task in tasks]
+        for name in numbers[0]:
+            u[:, columns[name]] = [each[name] for each in numbers]
         tables = None if inputs.constant else TabledInputs(u, inputs.tables)
         given = np.zeros(len(places), dtype=np.bool_)
         x = np.zeros((len(tasks), len(places)))
@@ -158,7 +175,7 @@ class Ensemble:
             piece=STEPS,
             most_steps=MOST_STEPS,
         )
-        return told, lambda run, t: np.where(outside, inputs.at(t), u[run])
+        return told, lambda run, t: np.where(inputs.following, inputs.at(t), u[run])
 
     def _unknown_output(self, rows: Floats, p: Floats, u: Callable[[float], Floats]) -> str | None:
         """Words for the first output that is no number; the motion itself goes on."""
@@ -197,3 +214,14 @@ class Ensemble:
             units=self._units,
             values=made.rows[row, : made.kept[row], self._columns].T.copy(),
         )
+
+
+def _numbers(task: Task) -> dict[str, float]:
+    """The inputs of the run that are numbers."""
+    return {name: float(signal) for name, signal in task.inputs.items() if isinstance(signal, (int, float))}
+
+
+def _form(task: Task) -> tuple[tuple[str, int | None], ...]:
+    """Equal for runs whose own inputs have the same names and the same tables: one call of C can make them."""
+    numbers = _numbers(task)
+    return tuple((name, None if name in numbers else id(signal)) for name, signal in task.inputs.items())

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from itertools import groupby, islice
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 from lagdsl.flat.display import Display
+from lagdsl.signals.inputs import Signal
 
-Target: TypeAlias = Literal["parameter", "start", "structural"]
+Target: TypeAlias = Literal["parameter", "start", "structural", "input", "tables"]
 
 LARGEST = 1_000_000  # runs
 
@@ -21,7 +22,8 @@ class Axis:
     """One thing that is set, with its values in SI units.
 
     `name` is how `--set` calls it (`l`, `theta.start`), `key` how the model does (`theta`), `display` how people see
-    it.
+    it. Values of the target "tables" are places in `tables`, each of which has signals of inputs by name and, in
+    `labels`, its own name.
     """
 
     name: str
@@ -30,6 +32,8 @@ class Axis:
     unit: str
     values: tuple[float, ...]
     display: Display | None = None
+    labels: tuple[str, ...] = ()
+    tables: tuple[Mapping[str, Signal], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,12 +57,14 @@ class Plan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """One run: what is set, by name, in SI units; `swept` is the number of the compiled model."""
+    """One run: what is set, by name, in SI units; `swept` is the number of the compiled model. `inputs` are its own,
+    beside those that all runs share."""
 
     index: int
     swept: int
     parameters: dict[str, float]
     start: dict[str, float]
+    inputs: Mapping[str, Signal] = field(default_factory=dict)
 
 
 def require_sound(plan: Plan) -> None:
@@ -88,7 +94,7 @@ def require_few(runs: int) -> None:
 
 def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
     """Settings of run `index`; runs count as the elements of an array of the plan's shape, the last axis fastest."""
-    chosen: dict[Target, dict[str, float]] = {"parameter": {}, "start": {}, "structural": {}}
+    chosen: dict[Target, dict[str, float]] = {target: {} for target in get_args(Target)}
     for axis in plan.fixed:
         chosen[axis.target][axis.key] = axis.values[0]
     if plan.samples:
@@ -101,6 +107,16 @@ def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
     return chosen
 
 
+def inputs_of(plan: Plan, index: int) -> dict[str, Signal]:
+    """Inputs of run `index` that are its own."""
+    chosen = settings(plan, index)
+    found: dict[str, Signal] = dict(chosen["input"])
+    for axis in (*plan.axes, *plan.fixed):
+        if axis.target == "tables":
+            found |= axis.tables[int(chosen["tables"][axis.key])]
+    return found
+
+
 def place(plan: Plan, index: int) -> str:
     """Settings of run `index`, for people: `l = 0.1 m, theta.start = 20 deg`; what all runs share is left out."""
     chosen = settings(plan, index)
@@ -109,6 +125,8 @@ def place(plan: Plan, index: int) -> str:
 
 
 def _shown(axis: Axis, value: float) -> str:
+    if axis.labels:
+        return f"{axis.name} = {axis.labels[int(value)]}"
     shown = axis.display or Display(axis.unit)
     return f"{axis.name} = {shown(value):.6g} {shown.unit}".rstrip()
 
@@ -131,6 +149,7 @@ def task(plan: Plan, index: int, known: list[dict[str, float]]) -> Task:
         swept=known.index(chosen["structural"]),
         parameters=chosen["parameter"],
         start=chosen["start"],
+        inputs=inputs_of(plan, index),
     )
 
 

@@ -30,7 +30,8 @@ Status: TypeAlias = Literal["ok", "failed"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """Options of every run; times in s. `columns` are the names to keep, None for all."""
+    """Options of every run; times in s. `columns` are the names to keep, None for all; `inputs` those that all runs
+    share."""
 
     stop: float
     interval: float | None
@@ -110,7 +111,7 @@ class Runner:
             interval=options.interval,
             tolerance=options.tolerance,
             p=p,
-            inputs=options.inputs,
+            inputs={**options.inputs, **task.inputs},
             start=task.start,
             solver=options.solver,
             progress=self._progress,

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.text import flat_text
@@ -71,7 +74,7 @@ def sweep(
         return dataset(plan, times, found, model=flat.name)
     require_writer(work.output)
     path = journal_path(work.output)
-    identity = fingerprint(plan, *_identity(subjects, options))
+    identity = _identity(plan, subjects, options)
     _require_own(path, identity, work.resume)
     with Journal(path, identity) as journal:
         finished = frozenset(outcome.index for outcome in outcomes(path))
@@ -155,10 +158,11 @@ def times_of(subjects: Sequence[SweptModel], options: Options) -> Floats:
     return grid(start, options.stop, options.interval)
 
 
-def _identity(subjects: Sequence[SweptModel], options: Options) -> list[str]:
-    """Settings that must stay the same when a sweep is resumed."""
+def _identity(plan: Plan, subjects: Sequence[SweptModel], options: Options) -> str:
+    """A digest of the settings that must stay the same when a sweep is resumed; arrays with all their digits."""
     models = [swept.fault if swept.flat is None else flat_text(swept.flat) for swept in subjects]
-    return [__version__, repr(options), *models]
+    with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
+        return fingerprint(plan, __version__, repr(options), *models)
 
 
 def options_of(flat: FlatModel, *, stop: float | None, interval: float | None) -> tuple[float, float]:

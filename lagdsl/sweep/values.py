@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
@@ -20,7 +22,9 @@ from lagdsl.settings.failure import SettingError, short
 from lagdsl.settings.literal import Literal
 from lagdsl.settings.pieces import QUANTITY
 from lagdsl.settings.ranges import CALL, grid_of
-from lagdsl.settings.target import Target, find, targets, to_vary, value_of
+from lagdsl.settings.settings import texts_of_inputs
+from lagdsl.settings.target import Target, find, targets, value_of
+from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan, require_few, variants
 from lagdsl.units.definition import si_value
 from lagdsl.units.parse import parse_unit
@@ -36,29 +40,29 @@ _DISTRIBUTIONS: dict[str, tuple[tuple[str, ...], Draw]] = {
 }
 
 
-def plan(models: Sequence[FlatModel], pairs: Mapping[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
-    """The runs that the texts ask for, with names that any of the models has; notes about numbers without unit go to
-    `sink`. Raises SettingError for what is no value, range, list or distribution, ValueError for too many runs."""
+def plan(
+    models: Sequence[FlatModel],
+    pairs: Mapping[str, str],
+    random: int | None,
+    seed: int,
+    sink: Sink,
+    inputs: Mapping[str, str] | None = None,
+) -> Plan:
+    """The runs that the texts of `pairs` and of `inputs` ask for, with names that any of the models has; notes about
+    numbers without unit go to `sink`. Raises SettingError for what is no value, range, list or distribution, ValueError
+    for too many runs."""
     axes: list[Axis] = []
     fixed: list[Axis] = []
     samples: list[Axis] = []
     runs = 1 if random is None else random
     require_few(runs)
-    known: dict[str, Target] = {}
-    given = targets(models[0], ("input",))
-    for flat in models:
-        known |= {name: target for name, target in targets(flat).items() if name not in known}
-    for number, (name, text) in enumerate(spread(by_own_names(models[0], pairs), known).items()):
-        if name in given and (CALL.fullmatch(text) or ":" in text or "," in text):
-            raise SettingError(f"{name}={short(text)}: {to_vary(given[name])}")
-        target = find(models[0], name, known)
-        call = CALL.fullmatch(text)
+    for target, text, stream in (*_set(models, pairs), *_put_in(models[0], inputs or {})):
+        name, call = target.name, CALL.fullmatch(text)
         if call is not None and _is_drawn(text):
             _require_distribution(name, text, call)
             if random is None:
                 raise SettingError(f"{name}={short(text)}: give the number of draws with --random N")
-            # A stream of its own for every name: one more name changes no other draws.
-            samples.append(_drawn(target, text, call, random, np.random.default_rng([seed, number]), sink))
+            samples.append(_drawn(target, text, call, random, np.random.default_rng([seed, *stream]), sink))
         else:
             axis = axis_of(target, text, sink, runs)
             runs *= len(axis.values)
@@ -66,6 +70,23 @@ def plan(models: Sequence[FlatModel], pairs: Mapping[str, str], random: int | No
     if random is not None and not samples:
         raise SettingError("--random needs a distribution, as in --set 'm=normal(1, 0.1) kg'")
     return Plan(axes=tuple(axes), samples=tuple(samples), fixed=tuple(fixed))
+
+
+# A target, its text, and the number of its stream of draws: one more name changes no other draws.
+_Asked: TypeAlias = tuple[Target, str, tuple[int, ...]]
+
+
+def _set(models: Sequence[FlatModel], pairs: Mapping[str, str]) -> Iterator[_Asked]:
+    known: dict[str, Target] = {}
+    for flat in models:
+        known |= {name: target for name, target in targets(flat).items() if name not in known}
+    for number, (name, text) in enumerate(spread(by_own_names(models[0], pairs), known).items()):
+        yield find(models[0], name, known), text, (number,)
+
+
+def _put_in(flat: FlatModel, inputs: Mapping[str, str]) -> Iterator[_Asked]:
+    for number, (target, text) in enumerate(texts_of_inputs(flat, inputs).values()):
+        yield target, text, (number, 1)
 
 
 def structures(flat: FlatModel, pairs: Mapping[str, str]) -> list[dict[str, float]]:
@@ -98,9 +119,7 @@ def axis_of(target: Target, text: str, sink: Sink, runs: int = 1) -> Axis:
 
 
 def axis(target: Target, values: tuple[float, ...]) -> Axis:
-    """Raises SettingError for an input."""
-    if target.kind == "input":
-        raise SettingError(f"`{target.name}` is an input")
+    """The axis of a quantity with these values [SI units]."""
     return Axis(
         name=target.name,
         key=target.key,
@@ -109,6 +128,19 @@ def axis(target: Target, values: tuple[float, ...]) -> Axis:
         values=values,
         display=target.display,
     )
+
+
+def axis_of_tables(name: str, labels: tuple[str, ...], tables: Sequence[Mapping[str, Signal]]) -> Axis:
+    """An axis over signals by name of inputs; each of `tables` is called by its label."""
+    places = tuple(float(k) for k in range(len(tables)))
+    return Axis(name=name, key=name, target="tables", unit="", values=places, labels=labels, tables=tuple(tables))
+
+
+def labels_of(paths: Sequence[Path]) -> tuple[str, ...]:
+    """Short names of files that tell them apart: without the folder that all lie in."""
+    whole = [path.absolute() for path in paths]
+    folder = os.path.commonpath([path.parent for path in whole])
+    return tuple(path.relative_to(folder).as_posix() for path in whole)
 
 
 def _drawn(

@@ -427,7 +427,7 @@ def test_names_that_other_structure_brings(invoke: Invoke, tmp_path: Path) -> No
     [
         (("--set", "gain=0:0.1:3"), "`lag sweep --set` takes ranges"),
         (("--set", "gain=1, 2"), "`lag sweep --set` takes ranges"),
-        (("--input", "tau=1, 2 N.m"), "to vary it, write `parameter Torque tau_0 = 1 N.m;`"),
+        (("--input", "tau=1, 2 N.m"), "`lag sweep --input` takes ranges"),
     ],
 )
 def test_one_value_where_one_is_meant(invoke: Invoke, tmp_path: Path, given: tuple[str, str], help_: str) -> None:

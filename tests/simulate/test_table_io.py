@@ -169,7 +169,7 @@ def test_a_quoted_name_may_hold_a_comma() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
 def test_a_device_without_end_is_read_no_further_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lagdsl.signals.table_io._LARGEST_INPUT", 1_000_000)
+    monkeypatch.setattr("lagdsl.columns.csv_file._MOST_BYTES", 1_000_000)
     sink = Sink()
     assert read_inputs(Path("/dev/zero"), sink) is None
     assert "larger than 1 MB" in sink.diagnostics[0].message
@@ -193,7 +193,7 @@ def test_unreadable_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert read_inputs(latin, sink) is None
     assert read_inputs(tmp_path / "none.csv", sink) is None
     assert read_inputs(tmp_path, sink) is None
-    monkeypatch.setattr("lagdsl.signals.table_io._LARGEST_INPUT", 3)
+    monkeypatch.setattr("lagdsl.columns.csv_file._MOST_BYTES", 3)
     assert read_inputs(latin, sink) is None
     assert [d.code for d in sink.diagnostics] == ["E0820"] * 4
     assert "not UTF-8" in sink.diagnostics[0].message and "larger than" in sink.diagnostics[3].message

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,14 +12,23 @@ import click
 from lagdsl.cli.columns import columns_of
 from lagdsl.cli.command import Command
 from lagdsl.cli.groups import PATH, group
-from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.options import InputOptions, Method, Span, Table, takes_method, takes_signals, takes_span, takes_table
+from lagdsl.cli.options import (
+    InputOptions,
+    Method,
+    Span,
+    Table,
+    takes_method,
+    takes_span,
+    takes_swept_signals,
+    takes_table,
+)
 from lagdsl.cli.output import Unwritable, require_units, require_writable
 from lagdsl.cli.pages import require_page, write_page
 from lagdsl.cli.plots import Plot, require_sound, takes_plot
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, INTERRUPTED
+from lagdsl.cli.sweep_inputs import swept_inputs_or_leave
 from lagdsl.cli.sweep_page import page_of, require_one_machine
 from lagdsl.cli.sweep_plot import draw_sweep, require_kept
 from lagdsl.cli.text_table import aligned
@@ -35,7 +45,7 @@ from lagdsl.source import SourceFile
 if TYPE_CHECKING:
     import xarray
 
-    from lagdsl.sweep.plan import Plan
+    from lagdsl.sweep.plan import Axis, Plan
     from lagdsl.sweep.run import Options, SweptModel
     from lagdsl.sweep.sweep import Work
 
@@ -87,7 +97,7 @@ _takes_machines = group(
 @takes_model
 @_takes_values
 @takes_span
-@takes_signals
+@takes_swept_signals
 @takes_method("auto, dop853, radau.")
 @takes_table("Write the dataset: .nc, .parquet or .csv.")
 @takes_plot
@@ -118,14 +128,14 @@ def command(
     require_sound(plot)
     require_page(page)
     source = read_or_leave(model_file.file, style)
-    given = inputs_or_leave(inputs, style)
+    given = swept_inputs_or_leave(inputs, style)
     sink = Sink()
     pairs = split(values.assignments)
     flat, known = _front(source, model_file, pairs, sink)
-    signals = given.of(flat, sink, style)
-    report_missing(flat, signals, sink)
+    signals, tables = given.of(flat, sink, style)
+    report_missing(flat, given.names, sink)
     subjects = _subjects(source, model_file, known)
-    the_plan = _plan(subjects, pairs, values, sink)
+    the_plan = _plan(subjects, pairs, values, sink, given.values, tables)
     if variants(the_plan) != known:  # a setting brings structural parameters that the first one has not
         known = variants(the_plan)
         subjects = _subjects(source, model_file, known)
@@ -206,14 +216,22 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
             raise click.UsageError(str(error)) from error
 
 
-def _plan(subjects: list[SweptModel], pairs: dict[str, str], values: Values, sink: Sink) -> Plan:
-    """The runs, with the names of every model."""
+def _plan(
+    subjects: list[SweptModel],
+    pairs: dict[str, str],
+    values: Values,
+    sink: Sink,
+    inputs: dict[str, str],
+    tables: list[Axis],
+) -> Plan:
+    """The runs, with the names of every model; `inputs` are texts of values by name, `tables` axes over files."""
     from lagdsl.sweep.plan import require_sound
     from lagdsl.sweep.values import plan
 
     try:
         flats = [swept.flat for swept in subjects if swept.flat is not None]
-        made = plan(flats, pairs, values.random, values.seed, sink)
+        made = plan(flats, pairs, values.random, values.seed, sink, inputs)
+        made = replace(made, axes=(*made.axes, *tables))
         require_sound(made)
     except ValueError as error:
         raise click.UsageError(str(error)) from error

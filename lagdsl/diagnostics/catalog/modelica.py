@@ -40,6 +40,7 @@ _CLASSES = {
     "Tanh": "Lag.Blocks.SmoothStep",
     "CombiTimeTable": "Lag.Blocks.TimeTable",
     "CombiTable1Ds": "Lag.Blocks.Table",
+    "CombiTable2Ds": "Lag.Blocks.Table2D",
 }
 
 # Longer beginnings stand first: the packages there and here.

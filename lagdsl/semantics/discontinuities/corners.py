@@ -32,7 +32,14 @@ def with_corners(flat: fm.FlatModel, kinks: Sequence[Met]) -> fm.FlatModel:
 
 
 def _corners(kinks: Sequence[Met]) -> Iterator[Corner]:
+    """One for tables that bend at the same places, as the rows of a surface do."""
+    seen: set[tuple[int, tuple[float, ...], bool]] = set()
     for met in kinks:
+        if met.pieces is not None:
+            borders = (id(met.pieces.x), met.pieces.borders, met.order >= Order.ACCELERATION)
+            if borders in seen:
+                continue
+            seen.add(borders)
         for distance in distances(met):
             yield Corner(spans=met.spans, distance=distance, solved=met.order >= Order.ACCELERATION)
 

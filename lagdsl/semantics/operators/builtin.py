@@ -15,7 +15,9 @@ from lagdsl.semantics.operators import array_functions
 from lagdsl.semantics.operators.application import Application, same, scalars
 from lagdsl.semantics.operators.arithmetic import divided, dot
 from lagdsl.semantics.operators.arrays import extreme
+from lagdsl.semantics.operators.columns import column
 from lagdsl.semantics.operators.discontinuous import met, moves
+from lagdsl.semantics.operators.surfaces import surface
 from lagdsl.semantics.operators.tables import table
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity, row_in_braces
@@ -252,6 +254,11 @@ def _unit_vector(call: Application) -> Value:
     return divided(call.ctx, call.node, value, length)
 
 
+def _table(call: Application) -> Value:
+    """Over one quantity, or over two."""
+    return table(call) if len(call.arguments) < 5 else surface(call)
+
+
 # name: (function, least and most number of arguments)
 BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     **dict.fromkeys(
@@ -282,7 +289,8 @@ BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     "transpose": (array_functions.transpose, 1, 1),
     "size": (array_functions.size, 1, 2),
     "linspace": (array_functions.linspace, 3, 3),
-    "table": (table, 3, 4),
+    "table": (_table, 3, 6),
+    "column": (column, 2, 2),
 }
 
 

@@ -46,7 +46,7 @@ def table(call: Application) -> Value:
     """The value between the points; E0361 where they must be known, E0362 where they do not increase."""
     x, xs, ys = (item.value for item in call.arguments[:3])
     nodes = [item.node for item in call.arguments]
-    method = _method(call)
+    method = method_of(call, 3, METHODS)
     if not _are_points(call) or method is None:
         return POISON
     assert isinstance(x, Scalar) and isinstance(xs, Array) and isinstance(ys, Array)
@@ -57,10 +57,10 @@ def table(call: Application) -> Value:
         place, which = (nodes[1], "points") if not is_structural(xs) else (nodes[2], "values of a monotone table")
         call.ctx.sink.report("E0361", place.span, which=which)
         return POISON
-    places = _numbers(call, 1, xs)
-    if places is None or not _increasing(call, places):
+    places = numbers_of(call, 1, xs)
+    if places is None or not points_increase(call, 1, places):
         return POISON
-    known = _numbers(call, 2, ys) if is_structural(ys) else None
+    known = numbers_of(call, 2, ys) if is_structural(ys) else None
     values: Sequence[FlatExpression] = ys.elements if known is None else [flat.Number(value) for value in known]
     pieces = interpolation(x.expression, places, values, method)
     expression = chosen(x.expression, pieces.borders, pieces.values)
@@ -69,14 +69,15 @@ def table(call: Application) -> Value:
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))
 
 
-def _method(call: Application) -> str | None:
-    if len(call.arguments) < 4:
+def method_of(call: Application, position: int, methods: Sequence[str]) -> str | None:
+    """The name of the method at this position, `linear` where there is none; None after E0312."""
+    if len(call.arguments) <= position:
         return "linear"
-    item = call.arguments[3]
-    if isinstance(item.value, Text) and item.value.value in METHODS:
+    item = call.arguments[position]
+    if isinstance(item.value, Text) and item.value.value in methods:
         return item.value.value
     if not isinstance(item.value, Poison):
-        listed = " or ".join(f'"{method}"' for method in METHODS)
+        listed = " or ".join(f'"{method}"' for method in methods)
         found = f'"{item.value.value}"' if isinstance(item.value, Text) else kind_of(item.value)
         call.ctx.sink.report("E0312", item.node.span, expected=listed, found=found)
     return None
@@ -101,7 +102,8 @@ def _are_points(call: Application) -> bool:
     return True
 
 
-def _numbers(call: Application, position: int, array: Array) -> list[float] | None:
+def numbers_of(call: Application, position: int, array: Array) -> list[float] | None:
+    """The elements of the argument of this position; E0323 where they have no value."""
     try:
         return [evaluate(element) for element in array.elements]
     except NoValue as fault:
@@ -109,10 +111,11 @@ def _numbers(call: Application, position: int, array: Array) -> list[float] | No
         return None
 
 
-def _increasing(call: Application, places: list[float]) -> bool:
+def points_increase(call: Application, position: int, places: list[float]) -> bool:
+    """True if they do, else E0362 at the argument of this position."""
     for first, second in pairwise(places):
         if not first < second:
-            span = call.arguments[1].node.span
+            span = call.arguments[position].node.span
             call.ctx.sink.report("E0362", span, first=f"{first:g}", second=f"{second:g}")
             return False
     return True

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
+from scipy.interpolate import RegularGridInterpolator
 
 from models.references.integrate import G_N, Floats, linear, solve
 
@@ -49,6 +50,7 @@ def blocks_sources(p: Parameters, t: Floats) -> dict[str, Floats]:
         "cut_sine": np.clip(sine, -1, 2),
         "mapped": np.interp(ramp, [1, 2, 3], [0, 5, 0]),
         "bent": 2 * s**3 * (10 - 15 * s + 6 * s**2),
+        "high": RegularGridInterpolator(([1, 1.5, 3], [-3, 0.5, 4]), [[0, 1, 5], [2, -1, 3], [4, 0, 1]])((ramp, sine)),
         "i1": t + rise**2 / 1.5 + 2 * np.maximum(t - 2, 0),
         "i2": 0.5 * t + 1.5 * (np.cos(np.pi / 6) - np.cos(2 * t + np.pi / 6)),
         "i3": t**3 / 3,

@@ -1,0 +1,1 @@
+"""Columns of numbers in CSV files, with units in the header."""
