@@ -31,8 +31,8 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
 
-# Parts of the work: until the texts are there, until the libraries are.
-_WRITTEN, _COMPILED = 0.1, 0.9
+# Parts of the work: until the texts are there, until the objects are, until the libraries are.
+_WRITTEN, _COMPILED, _LINKED = 0.1, 0.7, 0.9
 
 
 def export(
@@ -76,8 +76,8 @@ def export(
     exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine, ports, attribution)
     description, sources = texts(exported)
     told(_WRITTEN)
-    objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
-    libraries = objects.libraries()
+    objects = objects_of(sources, exported.stem, machines, _part(told, _WRITTEN, _COMPILED))
+    libraries = objects.libraries(_part(told, _COMPILED, _LINKED))
     files = {
         "modelDescription.xml": description.encode(),
         **source_files(exported, sources),
@@ -107,6 +107,11 @@ def _platforms(names: Sequence[str]) -> list[Platform]:
         raise failure("E0905", platform=own)
     chosen = [platform_of(name) for name in names or (own,)]
     return sorted({each.name: each for each in chosen}.values(), key=lambda each: PLATFORMS.index(each.name))
+
+
+def _part(told: Callable[[float], None], begin: float, end: float) -> Callable[[float], None]:
+    """Progress of one part of the work."""
+    return lambda part: told(begin + (end - begin) * part)
 
 
 def _nobody(_: float) -> None:

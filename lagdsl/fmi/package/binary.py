@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 from lagdsl.fmi.package.compile_objects import Job, compile_missing, object_name, work_folder
@@ -13,6 +15,7 @@ from lagdsl.fmi.package.toolchain import Toolchain, toolchain
 from lagdsl.record import record
 from lagdsl.runtime.building.cache import cache_folder
 from lagdsl.runtime.building.platforms import Platform, this_machine
+from lagdsl.runtime.engines.cores import cores
 
 
 @record()
@@ -23,10 +26,19 @@ class Objects:
     tools: tuple[Toolchain, ...]
     paths: Mapping[str, list[str]]
 
-    def libraries(self) -> dict[str, bytes]:
-        """The libraries `stem`.so and so on by the name of their platform. Raises CompilationFailed: E0906, E0913."""
-        with work_folder(cache_folder()) as folder:
-            return {tool.platform.name: self._linked(tool, folder) for tool in self.tools}
+    def libraries(self, progress: Callable[[float], None] | None = None) -> dict[str, bytes]:
+        """The libraries `stem`.so and so on by the name of their platform, linked on all cores: the first one for a
+        platform compiles its libraries of C. `progress` is called with the part of the work that is done.
+
+        Raises CompilationFailed: E0906, E0913.
+        """
+        found = {}
+        with work_folder(cache_folder()) as folder, ThreadPoolExecutor(cores()) as pool:
+            for tool, library in zip(self.tools, pool.map(partial(self._linked, folder), self.tools), strict=True):
+                found[tool.platform.name] = library
+                if progress is not None:
+                    progress(len(found) / len(self.tools))
+        return found
 
     @contextmanager
     def open_library(self) -> Iterator[Path | None]:
@@ -43,13 +55,12 @@ class Objects:
             own.link(folder, self.paths[own.platform.name], self.stem, opened=True)
             yield folder / self.stem
 
-    def _linked(self, tool: Toolchain, folder: Path) -> bytes:
+    def _linked(self, folder: Path, tool: Toolchain) -> bytes:
+        own = folder / tool.platform.name
+        own.mkdir()
         target = self.stem + tool.platform.suffix
-        tool.link(folder, self.paths[tool.platform.name], target)
-        library = folder / target
-        content = without_timestamps(library.read_bytes())
-        library.unlink()
-        return content
+        tool.link(own, self.paths[tool.platform.name], target)
+        return without_timestamps((own / target).read_bytes())
 
 
 def objects_of(
