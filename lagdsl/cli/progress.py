@@ -1,4 +1,5 @@
-"""A progress bar on a terminal, for what takes longer than a second; nothing otherwise."""
+"""A progress bar on a terminal for what takes longer than a second; lines in a pipe or a file for what takes longer
+than five."""
 
 from __future__ import annotations
 
@@ -12,6 +13,8 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 _PATIENCE = 1.0  # seconds without a bar
+_PATIENCE_OF_LOGS = 5.0  # seconds without a line
+_LINES = 10
 
 
 class _Bar:
@@ -42,11 +45,27 @@ class _Bar:
             self._progress.stop()
 
 
+class _Lines:
+    """One for each tenth of the work, from the first report after the patience has run out."""
+
+    def __init__(self, title: str) -> None:
+        self._title = title
+        self._began = monotonic()
+        self._told = 0
+
+    def report(self, fraction: float) -> None:
+        """`fraction` of the work is done."""
+        tenth = int(fraction * _LINES)
+        if self._told < tenth < _LINES and monotonic() - self._began >= _PATIENCE_OF_LOGS:
+            self._told = tenth
+            print(f"{self._title}: {100 * tenth // _LINES} %", file=sys.stderr, flush=True)
+
+
 @contextmanager
-def progress(title: str) -> Iterator[Callable[[float], None] | None]:
-    """A function that takes the fraction done; None where nobody watches."""
+def progress(title: str) -> Iterator[Callable[[float], None]]:
+    """A function that takes the fraction done."""
     if not sys.stderr.isatty():
-        yield None
+        yield _Lines(title).report
         return
     bar = _Bar(title)
     try:
