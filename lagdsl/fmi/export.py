@@ -12,9 +12,9 @@ from lagdsl.diagnostics import Sink
 from lagdsl.fmi.capability_checks import refuse
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
 from lagdsl.fmi.description.description import Attribution
-from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
+from lagdsl.fmi.kept_documentation import kept_documentation
 from lagdsl.fmi.model_texts import model_texts
 from lagdsl.fmi.package.archive import write_archive
 from lagdsl.fmi.package.binary import objects_of
@@ -88,7 +88,7 @@ def export(
     if documented:
         known = reference(exported, objects, engine)
         header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
-        files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
+        files |= {**kept_documentation(exported, description, known, header), **extra_files(known, written)}
     else:
         files |= extra_files(None, written)
     with TemporaryDirectory(prefix="lagdsl-") as folder:
