@@ -14,6 +14,7 @@ from lagdsl.cli.options import Span, takes_end, takes_settings
 from lagdsl.cli.output import require_writable, write_text
 from lagdsl.cli.pages import open_page, require_page
 from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
+from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Compilation, findings
@@ -80,9 +81,10 @@ def _page(
     from lagdsl.page.results import results_page
 
     try:
-        if rows is not None:
-            return results_page(compilation.flat, rows, wishes, source=source, sink=sink)
-        return page(compilation.flat, wishes, source=source, sink=sink, compilation=compilation)
+        with progress("page"):
+            if rows is not None:
+                return results_page(compilation.flat, rows, wishes, source=source, sink=sink)
+            return page(compilation.flat, wishes, source=source, sink=sink, compilation=compilation)
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)
     except ValueError as error:  # options that make no sense
