@@ -12,7 +12,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Collection, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -224,6 +224,20 @@ def _arrange(equations: Equations, route: Route) -> Program:
             return with_events(equations, lower(derive(equations.flat), equations.flat, equations.graph))
         case _:
             raise ValueError(f"there is no derivation `{route}`; there are graph, textbook")
+
+
+def compile_observed(compilation: Compilation, flat: FlatModel) -> Compilation:
+    """`flat`, the model of `compilation` with other outputs and invariants and with further parameters that start
+    values may name: nothing is formed, ranked or solved again.
+
+    Raises CompilationFailed where an output needs a derivative that does not exist (E0304, E0308).
+    """
+    from lagdsl.mechanics.observed import with_observed
+
+    assert compilation.route == "graph", "only the graph route forms further outputs"
+    with deep_recursion():
+        equations, program = with_observed(compilation.equations, compilation.program, flat)
+    return replace(compilation, flat=flat, equations=equations, program=program)
 
 
 def with_names(compilation: Compilation) -> Program:

@@ -56,6 +56,11 @@ def fmi_folder() -> Path:
     return _PACKAGE / "fmi" / "c"
 
 
+def fmi_objects_folder() -> Path:
+    """Object files of the runtime and of the shells of FMUs, for the platform of this installation."""
+    return _PACKAGE / "fmi" / "lib"
+
+
 def page_folder() -> Path:
     """The living page: TypeScript in `src`, the bundle that the page carries in `dist`."""
     return _PACKAGE / "page" / "web"

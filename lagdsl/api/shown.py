@@ -124,7 +124,8 @@ class Shown(ByName):
     def _page_of(self, wishes: Wishes, sink: Sink | None) -> str:
         from lagdsl.page.page import page
 
-        return page(self._compilation.flat, wishes, source=self._source, sink=sink)
+        made = self._compilation
+        return page(made.flat, wishes, source=self._source, sink=sink, compilation=made)
 
     def _wishes(
         self,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.cli.model_file import ModelFile, leave_with_errors
+from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Compilation, Route, compile_flat, findings, flatten_for_runs
 from lagdsl.settings.settings import Settings, settings
@@ -15,11 +16,12 @@ def compile_or_leave(
     """The model with structural parameters as set, and what else was set; leaves where it is wrong. Warnings and notes
     go to `sink`. Raises SettingError."""
     try:
-        flat = flatten_for_runs(source, sink, model=model_file.model, pairs=pairs)
-        chosen = settings(flat, pairs, sink) if flat is not None else Settings()
-        compilation = compile_flat(flat, sink, derivation) if flat is not None else None
-        if compilation is None:
-            leave_with_errors(sink.diagnostics, model_file.style)
+        with progress("compile"):
+            flat = flatten_for_runs(source, sink, model=model_file.model, pairs=pairs)
+            chosen = settings(flat, pairs, sink) if flat is not None else Settings()
+            compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), model_file.style)
+    if compilation is None:
+        leave_with_errors(sink.diagnostics, model_file.style)
     return compilation, chosen

@@ -10,6 +10,7 @@ import click
 
 from lagdsl.cli.model_file import Format, leave_with_errors
 from lagdsl.cli.output import require_ending, require_writable, write_text
+from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import findings
 
@@ -23,7 +24,9 @@ def require_page(path: Path | None) -> None:
 def write_page(path: Path, text: Callable[[], str], sink: Sink, style: Format) -> None:
     """Write the page; leaves where there is none."""
     try:
-        write_text(text(), path)
+        with progress(path.name):
+            written = text()
+        write_text(written, path)
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)
     except ValueError as error:

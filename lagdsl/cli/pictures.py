@@ -10,6 +10,7 @@ import click
 
 from lagdsl.cli.groups import PATH, Command, combined
 from lagdsl.cli.output import draft_of, require_ending, require_figure, require_writable
+from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.plot.picture.wishes import Wishes
@@ -76,10 +77,10 @@ def draw_pictures(pictures: Pictures, flat: FlatModel, wishes: Wishes, sink: Sin
 
     try:
         if pictures.png is not None:
-            with draft_of(pictures.png) as draft:
+            with draft_of(pictures.png) as draft, progress(pictures.png.name):
                 write_picture(flat, wishes, draft, pictures.at, sink)
         if pictures.gif is not None:
-            with draft_of(pictures.gif) as draft:
+            with draft_of(pictures.gif) as draft, progress(pictures.gif.name):
                 write_film(flat, wishes, draft, sink)
     except ValueError as error:
         raise click.UsageError(str(error)) from error

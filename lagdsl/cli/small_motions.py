@@ -19,6 +19,7 @@ from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import InputOptions, takes_engine, takes_inputs, takes_settings
 from lagdsl.cli.output import Forms, draft_of, form_of, require_writable, write_text
+from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
@@ -130,7 +131,8 @@ class Request:
     def ask(self, question: Callable[[System, Where, Sink], _Result]) -> _Result:
         """The answer; leaves with status 1 where there is none."""
         try:
-            answer = question(self.system, self.where, self.sink)
+            with progress("compute"):
+                answer = question(self.system, self.where, self.sink)
         except CompilationFailed as failure:
             leave_with_errors(findings(self.sink, failure), self.options.model_file.style)
         return answer

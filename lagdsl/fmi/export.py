@@ -12,9 +12,9 @@ from lagdsl.diagnostics import Sink
 from lagdsl.fmi.capability_checks import refuse
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
 from lagdsl.fmi.description.description import Attribution
-from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
+from lagdsl.fmi.kept_documentation import kept_documentation
 from lagdsl.fmi.model_texts import model_texts
 from lagdsl.fmi.package.archive import write_archive
 from lagdsl.fmi.package.binary import objects_of
@@ -31,8 +31,8 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
 
-# Parts of the work: until the texts are there, until the libraries are.
-_WRITTEN, _COMPILED = 0.1, 0.9
+# Parts of the work: until the texts are there, until the objects are, until the libraries are.
+_WRITTEN, _COMPILED, _LINKED = 0.1, 0.7, 0.9
 
 
 def export(
@@ -76,8 +76,8 @@ def export(
     exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine, ports, attribution)
     description, sources = texts(exported)
     told(_WRITTEN)
-    objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
-    libraries = objects.libraries()
+    objects = objects_of(sources, exported.stem, machines, _part(told, _WRITTEN, _COMPILED))
+    libraries = objects.libraries(_part(told, _COMPILED, _LINKED))
     files = {
         "modelDescription.xml": description.encode(),
         **source_files(exported, sources),
@@ -88,7 +88,7 @@ def export(
     if documented:
         known = reference(exported, objects, engine)
         header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
-        files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
+        files |= {**kept_documentation(exported, description, known, header), **extra_files(known, written)}
     else:
         files |= extra_files(None, written)
     with TemporaryDirectory(prefix="lagdsl-") as folder:
@@ -107,6 +107,11 @@ def _platforms(names: Sequence[str]) -> list[Platform]:
         raise failure("E0905", platform=own)
     chosen = [platform_of(name) for name in names or (own,)]
     return sorted({each.name: each for each in chosen}.values(), key=lambda each: PLATFORMS.index(each.name))
+
+
+def _part(told: Callable[[float], None], begin: float, end: float) -> Callable[[float], None]:
+    """Progress of one part of the work."""
+    return lambda part: told(begin + (end - begin) * part)
 
 
 def _nobody(_: float) -> None:

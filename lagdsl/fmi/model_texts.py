@@ -17,14 +17,14 @@ def model_texts(flat: FlatModel, source: SourceFile) -> dict[str, str]:
     """By path: the model, and beside it the packages of which something stands in it, where an import finds them."""
     path = Path(source.name)
     texts = {path.name if path.suffix == ".lag" else "model.lag": source.text}
-    for file in _files(flat):
+    for file in files_of(flat):
         if file is not source and file.name != source.name and not file.name.startswith(_OURS):
             texts |= _packages(Path(file.name))
             texts[_inside(Path(file.name))] = file.text
     return texts
 
 
-def _files(flat: FlatModel) -> list[SourceFile]:
+def files_of(flat: FlatModel) -> list[SourceFile]:
     """The files that contributed to the flat model, in its order."""
     parts = [getattr(flat, each.name) for each in fields(flat)]
     items = [item for part in parts if isinstance(part, tuple) for item in part if isinstance(item, Item)]

@@ -55,8 +55,8 @@ def _program(equations: Equations, *, dense: bool) -> Program:
     blocks = {
         **_dynamics(equations, dense),
         **_energies(equations),
-        **_observed(equations),
-        **_start(equations),
+        **observed(equations),
+        **start(equations),
     }
     functions = tuple(
         Function(name=name, arguments=arguments, results=tuple(blocks[name]))
@@ -161,7 +161,8 @@ def _energies(equations: Equations) -> dict[str, list[Block]]:
     }
 
 
-def _observed(equations: Equations) -> dict[str, list[Block]]:
+def observed(equations: Equations) -> dict[str, list[Block]]:
+    """Results of the functions for rates of states, outputs, invariants, assertions and initial equations."""
     graph, flat = equations.graph, equations.flat
     rates = _scalars(equations, flat.states, [state.derivative for state in flat.states])
     outputs = _scalars(equations, flat.outputs, [output.value for output in flat.outputs])
@@ -190,7 +191,8 @@ def _scalars(equations: Equations, items: Sequence[Item], values: Sequence[FlatE
     return nodes
 
 
-def _start(equations: Equations) -> dict[str, list[Block]]:
+def start(equations: Equations) -> dict[str, list[Block]]:
+    """Results of the function `start`."""
     flat, scalar = equations.flat, equations.lowering.scalar
     return {
         "start": [

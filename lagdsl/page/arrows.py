@@ -7,10 +7,9 @@ from collections.abc import Collection, Sequence
 
 from lagdsl.backends.start import start_of
 from lagdsl.backends.tape.emit import tape
-from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.page.head import Json, shapes_of
-from lagdsl.pipeline import compile_flat
+from lagdsl.pipeline import Compilation, compile_observed
 from lagdsl.scene.vectors import with_vectors
 from lagdsl.source import SourceFile
 
@@ -19,19 +18,19 @@ _LARGEST = 250_000  # bytes of the tape, deflated: budgets of pages
 
 def arrows(
     flat: FlatModel,
+    compilation: Compilation,
     starts: Collection[str],
     state: tuple[float, Sequence[float]],
     first: int,
     source: SourceFile | None,
 ) -> tuple[Json, bytes]:
-    """For a motion that begins in `state` (time; coordinates, rates and states): `first` is the column after those that
-    every tape of the model has. None and no bytes where there is nothing to show, or where it costs more than a page
-    may."""
+    """For a motion of `compilation`, the model with its scene, that begins in `state` (time; coordinates, rates and
+    states): `first` is the column after those that every tape of the model has. None and no bytes where there is
+    nothing to show, or where it costs more than a page may."""
     pointed = with_vectors(flat, starts)
     if not pointed.scene.shapes:
         return None, b""
-    made = compile_flat(pointed.flat, Sink())
-    assert made is not None, "a model that compiles does so with other outputs"
+    made = compile_observed(compilation, pointed.flat)
     found = tape(made.program, start_of(made.flat, *state))
     if len(zlib.compress(found)) > _LARGEST:
         return None, b""

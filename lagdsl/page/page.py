@@ -25,6 +25,7 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.page.arrows import arrows
 from lagdsl.page.head import Json, head_of
+from lagdsl.pipeline import Compilation
 from lagdsl.plot.picture.recording import Recording, record_motion
 from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.resources import page_folder
@@ -43,19 +44,27 @@ _TABS = (
 )
 
 
-def page(flat: FlatModel, wishes: Wishes, *, source: SourceFile | None = None, sink: Sink | None = None) -> str:
-    """The page of a model, as the text of an HTML file; `source` is the text that it shows.
+def page(
+    flat: FlatModel,
+    wishes: Wishes,
+    *,
+    source: SourceFile | None = None,
+    sink: Sink | None = None,
+    compilation: Compilation | None = None,
+) -> str:
+    """The page of a model, as the text of an HTML file; `source` is the text that it shows, `compilation` that of the
+    model if there is one.
 
     Notes of the run go to `sink`, and so do the errors of a run that ends early: the page shows the motion so far.
     Raises CompilationFailed where there is no motion at all.
     """
-    made = record_motion(flat, wishes, _ROWS, sink)
+    made = record_motion(flat, wishes, _ROWS, sink, compilation)
     x = starts_of(made)
     t, compiled = made.span[0], made.prepared.compilation
     head = head_of_recording(made, wishes, source)
     made_tape = tape(compiled.program, start_of(compiled.flat, t, x))
     first = len(made.motion.columns) - len(made.prepared.living.scene.columns) - len(made.prepared.own.outputs)
-    pointed, arrow_tape = arrows(flat, wishes.start, (t, x), first, source)
+    pointed, arrow_tape = arrows(flat, compiled, wishes.start, (t, x), first, source)
     return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape)
 
 

@@ -21,9 +21,10 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.fmi.contents import library_files, texts
 from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.package import toolchain as toolchains
-from lagdsl.fmi.package.binary import objects_of
+from lagdsl.fmi.package.binary import Objects, objects_of
 from lagdsl.fmi.package.libraries import universal, without_timestamps
 from lagdsl.fmi.package.sources import require_fmpy
+from lagdsl.runtime.building.compiler import failure
 from lagdsl.runtime.building.platforms import PLATFORMS, platform_of, this_machine
 
 VERSIONS = (2, 3)
@@ -128,10 +129,31 @@ def test_another_model_finds_the_runtime_compiled(monkeypatch):
 
 
 def test_progress_goes_up_to_one():
-    parts = []
-    objects_of(sources(2), "Pendulum", [platform_of(this_machine())], parts.append)
+    parts, linked = [], []
+    objects_of(sources(2), "Pendulum", [platform_of(this_machine())], parts.append).libraries(linked.append)
     assert parts == sorted(parts)
     assert parts[-1] == 1.0
+    assert linked == [1.0]
+
+
+def test_a_library_that_fails_to_link_ends_the_others(monkeypatch):
+    """All are linked at the same time, each in a folder of its own."""
+    folders = []
+
+    def failing(self, folder, objects, target, *, opened=False):
+        folders.append(folder)
+        (folder / target).write_bytes(self.platform.name.encode())
+        if self.platform.name == "windows-x86_64":
+            raise failure("E0906", platform=self.platform.name, compiler="zig")
+
+    monkeypatch.setattr(toolchains.Toolchain, "link", failing)
+    tools = [toolchains.Toolchain(platform_of(name), ("zig",), "", True) for name in PLATFORMS]
+    objects = Objects("M", tuple(tools), {name: [] for name in PLATFORMS})
+    with pytest.raises(CompilationFailed):
+        objects.libraries()
+    others = Objects("M", tuple(tool for tool in tools if tool.platform.system != "windows"), objects.paths)
+    assert others.libraries() == {tool.platform.name: tool.platform.name.encode() for tool in others.tools}
+    assert len(set(folders)) == len(folders)
 
 
 # ---- compilers -------------------------------------------------------------------------------------------------------

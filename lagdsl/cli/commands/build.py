@@ -12,6 +12,7 @@ from lagdsl.cli.groups import PATH, group
 from lagdsl.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
+from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
@@ -95,7 +96,8 @@ def command(
     flat = flatten_file(source, sink, model=model_file.model)
     if flat is not None and fixed:
         flat = _with_fixed(flat, fixed, sink)
-    compilation = compile_flat(flat, sink, derivation) if flat is not None else None
+    with progress("compile"):
+        compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
     try:
@@ -110,7 +112,8 @@ def command(
     if backend is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)
-    artifact = backend.emit(program)
+    with progress("write"):
+        artifact = backend.emit(program)
     for name, text in artifact.files.items():
         path = folder / name
         try:

@@ -7,6 +7,7 @@ import click
 from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import ModelFile, read_or_leave, takes_model, tell
 from lagdsl.cli.options import takes_settings
+from lagdsl.cli.progress import progress
 from lagdsl.cli.status import ERRORS, SUCCESS
 from lagdsl.diagnostics import Severity
 from lagdsl.flat.events import Events
@@ -24,7 +25,8 @@ def command(model_file: ModelFile, assignments: tuple[str, ...]) -> None:
     """Find all errors of the model in FILE, and show its degrees of freedom."""
     style = model_file.style
     source = read_or_leave(model_file.file, style, to_output=True)
-    diagnostics, compilation = check(source, model=model_file.model, pairs=split(assignments))
+    with progress("check"):
+        diagnostics, compilation = check(source, model=model_file.model, pairs=split(assignments))
     tell(diagnostics, style, to_output=True)
     wrong = any(d.severity is Severity.ERROR for d in diagnostics)
     if compilation is not None and style == "text":

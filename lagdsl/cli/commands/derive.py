@@ -12,6 +12,7 @@ from lagdsl.cli.groups import PATH
 from lagdsl.cli.model_file import ModelFile, flat_or_leave, takes_model
 from lagdsl.cli.options import takes_settings
 from lagdsl.cli.output import Forms, form_of, require_writable, write_text
+from lagdsl.cli.progress import progress
 
 
 @click.command("derive", cls=Command)
@@ -35,4 +36,6 @@ def command(
 
     from lagdsl.textbook.recipe import recipe
 
-    write_text(Derivation(recipe(flat)).to(chosen, units=units), output)
+    with progress("derive"):
+        text = Derivation(recipe(flat)).to(chosen, units=units)
+    write_text(text, output)

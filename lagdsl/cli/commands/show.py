@@ -14,10 +14,10 @@ from lagdsl.cli.options import Span, takes_end, takes_settings
 from lagdsl.cli.output import require_writable, write_text
 from lagdsl.cli.pages import open_page, require_page
 from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
+from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import findings
+from lagdsl.pipeline import Compilation, findings
 from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.settings.settings import split
 from lagdsl.source import SourceFile
@@ -59,7 +59,7 @@ def command(
     if output is not None or not pictures.wanted:
         path = Path(f"{compilation.flat.name}.html") if output is None else output
         require_writable(path)
-        text = _page(compilation.flat, wishes, rows, source, sink, style)
+        text = _page(compilation, wishes, rows, source, sink, style)
         write_text(text, path)
         open_page(path, no_open=no_open)
     tell(sink.diagnostics, style)
@@ -73,15 +73,18 @@ def _require_alone(rows: Path | None, pictures: Pictures, span: Span) -> None:
         raise click.UsageError("--from shows the rows of a file: leave --stop, --tolerance, --gif and --png out")
 
 
-def _page(flat: FlatModel, wishes: Wishes, rows: Path | None, source: SourceFile, sink: Sink, style: Format) -> str:
+def _page(
+    compilation: Compilation, wishes: Wishes, rows: Path | None, source: SourceFile, sink: Sink, style: Format
+) -> str:
     """The text of the page; leaves where there is no motion at all."""
     from lagdsl.page.page import page
     from lagdsl.page.results import results_page
 
     try:
-        if rows is not None:
-            return results_page(flat, rows, wishes, source=source, sink=sink)
-        return page(flat, wishes, source=source, sink=sink)
+        with progress("page"):
+            if rows is not None:
+                return results_page(compilation.flat, rows, wishes, source=source, sink=sink)
+            return page(compilation.flat, wishes, source=source, sink=sink, compilation=compilation)
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)
     except ValueError as error:  # options that make no sense

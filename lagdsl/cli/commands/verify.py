@@ -9,6 +9,7 @@ import click
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import ModelFile, read_or_leave, takes_model
 from lagdsl.cli.output import Forms, require_writable, write_text
+from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import Sink
 
@@ -36,7 +37,8 @@ def command(model_file: ModelFile, form: str | None, output: Path | None, fmu: b
     from lagdsl.verify.forms import FORMS
 
     suffix = "" if output is None else output.suffix.removeprefix(".")
-    certificate = certify(compilation, source, fmu=fmu)
+    with progress("verify"):
+        certificate = certify(compilation, source, fmu=fmu)
     write_text(FORMS[form or (suffix if suffix in FORMS else "text")](certificate), output)
     if not certificate.holds:
         click.get_current_context().exit(FAILED_RUN)

@@ -23,12 +23,12 @@ _EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
 @record()
 class Toolchain:
     """`command` takes the arguments of a C compiler; `identity` changes when it is replaced by another version.
-    `libraries` come after the objects."""
+    `by_zig` where it is the one of the package ziglang, whose objects are the same on all machines."""
 
     platform: Platform
     command: tuple[str, ...]
     identity: str
-    libraries: tuple[str, ...]
+    by_zig: bool
 
     def compile(self, folder: Path, source: str, target: str) -> None:
         """The C file `source` into the object file `target`, both in `folder`. Raises CompilationFailed (E0906)."""
@@ -42,7 +42,8 @@ class Toolchain:
         if self.opens and not opened:
             (folder / _EXPORTED).write_text(_EXPORTS, encoding="ascii")
             more.append(f"-Wl,--version-script={_EXPORTED}")
-        self._run(folder, [*link_flags(system, target), *more, "-o", target, *objects, *self.libraries])
+        after = libraries(system, by_zig=self.by_zig)
+        self._run(folder, [*link_flags(system, target), *more, "-o", target, *objects, *after])
 
     @property
     def opens(self) -> bool:
@@ -57,6 +58,11 @@ class Toolchain:
     def flags(self) -> tuple[str, ...]:
         """All that objects depend on beside the text."""
         return (*self.command, self.identity, *self._flags)
+
+    @property
+    def target_flags(self) -> tuple[str, ...] | None:
+        """The same on every machine: for any version of the package ziglang. None of another compiler."""
+        return ("zig", self.platform.target, *self._flags) if self.by_zig else None
 
     def _run(self, folder: Path, arguments: list[str]) -> None:
         command = [*self.command, *arguments]
@@ -76,11 +82,11 @@ def toolchain(platform: Platform) -> Toolchain:
     zig = zig_program()
     if zig is not None:
         command = (str(zig), "cc", "-target", platform.target)
-        return Toolchain(platform, command, _identity(zig), libraries(platform.system, by_zig=True))
+        return Toolchain(platform, command, _identity(zig), by_zig=True)
     if platform.name != this_machine():
         raise failure("E0905", platform=platform.name)
     compiler = find_compiler()
-    return Toolchain(platform, compiler.command, compiler.identity, libraries(platform.system, by_zig=False))
+    return Toolchain(platform, compiler.command, compiler.identity, by_zig=False)
 
 
 def _identity(program: Path) -> str:

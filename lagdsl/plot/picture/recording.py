@@ -13,7 +13,7 @@ from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.listing import computed_outputs
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
-from lagdsl.pipeline import Compilation, compile_flat
+from lagdsl.pipeline import Compilation, compile_flat, compile_observed
 from lagdsl.plot.picture.wishes import Wishes
 from lagdsl.program.program import Layout
 from lagdsl.record import record
@@ -59,18 +59,25 @@ class Recording:
         return self.prepared.scene
 
 
-def prepare(flat: FlatModel, starts: Collection[str] = ()) -> Prepared:
-    """Start values that depend on parameters stay so, but for those named in `starts`."""
+def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilation | None = None) -> Prepared:
+    """Start values that depend on parameters stay so, but for those named in `starts`. Where `flat` is compiled by the
+    graph, `compilation` is not made again."""
     own = replace(flat, outputs=computed_outputs(flat))
     shown = living(own, starts)
-    made = compile_flat(shown.flat, Sink())
-    assert made is not None, "a model that compiles does so with further outputs"
+    if compilation is not None and compilation.route == "graph":
+        made = compile_observed(compilation, shown.flat)
+    else:
+        found = compile_flat(shown.flat, Sink())
+        assert found is not None, "a model that compiles does so with further outputs"
+        made = found
     return Prepared(own=own, living=shown, compilation=made, engine=engine_of(made.program))
 
 
-def record_motion(flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
-    """`recorded` of a model that is compiled for it."""
-    return recorded(prepare(flat, wishes.start), wishes, rows, sink)
+def record_motion(
+    flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None, compilation: Compilation | None = None
+) -> Recording:
+    """`recorded` of a model that is compiled for it, from its `compilation` if there is one."""
+    return recorded(prepare(flat, wishes.start, compilation), wishes, rows, sink)
 
 
 def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:

@@ -19,8 +19,8 @@ _LINK = {
 }
 _LIBRARIES = {"linux": ("-lm",), "windows": (), "macos": ("-lm",)}
 # The package ziglang compiles a library of its own for what processors lack, of which nothing is needed, for as long as
-# everything else together takes.
-_BARE = {"linux": ("-nostdlib", "-lc"), "windows": (), "macos": ("-nostdlib", "-lc")}
+# everything else together takes. Windows needs that one, but not another for tests of undefined behavior.
+_BARE = {"linux": ("-nostdlib", "-lc"), "windows": ("-fno-sanitize=undefined",), "macos": ("-nostdlib", "-lc")}
 
 
 def link_flags(system: str, name: str) -> tuple[str, ...]:
