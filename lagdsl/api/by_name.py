@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from lagdsl.api.described import Described
 from lagdsl.api.one_state import ModelFrame, ModelPoint, at_one_state, kinematic_calls_at_one_state
-from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics
 from lagdsl.backends.python.support.values import EVALUATED
 from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.listing import frame_names, point_names
@@ -47,16 +46,18 @@ class ByName(Described):
         """Names of all points, for `point`."""
         return point_names(self._compilation.flat)
 
-    def frame(self, name: str) -> FrameKinematics:
+    def frame(self, name: str) -> ModelFrame:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
+        `.solve` places it.
 
         `name` is one of `frames`, or a component that has one frame only. Raises UnknownName.
         """
         own = _own_name("frame", name, self.frames)
         return ModelFrame(own, self, self._kinematic_calls("frame", own))
 
-    def point(self, name: str) -> PointKinematics:
-        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
+    def point(self, name: str) -> ModelPoint:
+        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd. `.solve` places
+        it.
 
         `name` is one of `points`, or a component that has one point only. Raises UnknownName.
         """
