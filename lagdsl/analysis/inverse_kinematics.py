@@ -35,7 +35,7 @@ _REACHED = 1e-9
 
 @record(kw_only=True)
 class Target:
-    """Where to: `position` (3,) [m] and `rotation` (3, 3), None for what is free."""
+    """Goal of a frame: `position` (3,) [m] and `rotation` (3, 3), None for what is free."""
 
     position: Floats | None
     rotation: Floats | None
@@ -43,9 +43,9 @@ class Target:
 
 @record(kw_only=True)
 class Placement:
-    """What inverse kinematics found: `q` (nq,), the same by name in `coordinates`, SI units.
+    """The result of inverse kinematics: `q` (nq,), the same by name in `coordinates`, SI units.
 
-    `position_error` [m] and `rotation_error` [rad] are what is left, `residual` is the norm of all errors: of places as
+    `position_error` [m] and `rotation_error` [rad] are left over, `residual` is the norm of all errors: of places as
     parts of the reach, of angles, of constraints as parts of their sizes. `converged` says that it vanishes, to 1e-9;
     if not, `q` is the nearest configuration found that meets the constraints, and `reason` says what keeps it away.
     `at_limits` are the coordinates at their `min` or `max`; `starts` is the number of starts that were tried.
@@ -90,7 +90,7 @@ class _Task:
         return np.concatenate([placed[0], closed[0]]), np.vstack([placed[1], closed[1]])
 
     def errors(self, x: Floats) -> tuple[Floats, Floats]:
-        """What is missing to the target, in parts of the reach and rad, and its derivative."""
+        """The errors, in parts of the reach and rad, and their derivative."""
         position, rotation, jacobian = self.pose(self.q(x))
         residual, derivative = [], []
         if self.target.position is not None:
@@ -124,7 +124,7 @@ def inverse_kinematics(
     lower, upper = _limits(flat)
     places = [start, *(np.clip(q, lower, upper) for q in random_points(flat.coordinates, start, space.sizes, _TRIES))]
     levers = np.array([pose(q)[2] * space.sizes for q in places[: _SIZED_AT + 1]])
-    moving = _moving(np.any(levers != 0.0, axis=(0, 1)), space.pattern[space.position_rows])
+    moving = _contributing(np.any(levers != 0.0, axis=(0, 1)), space.pattern[space.position_rows])
     places = [np.where(moving, q, start) for q in places]
     reach = _reach(levers)
     task = _Task(
@@ -145,7 +145,7 @@ def _limits(flat: FlatModel) -> tuple[Floats, Floats]:
     return np.array(lower), np.array(upper)
 
 
-def _moving(flags: Flags, pattern: Flags) -> Flags:
+def _contributing(flags: Flags, pattern: Flags) -> Flags:
     """The coordinates of `flags`, and those that rows of constraints, by their `pattern`, tie to them."""
     while True:
         tied = flags | np.any(pattern[np.any(pattern & flags, axis=1)], axis=0)
@@ -230,7 +230,7 @@ def _left(task: _Task, q: Floats) -> tuple[float, float]:
 
 
 def _reason(task: _Task, found: Minimizer) -> str:
-    """What keeps the frame away from its target."""
+    """The words for a frame that does not reach its target."""
     nearest = _closed(task, found)
     if not np.isfinite(nearest.size):
         return "the place is not finite at any start that was tried: choose another start"

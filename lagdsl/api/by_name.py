@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,12 @@ from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from lagdsl.analysis.base_parameters import BaseParameters
+    from lagdsl.analysis.inverse_kinematics import Placement
+    from lagdsl.api.names import Given
+    from lagdsl.backends.python.support.kinematics import PointKinematics
     from lagdsl.backends.python.support.values import Call, Evaluate
     from lagdsl.program.program import Program
     from lagdsl.runtime.engines.broadcast import BatchEngine
@@ -53,7 +58,7 @@ class ByName(Described):
         `name` is one of `frames`, or a component that has one frame only. Raises UnknownName.
         """
         own = _own_name("frame", name, self.frames)
-        return ModelFrame(own, self, self._kinematic_calls("frame", own))
+        return ModelFrame(own, self, self._kinematic_calls("frame", own), self._placed)
 
     def point(self, name: str) -> ModelPoint:
         """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd. `.solve` places
@@ -62,7 +67,24 @@ class ByName(Described):
         `name` is one of `points`, or a component that has one point only. Raises UnknownName.
         """
         own = _own_name("point", name, self.points)
-        return ModelPoint(own, self, self._kinematic_calls("point", own))
+        return ModelPoint(own, self, self._kinematic_calls("point", own), self._placed)
+
+    def _placed(
+        self,
+        part: PointKinematics,
+        target: tuple[ArrayLike | None, ArrayLike | None],
+        start: Given,
+        hold: Sequence[str],
+        t: float | None,
+        parameters: Given,
+    ) -> Placement:
+        from lagdsl.analysis.point import System
+        from lagdsl.api.inverse_kinematics import placed
+
+        system = System(self._compilation.flat, self._compilation.program, self._engine)
+        starts = self._named("start")
+        coordinates = {name: starts[name] for name in self.coordinates}
+        return placed(system, part, target, self._parameter_vector(parameters), (coordinates, start, hold), t)
 
     @property
     def inertial_parameter_names(self) -> list[str]:

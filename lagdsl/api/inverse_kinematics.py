@@ -4,50 +4,46 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.inverse_kinematics import Placement, Pose, Target, inverse_kinematics
-from lagdsl.analysis.point import Point
+from lagdsl.analysis.point import Point, System
 from lagdsl.api.names import Given, entries, keys_of
 from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics import Sink, failed
+from lagdsl.numerics.rank import Floats
 from lagdsl.settings.aliases import by_own_names, own_name
+from lagdsl.settings.target import Target as SettingTarget
 from lagdsl.structure.names import grammatical_subject, listed, located
 from lagdsl.structure.points import Geometry, geometry
-
-if TYPE_CHECKING:
-    from lagdsl.api.small_motions import SmallMotions
-    from lagdsl.numerics.rank import Floats
 
 _ORTHONORMAL = 1e-6
 
 
 def placed(
-    model: SmallMotions,
+    system: System,
     part: PointKinematics,
     wanted: tuple[ArrayLike | None, ArrayLike | None],
-    start: Given,
-    hold: Sequence[str],
+    p: Floats,
+    begin: tuple[Mapping[str, SettingTarget], Given, Sequence[str]],
     t: float | None,
-    parameters: Given,
 ) -> Placement:
-    """`wanted` are position and rotation. Raises ValueError, UnknownName and CompilationFailed (E0867)."""
-    system, target = model._system, _target(*wanted)
-    space = geometry(system.flat, system.engine, model._parameter_vector(parameters))
+    """`wanted` are position and rotation, `begin` the coordinates by name, their start and the names of those that keep
+    it. Raises ValueError, UnknownName and CompilationFailed (E0867)."""
+    target = _target(*wanted)
+    space = geometry(system.flat, system.engine, p)
     space = space if t is None else replace(space, t=float(t))
-    _refuse_integrable(model, space)
-    starts = model._named("start")
-    coordinates = {name: starts[name] for name in model.coordinates}
+    _refuse_integrable(system, space)
+    coordinates, start, hold = begin
     given = by_own_names(system.flat, start) if isinstance(start, Mapping) else start
     chosen = entries("start", given, coordinates)
     q = np.array([chosen.get(name, value) for name, value in zip(coordinates, space.q.tolist(), strict=True)])
     names = [key for name in hold for key in keys_of("coordinate", own_name(system.flat, name), coordinates)]
-    held = tuple(model.coordinates.index(name) for name in names)
+    held = tuple(list(coordinates).index(name) for name in names)
     return inverse_kinematics(system.flat, space, _pose(part, space), target, q, held)
 
 
@@ -80,9 +76,8 @@ def _finite(name: str, given: ArrayLike, shape: tuple[int, ...]) -> Floats:
     return value
 
 
-def _refuse_integrable(model: SmallMotions, space: Geometry) -> None:
+def _refuse_integrable(system: System, space: Geometry) -> None:
     """E0867 where a row of velocity level stands for a position: its value is that of the motion before."""
-    system = model._system
     point = Point(t=space.t, q=space.q, qd=space.qd, z=space.z, u=space.u, w=space.w, p=space.p)
     rows = set(integrable_rows(system, point))
     if not rows:

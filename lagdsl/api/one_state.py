@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,11 +29,18 @@ if TYPE_CHECKING:
     from lagdsl.api.names import Given
     from lagdsl.runtime.engines.broadcast import BatchEngine
 
+Place = Callable[..., "Placement"]
+
 _VECTORS = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P, Group.QDD)
 
 
 class ModelFrame(FrameKinematics):
     """A frame of a model."""
+
+    def __init__(self, name: str, own: Any, calls: Mapping[str, Call], place: Place) -> None:
+        """`place` looks for coordinates: position and rotation, then the other arguments of `solve`."""
+        super().__init__(name, own, calls)
+        self._place = place
 
     def solve(
         self,
@@ -53,9 +60,7 @@ class ModelFrame(FrameKinematics):
         every run. Coordinates in `hold` keep their start. `.converged` tells whether the place is reached, `.reason`
         what keeps the frame away. Raises ValueError, UnknownName, and CompilationFailed (E0867).
         """
-        from lagdsl.api.inverse_kinematics import placed
-
-        return placed(self._own, self, (position, rotation), start, hold, t, parameters)
+        return self._place(self, (position, rotation), start, hold, t, parameters)
 
     def __repr__(self) -> str:
         return f"<FrameKinematics {self.name}>"
@@ -67,6 +72,10 @@ class ModelFrame(FrameKinematics):
 class ModelPoint(PointKinematics):
     """A point of a model."""
 
+    def __init__(self, name: str, own: Any, calls: Mapping[str, Call], place: Place) -> None:
+        super().__init__(name, own, calls)
+        self._place = place
+
     def solve(
         self,
         *,
@@ -77,9 +86,7 @@ class ModelPoint(PointKinematics):
         parameters: Given = None,
     ) -> Placement:
         """Inverse kinematics: coordinates `.q` that place the point at `position` (3,) [m]; the rest as for a frame."""
-        from lagdsl.api.inverse_kinematics import placed
-
-        return placed(self._own, self, (position, None), start, hold, t, parameters)
+        return self._place(self, (position, None), start, hold, t, parameters)
 
     def __repr__(self) -> str:
         return f"<PointKinematics {self.name}>"

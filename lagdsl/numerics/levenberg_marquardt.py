@@ -84,7 +84,7 @@ def descend(
 
 
 def _within(bounds: Bounds, point: Floats, step_of: Callable[[Floats], Floats], jacobian: Floats) -> Floats:
-    """Where the step ends, of those that lead nothing out of a bound at which it stands."""
+    """End of the step that leads no unknown out of a bound at which it stands."""
     lower, upper = bounds
     held = np.zeros(len(point), dtype=np.bool_)
     while True:
