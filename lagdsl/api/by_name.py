@@ -89,12 +89,13 @@ class ByName(Described):
     @property
     def inertial_parameter_names(self) -> list[str]:
         """Names of the entries of `inertial_parameters`: `arm.m`, its first moments `arm.hx`, `arm.hy`, `arm.hz` and
-        its inertia about the origin of its frame, `arm.Ixx` to `arm.Iyz` (tensor elements, in its axes)."""
+        its inertia about the origin of its frame, `arm.Ixx` to `arm.Iyz` (tensor elements, in its axes). Behind them
+        stand coefficients of friction: `damping(q)`, `damping(q, s)` of two coordinates, `limit(f)` of `friction f`."""
         return [slot.name for slot in self._terms("regressor").layout.inertial]
 
     @cached_property
     def base_parameters(self) -> BaseParameters:
-        """The combinations of inertial parameters that the equations of motion can tell apart."""
+        """The combinations of these parameters that the equations of motion can tell apart."""
         from lagdsl.analysis.base_parameters import base_parameters
 
         sizes = len(self.coordinates)
