@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from lagdsl.api.described import Described
 from lagdsl.api.one_state import ModelFrame, ModelPoint, at_one_state, kinematic_calls_at_one_state
-from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics
 from lagdsl.backends.python.support.values import EVALUATED
 from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.listing import frame_names, point_names
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from lagdsl.analysis.base_parameters import BaseParameters
+    from lagdsl.analysis.inverse_kinematics import Placement
+    from lagdsl.api.names import Given
+    from lagdsl.backends.python.support.kinematics import PointKinematics
     from lagdsl.backends.python.support.values import Call, Evaluate
     from lagdsl.program.program import Program
     from lagdsl.runtime.engines.broadcast import BatchEngine
@@ -47,31 +51,51 @@ class ByName(Described):
         """Names of all points, for `point`."""
         return point_names(self._compilation.flat)
 
-    def frame(self, name: str) -> FrameKinematics:
+    def frame(self, name: str) -> ModelFrame:
         """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
+        `.solve` places it.
 
         `name` is one of `frames`, or a component that has one frame only. Raises UnknownName.
         """
         own = _own_name("frame", name, self.frames)
-        return ModelFrame(own, self, self._kinematic_calls("frame", own))
+        return ModelFrame(own, self, self._kinematic_calls("frame", own), self._placed)
 
-    def point(self, name: str) -> PointKinematics:
-        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
+    def point(self, name: str) -> ModelPoint:
+        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd. `.solve` places
+        it.
 
         `name` is one of `points`, or a component that has one point only. Raises UnknownName.
         """
         own = _own_name("point", name, self.points)
-        return ModelPoint(own, self, self._kinematic_calls("point", own))
+        return ModelPoint(own, self, self._kinematic_calls("point", own), self._placed)
+
+    def _placed(
+        self,
+        part: PointKinematics,
+        target: tuple[ArrayLike | None, ArrayLike | None],
+        start: Given,
+        hold: Sequence[str],
+        t: float | None,
+        parameters: Given,
+    ) -> Placement:
+        from lagdsl.analysis.point import System
+        from lagdsl.api.inverse_kinematics import placed
+
+        system = System(self._compilation.flat, self._compilation.program, self._engine)
+        starts = self._named("start")
+        coordinates = {name: starts[name] for name in self.coordinates}
+        return placed(system, part, target, self._parameter_vector(parameters), (coordinates, start, hold), t)
 
     @property
     def inertial_parameter_names(self) -> list[str]:
         """Names of the entries of `inertial_parameters`: `arm.m`, its first moments `arm.hx`, `arm.hy`, `arm.hz` and
-        its inertia about the origin of its frame, `arm.Ixx` to `arm.Iyz` (tensor elements, in its axes)."""
+        its inertia about the origin of its frame, `arm.Ixx` to `arm.Iyz` (tensor elements, in its axes). Behind them
+        stand coefficients of friction: `damping(q)`, `damping(q, s)` of two coordinates, `limit(f)` of `friction f`."""
         return [slot.name for slot in self._terms("regressor").layout.inertial]
 
     @cached_property
     def base_parameters(self) -> BaseParameters:
-        """The combinations of inertial parameters that the equations of motion can tell apart."""
+        """The combinations of these parameters that the equations of motion can tell apart."""
         from lagdsl.analysis.base_parameters import base_parameters
 
         sizes = len(self.coordinates)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,13 +23,44 @@ from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.runtime.engines.named_values import KINEMATICS
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from lagdsl.analysis.inverse_kinematics import Placement
+    from lagdsl.api.names import Given
     from lagdsl.runtime.engines.broadcast import BatchEngine
+
+Place = Callable[..., "Placement"]
 
 _VECTORS = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P, Group.QDD)
 
 
 class ModelFrame(FrameKinematics):
     """A frame of a model."""
+
+    def __init__(self, name: str, own: Any, calls: Mapping[str, Call], place: Place) -> None:
+        """`place` looks for coordinates: position and rotation, then the other arguments of `solve`."""
+        super().__init__(name, own, calls)
+        self._place = place
+
+    def solve(
+        self,
+        *,
+        position: ArrayLike | None = None,
+        rotation: ArrayLike | None = None,
+        start: Given = None,
+        hold: Sequence[str] = (),
+        t: float | None = None,
+        parameters: Given = None,
+    ) -> Placement:
+        """Inverse kinematics: coordinates `.q` that place the frame at `position` (3,) [m] with the matrix `rotation`
+        (3, 3).
+
+        Constraints are met, and coordinates keep within their `min` and `max`. The search goes out from `start`, a
+        vector (nq,) or values by name, left out the start of the model, then from points about it, the same ones in
+        every run. Coordinates in `hold` keep their start. `.converged` tells whether the place is reached, `.reason`
+        what keeps the frame away. Raises ValueError, UnknownName, and CompilationFailed (E0867).
+        """
+        return self._place(self, (position, rotation), start, hold, t, parameters)
 
     def __repr__(self) -> str:
         return f"<FrameKinematics {self.name}>"
@@ -40,6 +71,22 @@ class ModelFrame(FrameKinematics):
 
 class ModelPoint(PointKinematics):
     """A point of a model."""
+
+    def __init__(self, name: str, own: Any, calls: Mapping[str, Call], place: Place) -> None:
+        super().__init__(name, own, calls)
+        self._place = place
+
+    def solve(
+        self,
+        *,
+        position: ArrayLike,
+        start: Given = None,
+        hold: Sequence[str] = (),
+        t: float | None = None,
+        parameters: Given = None,
+    ) -> Placement:
+        """Inverse kinematics: coordinates `.q` that place the point at `position` (3,) [m]; the rest as for a frame."""
+        return self._place(self, (position, None), start, hold, t, parameters)
 
     def __repr__(self) -> str:
         return f"<PointKinematics {self.name}>"

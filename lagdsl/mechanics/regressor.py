@@ -4,7 +4,8 @@
 
 For a body with angular velocity w and velocity v of its frame's origin, in the frame's own axes, and pi = m, h = m c,
 I about the origin, L = m v.v / 2 + v.(w x h) + w.I w / 2 + m g.r + g.(R h); each column is Lagrange's equation of
-what one entry multiplies (Atkeson, An and Hollerbach, *Int. J. Robotics Research* 5(3), 1986).
+what one entry multiplies (Atkeson, An and Hollerbach, *Int. J. Robotics Research* 5(3), 1986). Columns of friction
+stand behind those of the bodies.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from lagdsl.flat.model import PointMass, RigidBody
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.equations import Equations
+from lagdsl.mechanics.friction_columns import friction_columns
 from lagdsl.mechanics.kinematics.vectors import Vector, cross
 from lagdsl.mechanics.lagrange.inertia import about_origin
 from lagdsl.mechanics.lagrange.inertial_elements import place_of, tensor_of
@@ -28,12 +30,17 @@ _NAMES = ("m", "hx", "hy", "hz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
 
 
 def regressor(equations: Equations) -> tuple[tuple[Block, ...], tuple[Slot, ...]]:
-    """Results of the function `regressor`, and the names of the inertial parameters."""
+    """Results of the function `regressor`, and the names of the inertial parameters and of the coefficients of
+    friction."""
     slots, values, columns = [], [], []
     for slot, value, lagrangian in _entries(equations):
         slots.append(slot)
         values.append(value)
         columns.append(_equation(equations, lagrangian))
+    for slot, value, column in friction_columns(equations):
+        slots.append(slot)
+        values.append(value)
+        columns.append(column)
     rows, count = len(equations.symbols.q), len(slots)
     entries = tuple(columns[k][j] for j in range(rows) for k in range(count))
     blocks = (

@@ -1,13 +1,16 @@
 """Damped Gauss-Newton for equations with more, fewer or dependent rows: the one root finder of the house.
 
 Levenberg's damping with steps of minimum norm, so that dependent rows and singular positions pass. Independent parts
-of the equations are damped, accepted and finished each for itself.
-Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
+of the equations are damped, accepted and finished each for itself. Bounds hold at every point: steps end at them, and
+what stands at a bound takes no part in a step that would lead it out.
+Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3; of bounds Kanzow, Yamashita and Fukushima,
+J. Computational and Applied Mathematics 172 (2004) 375-397.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -16,6 +19,7 @@ from lagdsl.numerics.rank import Floats, minimum_norms
 from lagdsl.record import record
 
 Equations = Callable[[Floats], tuple[Floats, Floats]]
+Bounds = tuple[Floats, Floats]  # lower, upper, both (n,)
 
 _SMALLEST_DAMPING = 1e-3
 _LARGEST_DAMPING = 1e8
@@ -38,14 +42,15 @@ def descend(
     target: float = 1e-13,
     iterations: int = 100,
     connected_blocks: Partition | None = None,
+    bounds: Bounds | None = None,
 ) -> Minimizer:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
     `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
     goes on as long as whole steps still halve the residual, so the result is as exact as the arithmetic allows.
-    `connected_blocks` says which of them are independent.
+    `connected_blocks` says which of them are independent. The points stay within `bounds`.
     """
-    point = start
+    point = start if bounds is None else np.clip(start, *bounds)
     residual, jacobian = equations(point)
     split = connected_blocks or whole(len(residual), len(point))
     sizes = split.sizes(residual)
@@ -55,10 +60,11 @@ def descend(
         active[parts.labels] = True
     for _ in range(iterations):
         active &= (sizes > 0.0) & np.isfinite(sizes)
-        step = _step(split, residual, jacobian, damping, active)
+        step_of = partial(_step, split, residual, damping, active)
+        aim = point - step_of(jacobian) if bounds is None else _within(bounds, point, step_of, jacobian)
         if not np.any(active):
             break
-        trial = split.mixed(active, point - step, point)
+        trial = split.mixed(active, aim, point)
         new_residual, new_jacobian = equations(trial)
         new_sizes = split.sizes(new_residual)
         better = active & (new_sizes < sizes)
@@ -77,7 +83,19 @@ def descend(
     return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
 
 
-def _step(split: Partition, residual: Floats, jacobian: Floats, damping: Floats, active: np.ndarray) -> Floats:
+def _within(bounds: Bounds, point: Floats, step_of: Callable[[Floats], Floats], jacobian: Floats) -> Floats:
+    """End of the step that leads no unknown out of a bound at which it stands."""
+    lower, upper = bounds
+    held = np.zeros(len(point), dtype=np.bool_)
+    while True:
+        step = step_of(np.where(held, 0.0, jacobian))
+        leaving = ~held & (((point <= lower) & (step > 0.0)) | ((point >= upper) & (step < 0.0)))
+        if not np.any(leaving):
+            return np.clip(point - step, lower, upper)
+        held |= leaving
+
+
+def _step(split: Partition, residual: Floats, damping: Floats, active: np.ndarray, jacobian: Floats) -> Floats:
     """Steps of the active parts; one whose Jacobian is no number becomes inactive."""
     step = np.zeros(jacobian.shape[1])
     for parts in split.parts:

@@ -30,9 +30,9 @@ it and, action by action, whether it acts: resets with their values, collisions 
 failures (`docs/explanation/hybrid_model.md`). Programs that tell every variable of their model have named values
 (`mechanics/named.py`).
 
-Programs that tell their terms and how frames move (`mechanics/by_name.py`): ninertial inertial parameters, ten of a
-body and one of a mass; three entries of nplace, nine of naxes and six of ntwist for a frame, three of nplace and
-ntwist for a point. All vectors have world components.
+Programs that tell their terms and how frames move (`mechanics/by_name.py`): ninertial parameters of the regressor, ten
+of a body, one of a mass and one of each coefficient of friction; three entries of nplace, nine of naxes and six of
+ntwist for a frame, three of nplace and ntwist for a point. All vectors have world components.
 """
 
 from enum import Enum
@@ -291,7 +291,7 @@ FUNCTIONS: tuple[Signature, ...] = (
         "regressor",
         (*STATE, Group.QDD),
         "regressor[nq,ninertial] inertial[ninertial]",
-        "Y and pi: Y pi is what masses and bodies add to d/dt(dL/dqd) - dL/dq",
+        "Y and pi: Y pi is what masses and bodies add to d/dt(dL/dqd) - dL/dq, and the forces of friction",
         Presence.TERMS,
     ),
     _function(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal, TypeAlias, get_args
 
 from lagdsl.record import record
@@ -41,9 +42,9 @@ class NamedServo:
 @record(kw_only=True)
 class Plan:
     """Names in the text by the original ones. `resting` are the links that no joint moves; `base` is the joint of a
-    root that moves freely, `drives` the actuators with the names of their inputs, `tendons` have names of their
-    lengths, `equalities` those of constraints. `parts` has the names of what stands beside a joint or a tendon, by its
-    name and the role of the part."""
+    root that moves freely, `drives` the actuators with the names of their inputs, those of arrays element by element,
+    `tendons` have names of their lengths, `equalities` those of constraints. `parts` has the names of what stands
+    beside a joint or a tendon, by its name and the role of the part."""
 
     robot: Robot
     style: Style
@@ -66,11 +67,7 @@ def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
     links = {link.name: _link_name(link, robot, style, names) for link in robot.links if not link.is_between}
     links.setdefault(WORLD, "world")
     joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.every_joint}
-    kinds = {joint.name: joint.kind for joint in robot.every_joint}
-    drives = [
-        (names.of(_input_name(actuator, kinds[actuator.joint]), "input"), actuator)
-        for actuator in _actuators(robot, style)
-    ]
+    drives = _drives(robot, _actuators(robot, style), names)
     base = names.of("floating_base", "joint") if style.floating else None
     servos = tuple(_servo(servo, names) for servo in robot.servos) if style.actuators == "file" else ()
     tendons = tuple((names.of(tendon.name, "tendon", tendon.span), tendon) for tendon in robot.tendons)
@@ -129,7 +126,30 @@ def _input_name(actuator: Actuator, kind: JointKind) -> str:
     """`tau_elbow` and `f_slide` for efforts."""
     if actuator.gear is not None:
         return actuator.name
-    return f"{'f' if kind == 'prismatic' else 'tau'}_{actuator.name}"
+    return f"{_letter(kind)}_{actuator.name}"
+
+
+def _drives(robot: Robot, actuators: Sequence[Actuator], names: Names) -> list[tuple[str, Actuator]]:
+    """The actuators with the names of their inputs. Where every joint has one and its effort is the input, in the order
+    of the joints: two torques or more are elements of `tau`, two forces or more of `f`."""
+    kinds = {joint.name: joint.kind for joint in robot.every_joint}
+    order = [joint.name for joint in _movable(robot)]
+    if sorted(each.joint for each in actuators) != sorted(order) or any(each.gear is not None for each in actuators):
+        return [(names.of(_input_name(each, kinds[each.joint]), "input"), each) for each in actuators]
+    ordered = sorted(actuators, key=lambda each: order.index(each.joint))
+    letters = [_letter(kinds[each.joint]) for each in ordered]
+    arrays = {letter: names.of(letter, "input") for letter in sorted(set(letters)) if letters.count(letter) > 1}
+    found = []
+    for place, (letter, each) in enumerate(zip(letters, ordered, strict=True)):
+        if letter in arrays:
+            found.append((f"{arrays[letter]}[{letters[: place + 1].count(letter)}]", each))
+        else:
+            found.append((names.of(_input_name(each, kinds[each.joint]), "input"), each))
+    return found
+
+
+def _letter(kind: JointKind) -> str:
+    return "f" if kind == "prismatic" else "tau"
 
 
 def _servo(servo: Servo, names: Names) -> NamedServo:
@@ -146,5 +166,9 @@ def _actuators(robot: Robot, style: Style) -> tuple[Actuator, ...]:
         case "file" if robot.actuators is not None:
             return robot.actuators
         case "file" | "all":
-            moved = [joint for joint in robot.every_joint if joint.kind in COORDINATES and joint.mimic is None]
-            return tuple(effort_of(joint, joint.span) for joint in moved)
+            return tuple(effort_of(joint, joint.span) for joint in _movable(robot))
+
+
+def _movable(robot: Robot) -> list[Joint]:
+    """Joints with a coordinate of their own."""
+    return [joint for joint in robot.every_joint if joint.kind in COORDINATES and joint.mimic is None]

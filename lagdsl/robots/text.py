@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from itertools import groupby
 from pathlib import Path
 from typing import assert_never
 
-from lagdsl.robots.description import ZERO, Joint, JointKind, Link, Pose, Vector
+from lagdsl.robots.description import ZERO, Actuator, Joint, JointKind, Link, Pose, Vector
 from lagdsl.robots.drawings import drawings
 from lagdsl.robots.equalities import equalities
 from lagdsl.robots.numbers import angle, array, number, quantity, vector
@@ -34,7 +35,7 @@ def model_text(plan: Plan, folder: Path) -> str:
         ["// Links: mass, mass center, inertia about it", *_links(plan)],
         ["// Joints, and what places them in the axes of the link before", *_joints(plan)] if plan.joints else [],
         ["// Joints that close loops", *_components(plan, plan.robot.closures)] if plan.robot.closures else [],
-        [*(_input(plan, name) for name, _ in plan.drives), *servo_inputs(plan)],
+        [*_inputs(plan), *servo_inputs(plan)],
         _connections(plan),
         energies(plan),
         acting(plan),
@@ -185,13 +186,37 @@ def _effort(joint: Joint, name: str, gear: float | None) -> str:
 # ---- inputs and connections ------------------------------------------------------------------------------------------
 
 
-def _input(plan: Plan, name: str) -> str:
-    actuator = dict(plan.drives)[name]
-    joint = next(joint for joint in plan.robot.every_joint if joint.name == actuator.joint)
-    kind = "Real" if actuator.gear is not None else "Force" if joint.kind == "prismatic" else "Torque"
-    parts = [f"min = {number(actuator.low)}"] if actuator.low is not None else []
-    parts += [f"max = {number(actuator.high)}"] if actuator.high is not None else []
-    return f"input {kind} {name}{_modifiers(parts)};"
+def _inputs(plan: Plan) -> Iterator[str]:
+    """One line for each input; elements of an array have one."""
+    for base, group in groupby(sorted(plan.drives, key=_array_order(plan)), key=lambda drive: _base(drive[0])):
+        drives = list(group)
+        actuators = [actuator for _, actuator in drives]
+        joint = next(joint for joint in plan.robot.every_joint if joint.name == actuators[0].joint)
+        kind = "Real" if actuators[0].gear is not None else "Force" if joint.kind == "prismatic" else "Torque"
+        size = f"[{len(drives)}]" if drives[0][0] != base else ""
+        lows, highs = [actuator.low for actuator in actuators], [actuator.high for actuator in actuators]
+        parts = [*_bounds("min", lows, "-inf", bool(size)), *_bounds("max", highs, "inf", bool(size))]
+        yield f"input {kind} {base}{size}{_modifiers(parts)};"
+
+
+def _base(name: str) -> str:
+    return name.partition("[")[0]
+
+
+def _array_order(plan: Plan) -> Callable[[tuple[str, Actuator]], int]:
+    """Arrays stand where their first element does."""
+    bases = [_base(name) for name, _ in plan.drives]
+    return lambda drive: bases.index(_base(drive[0]))
+
+
+def _bounds(word: str, values: list[float | None], none: str, is_array: bool) -> list[str]:
+    """A bound of an input; of an array those of its elements, or one for each where they are the same."""
+    if all(value is None for value in values):
+        return []
+    texts = [none if value is None else number(value) for value in values]
+    if not is_array:
+        return [f"{word} = {texts[0]}"]
+    return [f"each {word} = {texts[0]}" if len(set(texts)) == 1 else f"{word} = {array(texts)}"]
 
 
 def _connections(plan: Plan) -> list[str]:

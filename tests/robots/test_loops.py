@@ -175,10 +175,10 @@ def test_a_damper_and_limits_of_a_loop(tmp_path: Path) -> None:
     path.write_text(f'<robot name="two_arms">{tree()}{loop}</robot>')
     text, told = imported(path)
     assert not told
-    assert "q(prefer = never, min = -1, max = 2), tau = tau_latch)" in " ".join(text.split())
-    assert (
-        "dissipation 1/2*0.4 N.m.s/rad*der(latch.q)^2;" in text and "input Torque tau_latch(min = -3, max = 3);" in text
-    )
+    assert "q(prefer = never, min = -1, max = 2), tau = tau[8])" in " ".join(text.split())
+    assert "dissipation 1/2*0.4 N.m.s/rad*der(latch.q)^2;" in text
+    efforts = [(each.minimum, each.maximum) for each in lagdsl.compile(text, engine="tape")._compilation.flat.inputs]
+    assert efforts == [(-np.inf, np.inf)] * 7 + [(-3.0, 3.0)]
     assert [each.code for each in lagdsl.check(text) if each.severity != "note"] == []
 
 

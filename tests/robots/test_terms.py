@@ -50,7 +50,7 @@ def beside_bodies(plan: Plan, coordinates: Sequence[str]) -> tuple[np.ndarray, n
 
 
 def errors_of_terms(model: lagdsl.Model, plan: Plan) -> dict[str, float]:
-    """The three identities at random states, of the size of their terms."""
+    """The three identities at random states, of the size of their terms; columns of friction, `damping(q)`, apart."""
     q, qd, qdd = np.random.default_rng(3).normal(size=(3, STATES, len(model.coordinates)))
     coriolis, gravity = np.asarray(model.coriolis_matrix(0.0, q, qd)), np.asarray(model.gravity_forces(0.0, q))
     bias, mass = np.asarray(model.bias_forces(0.0, q, qd)), np.asarray(model.mass_matrix(0.0, q))
@@ -58,7 +58,10 @@ def errors_of_terms(model: lagdsl.Model, plan: Plan) -> dict[str, float]:
     terms = np.abs(coriolis) @ np.abs(qd)[..., None]
     rotors, springs, rests = beside_bodies(plan, model.coordinates)
     efforts = (mass @ qdd[..., None])[..., 0] + bias - rotors * qdd - springs * (q - rests)
-    product = np.asarray(model.regressor(0.0, q, qd, qdd)) @ np.asarray(model.inertial_parameters())
+    bodies = [k for k, name in enumerate(model.inertial_parameter_names) if not name.endswith(")")]
+    product = (
+        np.asarray(model.regressor(0.0, q, qd, qdd))[..., bodies] @ np.asarray(model.inertial_parameters())[bodies]
+    )
     return {
         "skew": float(np.abs(skew + np.swapaxes(skew, -1, -2)).max() / max(np.abs(coriolis).max(), np.abs(mass).max())),
         "bias": float(np.abs((coriolis @ qd[..., None])[..., 0] + gravity - bias).max() / max(terms.max(), 1e-300)),

@@ -5,7 +5,8 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
-jax.config.update("jax_enable_x64", True)
+_configuration: Any = jax.config  # JAX gives `update` no types
+_configuration.update("jax_enable_x64", True)
 
 
 class Elementary:

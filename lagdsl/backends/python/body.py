@@ -36,7 +36,8 @@ def body_name(function: str) -> str:
 
 
 def body(program: Program, function: Function) -> str:
-    """`def _name(F, t, q, ...)` that returns the elements of all results in one flat tuple."""
+    """`def _name(F, t, q, ...)` that returns the elements of all results in one flat tuple; numbers, arrays and symbols
+    of other packages pass, so the types are `Any`, of `typing`."""
     graph = program.graph
     roots = [node for block in function.results for node in block.elements]
     plan = schedule(graph, roots)
@@ -54,8 +55,9 @@ def body(program: Program, function: Function) -> str:
     statements = [f"{variable[node]} = {printer.definition(node)}" for node in plan.named]
     used = sorted({graph.op[node] for node in graph.live(roots)} & ELEMENTARY.keys())
     table = [f"{ELEMENTARY[op]} = F.{ELEMENTARY[op]}" for op in used]
-    arguments = ", ".join(ARGUMENT_NAMES[group] for group in function.arguments)
-    lines = [f"def {body_name(function.name)}(F, {arguments}):", *(f"    {line}" for line in (*table, *statements))]
+    arguments = ", ".join(f"{name}: Any" for name in ("F", *(ARGUMENT_NAMES[group] for group in function.arguments)))
+    head = f"def {body_name(function.name)}({arguments}) -> tuple[Any, ...]:"
+    lines = [head, *(f"    {line}" for line in (*table, *statements))]
     return "\n".join([*lines, *_returned([printer.text(root) for root in roots])]) + "\n"
 
 

@@ -75,4 +75,9 @@ ROWS: dict[str, Row] = {
         None,
         "linearize the plant, without `--every`",
     ),
+    "E0867": error(
+        "no inverse kinematics: {names} restricts positions by the motion before",
+        None,
+        "write it as a constraint of positions, `constraint x == 2*y` in place of `constraint der(x) == 2*der(y)`",
+    ),
 }

@@ -151,7 +151,7 @@ class NumpyEngine:
             template = np.array([graph.value[node] if graph.is_constant(node) else 0.0 for node in elements])
             self._varied[function] = np.array(varied, dtype=np.intp), template
             kept = Block(name="varied", shape=(len(varied),), elements=tuple(elements[index] for index in varied))
-            namespace: dict[str, Any] = {"inf": math.inf}
+            namespace: dict[str, Any] = {"inf": math.inf, "Any": Any}
             text = body(self._program, replace(definition, results=(kept,)))
             exec(compile(text, f"<generated {function}>", "exec"), namespace)
             known = self._bodies[function] = namespace[body_name(function)]

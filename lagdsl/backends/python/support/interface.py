@@ -166,14 +166,15 @@ class Interface(Values):
         parameters: Entries | None = None,
         out: Floats | None = None,
     ) -> Floats:
-        """Y, shape (..., nq, n): with the n `inertial_parameters` pi, Y pi = M qdd + bias of masses and bodies."""
+        """Y, shape (..., nq, n): with the n `inertial_parameters` pi, Y pi = M qdd + bias of masses and bodies, damping
+        and dry friction. Friction has the sense of the slip here, whatever w says."""
         u = u if inputs is None else given_once("u", u, "inputs", inputs)
         p = p if parameters is None else given_once("p", p, "parameters", parameters)
         return self._calls["regressor"](self, t, q, qd, z, u, w, p, qdd, out)
 
     def inertial_parameters(self, p: Entries | None = None) -> Floats:
         """pi, shape (..., n): of each body mass, first moments and inertia about the origin of its frame, of each
-        mass its mass."""
+        mass its mass; then coefficients of damping and limits of dry friction."""
         zeros = np.zeros(self._sizes.q)
         return self._evaluate("regressor", *self._state(0.0, zeros, None, None, None, None, p), zeros)[1]
 

@@ -326,7 +326,7 @@ typedef struct lag_model {
     lag_status (*equation_terms)(const lag_arguments *at, double *coriolis, double *gravity, double *bias);
     /*
      * t q qd z u w p qdd -> regressor (nq, ninertial), inertial (ninertial): Y and pi: Y pi is what masses and bodies add to
-     * d/dt(dL/dqd) - dL/dq. Only in programs that tell the terms of their equations
+     * d/dt(dL/dqd) - dL/dq, and the forces of friction. Only in programs that tell the terms of their equations
      */
     lag_status (*regressor)(const lag_arguments *at, double *regressor, double *inertial);
     /*
