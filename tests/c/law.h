@@ -17,7 +17,7 @@ enum { LAW_MOST = 8, LAW_ENTRIES = 48, LAW_NOTICES = 64 };
 typedef double law_row[LAW_MOST];
 
 static struct {
-    size_t n, bars, contacts, frictions, relations, variables, conditions;
+    size_t n, bars, contacts, frictions, relations, variables, timed;
     double mass[LAW_MOST], force[LAW_MOST], q[LAW_MOST], qd[LAW_MOST];
     law_row bar[LAW_MOST], gap[LAW_MOST], slip[2 * LAW_MOST], relation[LAW_MOST];
     double rest[LAW_MOST], restitution[LAW_MOST], border[LAW_MOST];
@@ -29,6 +29,8 @@ static struct {
     void (*pass)(const lag_arguments *at, double *next, double *reset, double *value); /* of clauses */
     double (*potential)(const lag_arguments *at);
     size_t resets, reset[LAW_MOST];               /* entries of (q, qd) */
+    size_t clocks, ends;                          /* ends: 1, there are entries for the start and the end */
+    double first, period;                         /* of every clock */
 } law;
 
 static lag_places law_at; /* of what was placed last */
@@ -250,11 +252,22 @@ static lag_status law_event(const lag_arguments *at, double *next, double *reset
     return LAG_OK;
 }
 
+static lag_status law_clock(const lag_arguments *at, double *first, double *period)
+{
+    (void)at;
+    for (size_t i = 0; i < law.clocks; ++i) {
+        first[i] = law.first;
+        period[i] = law.period;
+    }
+    return LAG_OK;
+}
+
 /* The entries of w by kind. */
 static size_t law_kinds(unsigned char *kinds)
 {
     const size_t counts[][2] = {{LAG_KIND_VARIABLE, law.variables}, {LAG_KIND_CONTACT, law.contacts}, {LAG_KIND_IMPACTS, law.contacts},
-        {LAG_KIND_STICKS, law.frictions}, {LAG_KIND_DIRECTION, law_slips}, {LAG_KIND_RELATION, law.relations}, {LAG_KIND_CONDITION, law.conditions}};
+        {LAG_KIND_STICKS, law.frictions}, {LAG_KIND_DIRECTION, law_slips}, {LAG_KIND_RELATION, law.relations}, {LAG_KIND_TIMED, law.timed},
+        {LAG_KIND_CLOCK, law.clocks}, {LAG_KIND_INITIAL, law.ends}, {LAG_KIND_TERMINAL, law.ends}};
     size_t count = 0;
     for (size_t k = 0; k < sizeof counts / sizeof counts[0]; ++k) {
         for (size_t i = 0; i < counts[k][1]; ++i) {
@@ -296,7 +309,7 @@ static inline lag_model law_model(void)
         .mass_matrix = law_mass, .dynamics = law_dynamics, .inverse_dynamics = law_inverse_dynamics, .residual_tangent = law_tangent,
         .energies = law.potential != NULL ? law_energies : NULL,
         .ncontact = law.contacts, .ngap = law.contacts, .nslip = law_slips, .nfriction = law.frictions, .nindicator = law.relations,
-        .nreset = law.resets, .discrete_start = law_discrete_start, .contact = law_contact, .friction = law_friction,
+        .nreset = law.resets, .nclock = law.clocks, .ntimed = law.timed, .clock = law_clock, .discrete_start = law_discrete_start, .contact = law_contact, .friction = law_friction,
         .indicator = law_indicator, .indicator_rate = law_indicator_rate, .event = law_event, .kinds = kinds, .strict = ones,
         .contact_rows = rows, .friction_rows = slips, .friction_slips = law.components, .friction_contacts = law.under,
         .reset_places = law.reset,
@@ -310,6 +323,7 @@ static inline lag_model law_model(void)
 static struct {
     size_t count;
     lag_event_notice what[LAW_NOTICES];
+    double rate[LAW_NOTICES]; /* of the first coordinate, as it was told */
 } law_told;
 
 static inline lag_status law_note(void *context, lag_run *run, const lag_event_notice *notice)
@@ -317,6 +331,7 @@ static inline lag_status law_note(void *context, lag_run *run, const lag_event_n
     (void)context;
     (void)run;
     CHECK(law_told.count < LAW_NOTICES);
+    law_told.rate[law_told.count] = notice->x[law.n];
     law_told.what[law_told.count++] = *notice;
     return LAG_OK;
 }

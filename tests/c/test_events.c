@@ -1,4 +1,4 @@
-/* Zeros and clocks, the parts of events. */
+/* Tests events/clock.c: instants of clocks, counted without adding up, and events that crowd; and zeros, by which events are located. */
 #include "check.h"
 #include "lag/events/clock.h"
 #include "lag/linalg/root.h"
