@@ -1,4 +1,4 @@
-"""Each file of the hybrid core has a unit test of its rule in C. The comment at its head names the files that it tests."""
+"""Each file of the hybrid core has a unit test of its rule in C, which names it in the comment at its head."""
 
 from __future__ import annotations
 

@@ -65,11 +65,12 @@ static void a_clock_has_a_positive_period(void)
 static enum { LINE, WAVE, DIP } shape;
 
 /* The distance of the truth w from its change, and its rate. */
-static lag_status time_event(const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry, double *change)
+static lag_status time_event(
+    const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry, double *change)
 {
     const double t = at->t;
-    const double g = shape == LINE ? t - 0.3 : shape == WAVE ? sin(3.0 * t) - 0.5 : 1e-8 - (t - 4.0) * (t - 4.0);
-    const double slope = shape == LINE ? 1.0 : shape == WAVE ? 3.0 * cos(3.0 * t) : -2.0 * (t - 4.0);
+    const double g = shape == LINE ? t - 0.3 : shape == WAVE ? sin(3.0 * t) - 0.5 : 1.0 + 1e-8 - cosh(t - 4.0);
+    const double slope = shape == LINE ? 1.0 : shape == WAVE ? 3.0 * cos(3.0 * t) : -sinh(t - 4.0);
     const double sense = at->w[law_at.timed] != 0.0 ? 1.0 : -1.0;
     value[0] = g > 0.0 ? 1.0 : 0.0;
     told[0] = 1.0;
@@ -120,12 +121,13 @@ static void a_curve_is_zero_where_it_first_is(void)
     CHECK_NEAR(next_behind(1.0), pi / 18.0 + 2.0 * pi / 3.0, 1e-14);
 }
 
-/* 1e-8 - (t - 4)^2 is positive for 2e-4 s of 10 s. */
+/* 1 + 1e-8 - cosh(t - 4) is positive for 3e-4 s of 10 s; acosh(1 + h) = 2 asinh(sqrt(h/2)). */
 static void nothing_is_stepped_over_however_short_it_is(void)
 {
     shape = DIP;
-    CHECK_NEAR(next_behind(0.0), 4.0 - 1e-4, 1e-11);
-    CHECK_NEAR(next_behind(4.0), 4.0 + 1e-4, 1e-11);
+    const double half = 2.0 * asinh(sqrt(0.5e-8));
+    CHECK_NEAR(next_behind(0.0), 4.0 - half, 1e-11);
+    CHECK_NEAR(next_behind(4.0), 4.0 + half, 1e-11);
 }
 
 /* ---- notices ---- */
