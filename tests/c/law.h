@@ -12,7 +12,7 @@
 #include "check.h"
 #include "lag/run.h"
 
-enum { LAW_MOST = 8, LAW_ENTRIES = 48, LAW_NOTICES = 64 };
+enum { LAW_MOST = 8, LAW_ENTRIES = 48, LAW_NOTICES = 256 };
 
 typedef double law_row[LAW_MOST];
 
@@ -29,6 +29,7 @@ static struct {
     void (*pass)(const lag_arguments *at, double *next, double *reset, double *value); /* of clauses */
     double (*potential)(const lag_arguments *at);
     size_t resets, reset[LAW_MOST];               /* entries of (q, qd) */
+    int driven;                                   /* 1: bar 0 is a motor, whose rate is the input */
     size_t clocks, ends;                          /* ends: 1, there are entries for the start and the end */
     double first, period;                         /* of every clock */
 } law;
@@ -46,7 +47,9 @@ static lag_status law_start(const lag_arguments *at, double *q, double *qd, doub
 {
     (void)at;
     (void)z;
-    (void)u;
+    if (law.driven) {
+        u[0] = 0.0;
+    }
     memcpy(q, law.q, law.n * sizeof(double));
     memcpy(qd, law.qd, law.n * sizeof(double));
     return LAG_OK;
@@ -83,7 +86,8 @@ static size_t law_friction_of(size_t s)
 static void law_constrain(const lag_arguments *at, const double *x, int rates, double *residual, double *jacobian)
 {
     for (size_t i = 0; i < law.bars; ++i) {
-        law_put(i, 1.0, law.bar[i], x, 0.0, residual, jacobian);
+        law_put(i, 1.0, law.bar[i], x, law.driven && i == 0 && rates ? -at->u[0] : 0.0, residual, jacobian);
+        residual[i] = law.driven && i == 0 && !rates ? 0.0 : residual[i];
     }
     for (size_t i = 0; i < law.contacts; ++i) {
         law_put(law.bars + i, at->w[law_at.contact + i], law.gap[i], x, rates ? 0.0 : law.rest[i], residual, jacobian);
@@ -293,7 +297,7 @@ static inline lag_model law_model(void)
     for (size_t i = 0; i < LAW_ENTRIES; ++i) {
         slots[i] = (lag_slot){"q", "m", NULL};
         ones[i] = 1;
-        levels[i] = i < law.bars + law.contacts;
+        levels[i] = i < law.bars + law.contacts && !(law.driven && i == 0);
     }
     for (size_t i = 0; i < law.contacts; ++i) {
         rows[i] = law.bars + i;
@@ -303,7 +307,7 @@ static inline lag_model law_model(void)
     }
     const lag_model model = {
         .version = LAG_MODEL_VERSION, .size = sizeof(lag_model), .name = "Law",
-        .nq = law.n, .nw = law_discretes, .nc = law_rows, .rank = law_rows < law.n ? law_rows : law.n, .workspace = 1,
+        .nq = law.n, .nu = law.driven ? 1 : 0, .inputs = slots, .nw = law_discretes, .nc = law_rows, .rank = law_rows < law.n ? law_rows : law.n, .workspace = 1,
         .coordinates = slots, .discretes = slots, .constraints = slots, .defaults = nothing, .position_level = levels, .redundant = zeros,
         .prepare = law_prepare, .start = law_start, .position_constraint = law_position, .velocity_constraint = law_velocity,
         .mass_matrix = law_mass, .dynamics = law_dynamics, .inverse_dynamics = law_inverse_dynamics, .residual_tangent = law_tangent,

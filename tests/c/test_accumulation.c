@@ -94,6 +94,30 @@ static void a_contact_that_opens_continues_the_series_of_the_one_that_closes(voi
     free(run);
 }
 
+/*
+ * The same with corner 1 at twice the distance, z + 2 a: P = 3u/4 parts it with P (1/m - 2/I) = u/4. A unit impulse gives corner 0 a speed of
+ * 1 + 1/3, corner 1 one of 1 + 4/3, so equal energies stop 2 and sqrt(7) m/s: r = 1/4 2/sqrt(7). It comes back with -3 m g/(m + I) = -7.5.
+ */
+static void speeds_are_compared_by_the_energies_that_stop_them(void)
+{
+    static const double u = 0.2;
+    const double left = u / 15.0 / (1.0 - 0.5 / sqrt(7.0));
+    law_clear(2);
+    law.contacts = 2;
+    law.gap[0][0] = law.gap[1][0] = 1.0;
+    law.gap[0][1] = -1.0;
+    law.gap[1][1] = 2.0;
+    law.mass[1] = 3.0;
+    law.force[0] = -10.0;
+    law.qd[0] = -2.0 / 3.0 * u;
+    law.qd[1] = u / 3.0;
+    law.zeno_time = 1.001 * left;
+    const lag_model model = law_model();
+    lag_run *run = law_begin(&model, LAG_OK);
+    CHECK_NEAR(run->instants.contacts.until[0], left, 1e-10);
+    free(run);
+}
+
 /* Two balls strike at once, one bounces up to 1 s, the other is elastic: one component, and it goes on; two, and each is judged by itself. */
 static void contacts_of_other_components_do_not_count(void)
 {
@@ -124,6 +148,7 @@ int main(void)
     the_limit_is_the_same_wherever_bounces_are_left_out();
     elastic_bounces_do_not_accumulate();
     a_contact_that_opens_continues_the_series_of_the_one_that_closes();
+    speeds_are_compared_by_the_energies_that_stop_them();
     contacts_of_other_components_do_not_count();
     (void)printf("accumulation: ok\n");
     return EXIT_SUCCESS;

@@ -51,28 +51,66 @@ static void what_does_not_reach_zero_is_no_event(void)
     }
 }
 
-/* Two in one step, found the other way round than they are numbered: q - 3 > 0 at 3 s, 2 q - 2 > 0 at 1 s. */
+/* In one step, the other way round than they are numbered: q > late at `late`, 2 q > 2 and 5 q > 5 at 1 s, which is one instant. */
 static void the_first_of_several_is_found_first(void)
 {
+    static const double times[] = {3.0, 1.001, 1.0 + 1e-9};
+    static const lag_event_kind kinds[] = {LAG_BEFORE, LAG_TRUE, LAG_TRUE, LAG_AFTER, LAG_BEFORE, LAG_TRUE, LAG_AFTER};
+    for (size_t i = 0; i < sizeof times / sizeof times[0]; ++i) {
+        law_clear(1);
+        law.relations = 3;
+        law.qd[0] = law.relation[0][0] = 1.0;
+        law.relation[1][0] = 2.0;
+        law.relation[2][0] = 5.0;
+        law.border[0] = -times[i];
+        law.border[1] = -2.0;
+        law.border[2] = -5.0;
+        const lag_model model = law_model();
+        lag_run *run = law_begin(&model, LAG_OK);
+        CHECK(lag_run_to(run, 10.0, 0) == LAG_OK);
+        CHECK(law_told.count == sizeof kinds / sizeof kinds[0]);
+        for (size_t k = 0; k < law_told.count; ++k) {
+            CHECK(law_told.what[k].what == kinds[k]);
+            CHECK_NEAR(law_told.what[k].t, k < 4 ? 1.0 : times[i], 1e-14);
+        }
+        CHECK(law_told.what[1].which == 1 && law_told.what[2].which == 2 && law_told.what[5].which == 0);
+        free(run);
+    }
+}
+
+static lag_status ripple(const lag_arguments *at, double *g)
+{
+    g[0] = cos(20.0 * at->q[0]);
+    return LAG_OK;
+}
+
+static lag_status ripple_rate(const lag_arguments *at, double *rate, double *acceleration)
+{
+    rate[0] = -20.0 * at->qd[0] * sin(20.0 * at->q[0]);
+    acceleration[0] = -400.0 * at->qd[0] * at->qd[0] * cos(20.0 * at->q[0]); /* nothing accelerates */
+    return LAG_OK;
+}
+
+/* cos 20 q with q = t, which a step of any length has exactly: pieces follow the relation. It turns at (k + 1/2) pi/20, 64 times in 10 s. */
+static void pieces_of_a_step_are_as_short_as_the_guard_asks_for(void)
+{
+    size_t turns = 0;
     law_clear(1);
-    law.relations = 3;
+    law.relations = 1;
     law.qd[0] = 1.0;
-    law.relation[0][0] = 1.0;
-    law.border[0] = -3.0;
-    law.relation[1][0] = 2.0;
-    law.border[1] = -2.0;
-    law.relation[2][0] = 5.0; /* at the same time as the one before */
-    law.border[2] = -5.0;
-    const lag_model model = law_model();
+    lag_model model = law_model();
+    model.indicator = ripple;
+    model.indicator_rate = ripple_rate;
     lag_run *run = law_begin(&model, LAG_OK);
     CHECK(lag_run_to(run, 10.0, 0) == LAG_OK);
-    static const lag_event_kind kinds[] = {LAG_BEFORE, LAG_TRUE, LAG_TRUE, LAG_AFTER, LAG_BEFORE, LAG_TRUE, LAG_AFTER};
-    CHECK(law_told.count == sizeof kinds / sizeof kinds[0]);
     for (size_t k = 0; k < law_told.count; ++k) {
-        CHECK(law_told.what[k].what == kinds[k]);
-        CHECK_NEAR(law_told.what[k].t, k < 4 ? 1.0 : 3.0, 1e-14);
+        if (law_told.what[k].what == LAG_TRUE || law_told.what[k].what == LAG_FALSE) {
+            CHECK(law_told.what[k].what == (turns % 2 == 0 ? LAG_FALSE : LAG_TRUE));
+            CHECK_NEAR(law_told.what[k].t, ((double)turns + 0.5) * acos(-1.0) / 20.0, 1e-13);
+            ++turns;
+        }
     }
-    CHECK(law_told.what[1].which == 1 && law_told.what[2].which == 2 && law_told.what[5].which == 0);
+    CHECK(turns == 64);
     free(run);
 }
 
@@ -114,6 +152,43 @@ static void an_event_is_told_with_the_state_before_and_behind_it(void)
     CHECK_NEAR(law_told.rate[2], 2.5, 1e-12);
     CHECK_NEAR(law_told.what[0].t, law_told.what[2].t, 0.0);
     CHECK_NEAR(run->stepper.x[0], 0.25 * 2.5 - 5.0 * 0.0625, 1e-10);
+    free(run);
+}
+
+/* A motor stands still until 1 s, and has 4 m/s from then on. */
+static void start_motor(void *context, double t, int before, double *u)
+{
+    (void)context;
+    u[0] = t > 1.0 || (t == 1.0 && !before) ? 4.0 : 0.0;
+}
+
+/* It drives masses of 1 and 3 kg apart: a prescribed speed that jumps is a blow, in which the momentum stays: 3 and -1 m/s. */
+static void inputs_that_jump_leave_the_momenta(void)
+{
+    lag_inputs *const inputs = start_motor;
+    const lag_run_options options = {.tolerance = 1e-10, .length = 10.0, .callbacks = {.inputs = inputs, .tell = law_note}};
+    law_clear(2);
+    law.bars = 1;
+    law.driven = 1;
+    law.mass[1] = 3.0;
+    law.bar[0][0] = 1.0;
+    law.bar[0][1] = -1.0;
+    const lag_model model = law_model();
+    void *block = malloc(lag_run_size(&model, &options));
+    CHECK(block != NULL);
+    lag_run *run = lag_run_place(block, &model, &options);
+    law_told.count = 0;
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    run->motion.until = 1.0; /* the inputs of this row */
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_OK);
+    CHECK_NEAR(run->stepper.x[2], 0.0, 0.0);
+    CHECK(lag_run_jump(run) == LAG_OK);
+    CHECK_NEAR(run->stepper.x[2], 3.0, 1e-12);
+    CHECK_NEAR(run->stepper.x[3], -1.0, 1e-12);
+    CHECK_NEAR(run->stepper.x[0], 0.0, 0.0);
+    CHECK(law_told.count == 2 && law_told.what[0].what == LAG_BEFORE && law_told.what[1].what == LAG_AFTER);
+    CHECK_NEAR(law_told.rate[0], 0.0, 0.0);
+    CHECK_NEAR(law_told.rate[1], 3.0, 1e-12);
     free(run);
 }
 
@@ -162,8 +237,10 @@ int main(void)
     a_guard_that_leaves_and_returns_within_one_step_is_found();
     what_does_not_reach_zero_is_no_event();
     the_first_of_several_is_found_first();
+    pieces_of_a_step_are_as_short_as_the_guard_asks_for();
     a_zero_is_found_to_the_last_bits();
     an_event_is_told_with_the_state_before_and_behind_it();
+    inputs_that_jump_leave_the_momenta();
     a_step_ends_at_a_kink();
     (void)printf("scan: ok\n");
     return EXIT_SUCCESS;
