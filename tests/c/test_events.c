@@ -1,4 +1,4 @@
-/* Zeros and clocks, the parts of events. */
+/* Tests events/clock.c: instants of clocks, counted without adding up, and events that crowd; and zeros, by which events are located. */
 #include "check.h"
 #include "lag/events/clock.h"
 #include "lag/linalg/root.h"
@@ -79,11 +79,56 @@ static void clocks_seek(void)
     }
 }
 
+/* Round-off of the time does not move a tick: within 1e-9 of the period it is due, before and behind. */
+static void a_tick_is_due_but_for_round_off(void)
+{
+    lag_clock clock = lag_clock_of(0.0, 0.5);
+    lag_clock_enter(&clock, 1.0 + 1e-12);
+    CHECK(clock.next == 2 && lag_clock_is_due(&clock, 1.0 + 1e-12) && lag_clock_is_due(&clock, 1.0 - 1e-12));
+    CHECK(!lag_clock_is_due(&clock, 1.0 - 1e-8));
+    lag_clock_enter(&clock, 1.0 + 1e-8);
+    CHECK(clock.next == 3);
+    CHECK(lag_clocks_same(1, &clock, 1.0 + 1e-12) == 1.0 && lag_clocks_same(1, &clock, 1.25) == 1.25);
+    CHECK(lag_clocks_next(1, &clock) == 1.5 && lag_clocks_due(1, &clock, 1.5) == 0 && lag_clocks_due(1, &clock, 1.0) == 1);
+}
+
+/* So many events, each `ratio` times as long behind the one before, up to the one that is too many; all of them: none is. */
+static int until_crowded(double first, double ratio, int relations, int most)
+{
+    lag_crowd crowd = {.last = -(double)INFINITY, .interval = (double)INFINITY, .first = (double)INFINITY};
+    double t = 1.0;
+    double interval = first;
+    int count = 1;
+    while (count < most && !lag_crowds(&crowd, t, 10.0, relations)) {
+        t += interval;
+        interval *= ratio;
+        ++count;
+    }
+    return count;
+}
+
+/*
+ * Intervals of 1/2 of the one before have a sum: they crowd once 2^-k < 1e-6, k = 20, behind the first that is shorter. Equal ones have none, as
+ * long as they are no moments. Those of contacts end otherwise. A hundred at one time, or a thousand moments, are too many in any case.
+ */
+static void events_that_have_a_limit_crowd(void)
+{
+    const int halves = until_crowded(1.0, 0.5, 1, 1000);
+    CHECK(halves >= 20 && halves <= 25);
+    CHECK(until_crowded(1.0, 0.5, 0, 30) == 30);
+    CHECK(until_crowded(1e-3, 1.0, 1, 5000) == 5000);
+    CHECK(until_crowded(1e-3, 1.001, 1, 5000) == 5000);
+    CHECK(until_crowded(0.0, 1.0, 0, 1000) >= 100 && until_crowded(0.0, 1.0, 0, 1000) <= 105);
+    CHECK(until_crowded(0.9e-9, 1.0, 0, 5000) >= 1000 && until_crowded(0.9e-9, 1.0, 0, 5000) <= 1005);
+}
+
 int main(void)
 {
     roots();
     clocks_count();
     clocks_seek();
+    a_tick_is_due_but_for_round_off();
+    events_that_have_a_limit_crowd();
     (void)printf("events: ok\n");
     return EXIT_SUCCESS;
 }
