@@ -120,6 +120,36 @@ static void find_groups(lag_reserve *r)
     }
 }
 
+/* The group of a row of the constraints; zero: it shares nothing, or does not act. */
+static double group_of(const lag_reserve *r, size_t row)
+{
+    for (size_t k = 0; k < r->count; ++k) {
+        if ((size_t)r->active[k] == row) {
+            return r->group[k];
+        }
+    }
+    return 0.0;
+}
+
+/* Friction that sticks joins the group of its force with those of the forces that its limit follows. */
+static void join_groups(lag_reserve *r)
+{
+    const lag_frictions *frictions = r->frictions;
+    const lag_model *model = r->motion->model;
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        const double *gain = frictions->sticking_gain + k * model->nc;
+        for (size_t a = 0; a < lag_frictions_components(frictions, k) && *lag_frictions_sticks(frictions, k) != 0.0; ++a) {
+            for (size_t i = 0; i < model->nc; ++i) {
+                const double own = group_of(r, model->friction_rows[(size_t)frictions->first[k] + a]);
+                const double other = gain[i] != 0.0 ? group_of(r, i) : 0.0;
+                for (size_t j = 0; j < r->count && own > 0.0 && other > 0.0; ++j) {
+                    r->group[j] = r->group[j] == other ? own : r->group[j];
+                }
+            }
+        }
+    }
+}
+
 lag_status lag_reserve_look(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
@@ -138,6 +168,7 @@ lag_status lag_reserve_look(lag_reserve *r)
         return status;
     }
     find_groups(r);
+    join_groups(r);
     double groups = 0.0;
     for (size_t k = 0; k < r->count; ++k) {
         groups = fmax(groups, r->group[k]);
