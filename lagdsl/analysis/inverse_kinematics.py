@@ -190,7 +190,8 @@ def _unwound(task: _Task, found: Minimizer) -> Minimizer:
     x = nearer / task.space.sizes
     residual = task.equations(x)[0]
     size = float(np.linalg.norm(residual))
-    return Minimizer(point=x, residual=residual, size=size) if size <= max(_REACHED, (1.0 + _SAME) * found.size) else found
+    same = size <= max(_REACHED, (1.0 + _SAME) * found.size)
+    return Minimizer(point=x, residual=residual, size=size) if same else found
 
 
 def _closed(task: _Task, found: Minimizer) -> Minimizer:
