@@ -31,6 +31,7 @@ Pose = Callable[[Floats], tuple[Floats, Floats | None, Floats]]
 _TRIES = 24
 _SIZED_AT = 8
 _REACHED = 1e-9
+_SAME = 1e-9  # round-off of a place that is as far from the target as another
 
 
 @record(kw_only=True)
@@ -189,7 +190,8 @@ def _unwound(task: _Task, found: Minimizer) -> Minimizer:
     x = nearer / task.space.sizes
     residual = task.equations(x)[0]
     size = float(np.linalg.norm(residual))
-    return Minimizer(point=x, residual=residual, size=size) if size <= max(_REACHED, 2.0 * found.size) else found
+    same = size <= max(_REACHED, (1.0 + _SAME) * found.size)
+    return Minimizer(point=x, residual=residual, size=size) if same else found
 
 
 def _closed(task: _Task, found: Minimizer) -> Minimizer:
