@@ -117,6 +117,13 @@ def inputs_of(plan: Plan, index: int) -> dict[str, Signal]:
     return found
 
 
+def calls_python(plan: Plan) -> bool:
+    """True if an input of single runs is a function of Python."""
+    return any(
+        callable(signal) for axis in (*plan.axes, *plan.fixed) for each in axis.tables for signal in each.values()
+    )
+
+
 def place(plan: Plan, index: int) -> str:
     """Settings of run `index`, for people: `l = 0.1 m, theta.start = 20 deg`; what all runs share is left out."""
     chosen = settings(plan, index)

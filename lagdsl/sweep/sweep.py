@@ -19,7 +19,7 @@ from lagdsl.simulate.resolution import DEFAULT_ROWS
 from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_room, require_writer, write
 from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
-from lagdsl.sweep.plan import Plan, fingerprint, require_sound, tasks_of
+from lagdsl.sweep.plan import Plan, calls_python, fingerprint, require_sound, tasks_of
 from lagdsl.sweep.run import Options, Outcome, SweptModel
 from lagdsl.sweep.threads import in_threads
 from lagdsl.version import __version__
@@ -107,7 +107,8 @@ def _made(
         from lagdsl.sweep.cluster import on_cluster
 
         return on_cluster(work.scheduler, subjects, options, tasks, left)
-    return in_threads(subjects, options, tasks, left, cores() if work.jobs is None else work.jobs)
+    jobs = cores() if work.jobs is None else work.jobs
+    return in_threads(subjects, options, tasks, left, 1 if calls_python(plan) else jobs)
 
 
 def _watched(

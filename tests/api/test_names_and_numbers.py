@@ -55,15 +55,12 @@ def test_starts_out_of_bounds_are_told(spring: Path):
     assert "W0328" not in ran("run", spring, "--stop", "0.1", "--set", "x.start=2 m").stderr
 
 
-def test_an_input_is_varied_by_a_parameter(spring: Path):
-    """The hint of both options is followed: it leads to a sweep, not to the other option."""
-    for option in ("--set", "--input"):
-        told = ran("sweep", spring, option, "f=1, 2, 3 N")
-        assert told.exit_code == 2
-        assert "`parameter Force f_0 = 1 N;` and `input Force f = f_0;`" in told.stderr
-    text = TEXT.replace("input Force f(min = 0 N) = 0 N;", "parameter Force f_0 = 1 N; input Force f = f_0;")
-    spring.write_text(text, encoding="utf-8")
-    assert ran("sweep", spring, "--stop", "0.1", "--set", "f_0=1, 2, 3 N").exit_code == 0
+def test_an_input_is_varied_by_its_own_option(spring: Path):
+    """The hint of the other option is followed: it leads to a sweep."""
+    told = ran("sweep", spring, "--set", "f=1, 2, 3 N")
+    assert told.exit_code == 2 and "give it with --input 'f=...'" in told.stderr
+    done = ran("sweep", spring, "--stop", "0.1", "--input", "f=-1, 2, 3 N")
+    assert done.exit_code == 0 and "3 runs" in done.stdout and "W0328" in done.stderr
 
 
 def test_a_sweep_without_a_scheduler_leaves_no_journal(spring: Path, tmp_path: Path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -120,6 +121,18 @@ class TestSweep:
         np.testing.assert_allclose(tables["x"].values[..., -1], [[1.0, 2.0], [2.0, 3.0]], rtol=1e-9)
         files = pushed.sweep({}, inputs=_files(tmp_path), **SHORT)
         assert list(files["input"].values) == ["a.csv", "b.csv"] and files["x"].dims == ("input", "time")
+
+    def test_functions_are_called_by_one_thread(self, pushed: lagdsl.Model) -> None:
+        pytest.importorskip("xarray")
+        callers: set[int] = set()
+
+        def force(t: float) -> float:
+            callers.add(threading.get_ident())
+            return 6 * t
+
+        data = pushed.sweep({"m": [1.0, 2.0]}, inputs={"f": [force, lambda t: force(t) + 2]}, jobs=4, **SHORT)
+        np.testing.assert_allclose(data["x"].values[..., -1], [[1.0, 2.0], [0.5, 1.0]], rtol=1e-8)
+        assert len(callers) == 1
 
     def test_samples(self, pushed: lagdsl.Model) -> None:
         pytest.importorskip("xarray")
