@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from ctypes import addressof, byref, c_double, create_string_buffer
 from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Layout
+from lagdsl.runtime.called_along import CalledAlong
 from lagdsl.runtime.called_inputs import CalledInputs
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.engine import Floats
@@ -34,13 +36,17 @@ def _zeros(size: int) -> Floats:
 class Run(RunView):
     """Not to be used by several threads at once. The call that asked for inputs raises their exceptions.
 
-    `p` are the parameters, those that are found with the start too.
+    `p` are the parameters, those that are found with the start too. `along` makes the functions of several directions
+    of derivatives, when the run needs them.
     """
 
-    def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
+    def __init__(
+        self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
+    ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
         self._model, self.settings = model, settings
         self._inputs: CalledInputs | None = None
+        self._along = CalledAlong(along)
         self._kept: list[object] = []  # what C has the address of
         self._row_sizes = np.ones(len(layout.constraints))
         self.results = RunResults(self._library, model, layout, settings, self._kept)
@@ -83,6 +89,7 @@ class Run(RunView):
             options.callbacks.inputs = self._inputs.called
         else:
             options.u = address(inputs, self._kept)
+        options.callbacks.along = self._along.called
         options.results = addressof(self.results.structure)
         return options
 
@@ -157,6 +164,8 @@ class Run(RunView):
         return self._done(self._library.run_end(self._run))
 
     def _checked(self, status: int) -> Status:
+        if self._along.problem is not None:
+            raise self._along.problem
         if self._inputs is not None and self._inputs.problem is not None:
             raise self._inputs.problem
         if self._model.raised:

@@ -258,5 +258,5 @@ lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
         return LAG_BAD_STATE_DATA;
     }
     lag_run_record(run, &record);
-    return run->motion.at.p != NULL ? run->motion.model->prepare(&run->motion.at) : LAG_OK;
+    return run->motion.at.p != NULL ? lag_motion_prepare(&run->motion) : LAG_OK;
 }
