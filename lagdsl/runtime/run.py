@@ -45,12 +45,11 @@ class Run(RunView):
     ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
         self._model, self.settings = model, settings
-        self._inputs: CalledInputs | None = None
-        self._along = CalledAlong(along)
+        self._called: list[CalledInputs | CalledAlong] = []  # what C calls
         self._kept: list[object] = []  # what C has the address of
         self._row_sizes = np.ones(len(layout.constraints))
         self.results = RunResults(self._library, model, layout, settings, self._kept)
-        self._told = options = self._options()
+        self._told = options = self._options(along)
         options.zeroed = 1
         self._size = size = int(self._library.run_size(model.model, byref(options)))
         block = _zeros(size)
@@ -68,7 +67,7 @@ class Run(RunView):
         self.results.forget()
         return True
 
-    def _options(self) -> RunOptions:
+    def _options(self, along: Callable[[], NativeModel | None]) -> RunOptions:
         settings = self.settings
         options = shared_options(self._library, settings, self._kept)
         options.p = address(settings.p, self._kept)
@@ -83,13 +82,16 @@ class Run(RunView):
             options.u = address(inputs.u, self._kept)
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, self._library)
-            self._inputs = inputs.called
+            self._called += [inputs.called] if inputs.called is not None else []
         elif callable(inputs):
-            self._inputs = CalledInputs(inputs, range(self._layout.size(Group.U)))
-            options.callbacks.inputs = self._inputs.called
+            asked = CalledInputs(inputs, range(self._layout.size(Group.U)))
+            options.callbacks.inputs = asked.called
+            self._called.append(asked)
         else:
             options.u = address(inputs, self._kept)
-        options.callbacks.along = self._along.called
+        directions = CalledAlong(along)
+        options.callbacks.along = directions.called
+        self._called.append(directions)
         options.results = addressof(self.results.structure)
         return options
 
@@ -164,10 +166,9 @@ class Run(RunView):
         return self._done(self._library.run_end(self._run))
 
     def _checked(self, status: int) -> Status:
-        if self._along.problem is not None:
-            raise self._along.problem
-        if self._inputs is not None and self._inputs.problem is not None:
-            raise self._inputs.problem
+        for called in self._called:
+            if called.problem is not None:
+                raise called.problem
         if self._model.raised:
             raise self._model.raised.pop(0)
         return Status(status)

@@ -19,14 +19,47 @@ void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
     *stiffness = (lag_stiffness){0, 0, BACK, memory, memory + size * size};
 }
 
+/*
+ * Rows one after the other, each as the number of its entries that are not zero, their columns, and the entries, in the place of the matrix.
+ * Returns 0, and leaves it as it is, where a row would take more than n doubles. `row` (n).
+ */
+static int pack(size_t n, double *matrix, double *row)
+{
+    double *to = matrix;
+    for (size_t i = 0; i < n; ++i) {
+        size_t count = 0;
+        for (size_t j = 0; j < n; ++j) {
+            count += matrix[i * n + j] != 0.0;
+        }
+        if (2 * count + 1 > n) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; i < n; ++i) {
+        size_t count = 0;
+        memcpy(row, matrix + i * n, n * sizeof(double));
+        for (size_t j = 0; j < n; ++j) {
+            if (row[j] != 0.0) {
+                to[1 + 2 * count] = (double)j;
+                to[2 + 2 * count++] = row[j];
+            }
+        }
+        to[0] = (double)count;
+        to += 1 + 2 * count;
+    }
+    return 1;
+}
+
 /* out = matrix in */
-static void multiply(size_t n, const double *matrix, const double *in, double *out)
+static void multiply(size_t n, int packed, const double *matrix, const double *in, double *out)
 {
     for (size_t i = 0; i < n; ++i) {
         double sum = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            sum += matrix[i * n + j] * in[j];
+        const size_t count = packed ? (size_t)matrix[0] : n;
+        for (size_t k = 0; k < count; ++k) {
+            sum += packed ? matrix[2 + 2 * k] * in[(size_t)matrix[1 + 2 * k]] : matrix[k] * in[k];
         }
+        matrix += packed ? 1 + 2 * count : n;
         out[i] = sum;
     }
 }
@@ -46,12 +79,13 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *
     double *v0 = stiffness->v;
     double *v1 = v0 + n;
     double *v2 = v1 + n;
+    const int packed = pack(n, stiffness->matrix, v0);
     *decays = 0;
     for (size_t i = 0; i < n; ++i) {
         v0[i] = s->tolerance[i] * (1.0 + 0.618 * (double)(i % 5)) * (i % 2 == 0 ? 1.0 : -1.0);
     }
     for (int k = 0; k < ITERATIONS; ++k) {
-        multiply(n, stiffness->matrix, v0, v1);
+        multiply(n, packed, stiffness->matrix, v0, v1);
         const double length = sqrt(inner(s, v1, v1));
         if (!(length > 0.0) || !isfinite(length)) {
             return 0.0;
@@ -60,8 +94,8 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *
             v0[i] = v1[i] / length;
         }
     }
-    multiply(n, stiffness->matrix, v0, v1);
-    multiply(n, stiffness->matrix, v1, v2);
+    multiply(n, packed, stiffness->matrix, v0, v1);
+    multiply(n, packed, stiffness->matrix, v1, v2);
     /* lambda^2 = a lambda + b, in least squares on v2 = a v1 + b v0: one real eigenvalue or a pair */
     const double g11 = inner(s, v1, v1);
     const double g10 = inner(s, v1, v0);
