@@ -1,4 +1,4 @@
-"""Motions of many coordinates by the implicit method: matrices in a band, Jacobians along several directions at once."""
+"""Large motions by the implicit method: matrices in a band, Jacobians along several directions at once."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ model Chain "Masses between walls, one behind the other"
   end for;
   for i in 1:N + 1 loop
     potential 1/2*k*((if i > N then 0 m else x[min(i, N)]) - (if i == 1 then 0 m else x[max(i - 1, 1)]))^2;
-    dissipation 1/2*c*((if i > N then 0 m/s else der(x[min(i, N)])) - (if i == 1 then 0 m/s else der(x[max(i - 1, 1)])))^2;
+    dissipation 1/2*c
+      *((if i > N then 0 m/s else der(x[min(i, N)])) - (if i == 1 then 0 m/s else der(x[max(i - 1, 1)])))^2;
   end for;
 end Chain;
 """
@@ -47,6 +48,35 @@ def test_a_stiff_chain_moves_as_the_matrix_exponential_says(solver: str) -> None
         assert motion.statistics.solver == "radau"
         found = np.array([motion[f"x[{i}]"][-1] for i in range(1, COUNT + 1)])
         assert np.max(np.abs(found - positions(stiffness, damping, 0.5))) < 1e-6
+
+
+COUPLED = """
+model Coupled "Every mass is damped against every other: no band"
+  structural parameter Integer N = 40;
+  parameter Real c(unit = "N.s/m") = 25;
+  coordinate Length x[N](der(start = {i*(1 m/s) for i in 1:N}));
+  gravity = 0;
+  for i in 1:N loop
+    kinetic 1/2*(1 kg)*der(x[i])^2;
+    for j in 1:i - 1 loop
+      dissipation 1/2*c*(der(x[i]) - der(x[j]))^2;
+    end for;
+  end for;
+end Coupled;
+"""
+
+
+def test_auto_tries_no_matrices_that_cost_more_than_the_whole_motion() -> None:
+    """Speeds approach their mean at the rate c N. Matrices of 80 states without a band cost 600 evaluations."""
+    model = lagdsl.compile(COUPLED, engine="tape")
+    short, long = (model.simulate(stop=stop, interval=stop, solver="auto", tolerance=1e-6) for stop in (0.2, 3.0))
+    assert short.statistics.solver == "dop853"
+    assert short.statistics.jacobians == 1  # it was asked how large the matrices are
+    assert long.statistics.solver == "radau"
+    for motion, t in ((short, 0.2), (long, 3.0)):
+        speeds = np.arange(1, 41)
+        expected = speeds.mean() * t + (speeds - speeds.mean()) * -np.expm1(-1e3 * t) / 1e3
+        assert np.max(np.abs([motion[f"x[{i}]"][-1] for i in speeds] - expected)) < 1e-4
 
 
 def test_what_is_raised_while_directions_are_made_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:

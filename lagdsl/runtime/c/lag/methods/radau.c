@@ -32,7 +32,7 @@ static void begin(lag_stepper *s)
     while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
         ++level;
     }
-    *(lag_radau_memo *)(void *)s->work = (lag_radau_memo){.level = (double)level, .trust = 1.0};
+    *lag_radau_remembered(s) = (lag_radau_memo){.level = (double)level, .trust = 1.0};
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */

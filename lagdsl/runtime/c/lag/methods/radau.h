@@ -49,6 +49,7 @@ typedef struct lag_radau_memo {
     double placed;     /* 1: the order of the states is that for the Jacobian at hand */
     double ordered;    /* 1: there is an order, with this band; */
     double lower, upper;
+    double entries;    /* so many of the Jacobian are not zero */
     double banded;     /* and matrices are decomposed in it */
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
@@ -71,6 +72,8 @@ typedef struct lag_radau_places {
 } lag_radau_places;
 
 size_t lag_radau_memory(size_t size);
+/* Behind what the explicit method works in, which may be at work while matrices of this one are looked at; written before places are asked for. */
+lag_radau_memo *lag_radau_remembered(const lag_stepper *s);
 lag_radau_places lag_radau_place(const lag_stepper *s);
 
 /* Result of Newton's method. */
@@ -89,6 +92,12 @@ void lag_radau_transform(
 
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);
+
+/* This work in evaluations of the rates, by multiplications; matrices are as large as those at hand. */
+double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
+
+/* What the matrices of the first few steps from the present state on take, in the same measure. The present method need not be one of these. */
+double lag_radau_trial(lag_stepper *s);
 
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(size_t n, const lag_radau_places *at, double *x);

@@ -26,16 +26,21 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 
 size_t lag_radau_memory(size_t size)
 {
-    return MEMO + (5 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+    return lag_dop853.memory(size) + MEMO + (5 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+}
+
+lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
+{
+    return (lag_radau_memo *)(void *)(s->work + lag_dop853.memory(s->ode->size));
 }
 
 lag_radau_places lag_radau_place(const lag_stepper *s)
 {
     const size_t n = s->ode->size;
     lag_radau_places at;
-    at.memo = (lag_radau_memo *)(void *)s->work;
+    at.memo = lag_radau_remembered(s);
     at.table = &lag_radau_tables[(size_t)at.memo->level];
-    at.jacobian = s->work + MEMO;
+    at.jacobian = (double *)(void *)at.memo + MEMO;
     at.real = at.jacobian + n * n;
     at.complex = at.real + n * n;
     at.pivots = at.complex + 2 * PAIRS * n * n;

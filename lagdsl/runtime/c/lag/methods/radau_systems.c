@@ -3,6 +3,7 @@
  * (lag/elimination/band.h). The order is that of the entries that are not zero in the Jacobian at hand, so that nothing outside of the band
  * is left out.
  */
+#include <math.h>
 #include <string.h>
 
 #include "lag/elimination/band.h"
@@ -13,6 +14,10 @@
 enum { WORTH_A_BAND = 4 };
 /* Sweeps over all entries to find the order and to fill the band, as if they were multiplications. */
 enum { SWEEPS = 2 };
+/* Multiplications that an evaluation of the rates takes for each entry of its Jacobian, and directions that are followed at once. */
+enum { AN_ENTRY = 4, AT_ONCE = 4 };
+/* Decompositions of the first steps, while their length grows. */
+enum { FEW = 5 };
 
 static lag_band band_of(size_t n, const lag_radau_places *at)
 {
@@ -30,8 +35,10 @@ static int pays(const lag_band *band)
 static void find_pattern(size_t n, const lag_radau_places *at, double *pattern)
 {
     const int turns = at->memo->turning > 0.0;
+    at->memo->entries = 0.0;
     for (size_t i = 0; i < n * n; ++i) {
         pattern[i] = at->jacobian[i] != 0.0 || (turns && (at->change[i] != 0.0 || at->bend[i] != 0.0)) ? 1.0 : 0.0;
+        at->memo->entries += pattern[i];
     }
 }
 
@@ -49,6 +56,7 @@ static void find_order(size_t n, const lag_radau_places *at)
     double *place = at->order + n;
     const lag_band diagonal = {n, 0, 0};
     const int first = memo->ordered == 0.0;
+    memo->entries = (double)(n * n);
     if (!pays(&diagonal)) {
         return;
     }
@@ -148,6 +156,38 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
     }
     at->memo->decomposed = regular ? h : 0.0;
     return regular ? LAG_OK : LAG_SINGULAR;
+}
+
+double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
+{
+    const lag_radau_places at = lag_radau_place(s);
+    const double n = (double)s->ode->size;
+    const double stages = (double)at.table->stages;
+    const double matrices = 1.0 + 2.0 * (stages - 1.0); /* a product of complex numbers is four */
+    const double evaluation = AN_ENTRY * fmax(at.memo->entries, 1.0);
+    const lag_band band = band_of(s->ode->size, &at);
+    const int banded = at.memo->banded != 0.0;
+    const double decomposition = banded ? lag_band_operations(&band) : n * n * n / 3.0;
+    const double solution = banded ? n * (double)lag_band_width(&band) : n * n;
+    return (double)done->evaluations * (1.0 + matrices * solution / (stages * evaluation)) +
+        (double)done->decompositions * matrices * decomposition / evaluation + (double)done->jacobians * n / AT_ONCE;
+}
+
+double lag_radau_trial(lag_stepper *s)
+{
+    const size_t n = s->ode->size;
+    const lag_band diagonal = {n, 0, 0};
+    const lag_step_counts few = {.jacobians = 1, .decompositions = FEW};
+    *lag_radau_remembered(s) = (lag_radau_memo){.entries = (double)(n * n)};
+    const lag_radau_places at = lag_radau_place(s);
+    if (pays(&diagonal)) {
+        ++s->counts.jacobians;
+        if (s->ode->jacobian(s->ode->context, s->t, s->x, at.jacobian) != LAG_OK) {
+            return (double)INFINITY;
+        }
+        find_order(n, &at);
+    }
+    return lag_radau_effort(s, &few);
 }
 
 void lag_radau_solve_real(size_t n, const lag_radau_places *at, double *x)

@@ -134,6 +134,9 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.signs);
     RECORD(run->methods.stiffness.wait);
     RECORD(run->methods.stiffness.needed);
+    RECORD(run->methods.stiffness.t);
+    RECORD(run->methods.stiffness.before);
+    RECORD(run->methods.stiffness.progress);
     RECORD(run->crossings.pieces.span);
     RECORD(run->crossings.pieces.reach);
     RECORD(run->crossings.pieces.limit);
