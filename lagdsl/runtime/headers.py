@@ -26,6 +26,7 @@ STRUCTURES = {
     "lag_extremes": ("run/extremes", "Extremes"),
     "lag_results": ("run/results", "Results"),
     "lag_initial": ("initial", "Initial"),
+    "lag_along": ("equations/motion", "Along"),
     "lag_run_callbacks": ("run", "RunCallbacks"),
     "lag_sizes": ("model", "Sizes"),
     "lag_lasting": ("model", "Lasting"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from ctypes import addressof, byref, c_double, create_string_buffer
 from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from lagdsl.graph.operation import Group
 from lagdsl.program.program import Layout
+from lagdsl.runtime.called_along import CalledAlong
 from lagdsl.runtime.called_inputs import CalledInputs
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.engine import Floats
@@ -34,17 +36,20 @@ def _zeros(size: int) -> Floats:
 class Run(RunView):
     """Not to be used by several threads at once. The call that asked for inputs raises their exceptions.
 
-    `p` are the parameters, those that are found with the start too.
+    `p` are the parameters, those that are found with the start too. `along` makes the functions of several directions
+    of derivatives, when the run needs them.
     """
 
-    def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
+    def __init__(
+        self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
+    ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
         self._model, self.settings = model, settings
-        self._inputs: CalledInputs | None = None
+        self._called: list[CalledInputs | CalledAlong] = []  # what C calls
         self._kept: list[object] = []  # what C has the address of
         self._row_sizes = np.ones(len(layout.constraints))
         self.results = RunResults(self._library, model, layout, settings, self._kept)
-        self._told = options = self._options()
+        self._told = options = self._options(along)
         options.zeroed = 1
         self._size = size = int(self._library.run_size(model.model, byref(options)))
         block = _zeros(size)
@@ -62,7 +67,7 @@ class Run(RunView):
         self.results.forget()
         return True
 
-    def _options(self) -> RunOptions:
+    def _options(self, along: Callable[[], NativeModel | None]) -> RunOptions:
         settings = self.settings
         options = shared_options(self._library, settings, self._kept)
         options.p = address(settings.p, self._kept)
@@ -77,12 +82,16 @@ class Run(RunView):
             options.u = address(inputs.u, self._kept)
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, self._library)
-            self._inputs = inputs.called
+            self._called += [inputs.called] if inputs.called is not None else []
         elif callable(inputs):
-            self._inputs = CalledInputs(inputs, range(self._layout.size(Group.U)))
-            options.callbacks.inputs = self._inputs.called
+            asked = CalledInputs(inputs, range(self._layout.size(Group.U)))
+            options.callbacks.inputs = asked.called
+            self._called.append(asked)
         else:
             options.u = address(inputs, self._kept)
+        directions = CalledAlong(along)
+        options.callbacks.along = directions.called
+        self._called.append(directions)
         options.results = addressof(self.results.structure)
         return options
 
@@ -157,8 +166,9 @@ class Run(RunView):
         return self._done(self._library.run_end(self._run))
 
     def _checked(self, status: int) -> Status:
-        if self._inputs is not None and self._inputs.problem is not None:
-            raise self._inputs.problem
+        for called in self._called:
+            if called.problem is not None:
+                raise called.problem
         if self._model.raised:
             raise self._model.raised.pop(0)
         return Status(status)

@@ -250,12 +250,21 @@ class Initial(Structure):
     ]
 
 
+class Along(Structure):
+    """lag_along."""
+
+    _fields_ = [
+        *_all(c_void_p, "model tangents workspace memory"),
+    ]
+
+
 class RunCallbacks(Structure):
     """lag_run_callbacks."""
 
     _fields_ = [
         *_all(c_void_p, "context"),
         *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(CFUNCTYPE(None, c_void_p, c_void_p), "along"),
         *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
         *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
     ]

@@ -42,7 +42,7 @@ def placed(
     settings = settings_of(
         flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
     )
-    return Run(engine.native, engine.layout, settings)
+    return Run(engine.native, engine.layout, settings, engine.along)
 
 
 def settings_of(

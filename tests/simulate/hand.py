@@ -225,6 +225,9 @@ class Hand:
         names = [*NATIVE, *(("initial_equation",) if self.flat.initial_equations else ())]
         return Callbacks(self, "Hand", names, {"ne": len(self.flat.initial_equations)}).native()
 
+    def along(self) -> None:
+        """There are none."""
+
     def tangent(self, function, *arguments):  # type: ignore[no-untyped-def]
         """Along the directions that come last, by differences."""
         t, q, qd, z, u, w, p, qdd, lam, dq, dqd, dz, du, _, *solved = arguments

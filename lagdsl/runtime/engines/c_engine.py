@@ -76,6 +76,16 @@ class CEngine:
         """The compiled model."""
         return self._model
 
+    def along(self) -> NativeModel:
+        """A tape: that takes less time than compiling."""
+        known = self._parts.get("along")
+        if known is None:
+            from lagdsl.backends.tape.emit import tape
+            from lagdsl.runtime.engines.tape_model import load_tape
+
+            known = self._parts["along"] = load_tape(tape(self._program, parts=("tangents",)), "tangents")
+        return known
+
     # ---- one state ---------------------------------------------------------------------------------------------------
 
     def solve(

@@ -41,6 +41,11 @@ class Engine(Protocol):
         """The model as the runtime in C takes it."""
         ...
 
+    def along(self) -> NativeModel | None:
+        """The model with the functions of several directions of derivatives at once, made when first asked for; None
+        where there are none."""
+        ...
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

@@ -68,6 +68,9 @@ class NumpyEngine:
             self._native = numpy_model(self, self._program)
         return self._native
 
+    def along(self) -> None:
+        """There are none."""
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

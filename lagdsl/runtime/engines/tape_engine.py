@@ -20,6 +20,9 @@ class TapeEngine(CEngine):
     def _provide(self, part: str | None = None) -> NativeModel:
         return load_tape(self._made(part), part)
 
+    def along(self) -> NativeModel:
+        return self._part("tangents")
+
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
         return tape(self._program, parts=(part,) if part in PARTS else ())

@@ -35,6 +35,7 @@ struct lag_initial;
 typedef struct lag_run_callbacks {
     void *context;
     lag_inputs *inputs; /* null: constant inputs */
+    lag_tell_along *along; /* functions for Jacobians; asked once at most, by large models that need one */
     lag_status (*output)(void *context, lag_run *run, double t, const double *x); /* a row at one of `times` */
     lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice); /* events of models with discretes, as they happen */
 } lag_run_callbacks;

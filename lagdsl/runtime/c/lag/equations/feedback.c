@@ -6,7 +6,7 @@
 #include "lag/equations/discretes.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
-#include "lag/linalg/lu.h"
+#include "lag/elimination/lu.h"
 #include "lag/linalg/vector.h"
 
 /* Steps of Newton's method: one where loads are affine in what they depend on. */

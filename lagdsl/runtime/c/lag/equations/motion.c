@@ -37,6 +37,9 @@ size_t lag_motion_memory(const lag_model *model)
     return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model);
 }
 
+/* From so many directions on, several are followed at once: the functions for that have to be made first. */
+enum { MANY_DIRECTIONS = 64 };
+
 /* Of a state, for a difference. */
 static const double DIFFERENCE = 1e-8;
 
@@ -74,6 +77,29 @@ static lag_status jacobian_with_loads(lag_motion *motion, double t, const double
     return status;
 }
 
+/* True if there are functions of several directions for the present parameters. */
+static int is_along(lag_motion *motion)
+{
+    lag_motion_along *along = &motion->along;
+    if (along->tell == NULL || lag_motion_size(motion->model) < MANY_DIRECTIONS) {
+        return 0;
+    }
+    if (!along->asked) {
+        along->asked = 1;
+        along->tell(motion->context, &along->told);
+    }
+    if (along->told.tangents == NULL) {
+        return 0;
+    }
+    if (!along->prepared) {
+        lag_arguments at = motion->at;
+        at.context = along->told.model->context;
+        at.workspace = along->told.workspace;
+        along->prepared = along->told.model->prepare(&at) == LAG_OK;
+    }
+    return along->prepared;
+}
+
 static lag_status jacobian(void *context, double t, const double *x, double *matrix)
 {
     lag_motion *motion = context;
@@ -82,6 +108,14 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     }
     lag_motion_look(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
+    if (is_along(motion)) {
+        const lag_along *told = &motion->along.told;
+        lag_arguments at = motion->at;
+        at.context = told->model->context;
+        at.workspace = told->workspace;
+        at.kept = NULL;
+        return lag_jacobian(told->model, told->tangents, &at, state, told->memory, matrix, NULL, &motion->coordinate);
+    }
     return lag_jacobian(motion->model, NULL, &motion->at, state, motion->memory, matrix, NULL, &motion->coordinate);
 }
 
@@ -111,6 +145,12 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)
 {
     motion->at.p = p;
+    return lag_motion_prepare(motion);
+}
+
+lag_status lag_motion_prepare(lag_motion *motion)
+{
+    motion->along.prepared = 0;
     return motion->model->prepare(&motion->at);
 }
 

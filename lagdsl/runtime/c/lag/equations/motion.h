@@ -4,6 +4,7 @@
 
 #include "lag/dynamics.h"
 #include "lag/ode.h"
+#include "lag/parallel.h"
 
 /* The inputs u (nu) at time t; `before`: where one jumps then, its value before the jump is wanted. */
 typedef void lag_inputs(void *context, double t, int before, double *u);
@@ -16,6 +17,26 @@ typedef struct lag_written {
     double *sought;               /* (nc, nq) J in the problem of accelerations (lag/contacts/modes.h) */
 } lag_written;
 
+/*
+ * Functions of several directions of derivatives, with what they work in. The model may be another filling of the same equations than that
+ * of the motion.
+ */
+typedef struct lag_along {
+    const lag_model *model;
+    const lag_tangents *tangents; /* null: there are none */
+    double *workspace, *memory;   /* lag_jacobian_workspace() and lag_jacobian_memory() doubles */
+} lag_along;
+
+/* Tells them when they are needed first; what it tells must stay. */
+typedef void lag_tell_along(void *context, lag_along *told);
+
+/* How the Jacobian of a large motion is found. */
+typedef struct lag_motion_along {
+    lag_tell_along *tell; /* null: one direction after the other */
+    int asked, prepared;  /* it told; its workspace is that of the present parameters */
+    lag_along told;
+} lag_motion_along;
+
 typedef struct lag_motion {
     const lag_model *model;
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
@@ -26,7 +47,8 @@ typedef struct lag_motion {
     lag_written written;
     double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
-    void *context;       /* of inputs */
+    void *context;       /* of inputs, and of along.tell */
+    lag_motion_along along;
     const double *sizes, *row_sizes; /* (nq) (nc) natural sizes, or both null: not known */
     double until;        /* from this time on inputs are those before a jump */
     lag_ode ode;         /* the system that the methods see; its context is this structure */
@@ -47,6 +69,9 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
 
 /* Other parameters (np), which must stay: prepares the workspace. */
 lag_status lag_motion_parameters(lag_motion *motion, const double *p);
+
+/* The workspace for the parameters as they are now. */
+lag_status lag_motion_prepare(lag_motion *motion);
 
 /* The start values of the model into x, those of the inputs into u. Constraints and initial equations are not looked at. */
 lag_status lag_motion_start(lag_motion *motion, double t, double *x);

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/linalg/lu.h"
-
 static const double SAFETY = 0.9;
 static const double SHRINK = 0.2;
 static const double GROW = 8.0;
@@ -34,7 +32,7 @@ static void begin(lag_stepper *s)
     while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
         ++level;
     }
-    *(lag_radau_memo *)(void *)s->work = (lag_radau_memo){.level = (double)level, .trust = 1.0};
+    *lag_radau_remembered(s) = (lag_radau_memo){.level = (double)level, .trust = 1.0};
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
@@ -83,7 +81,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
         at->right[i] = sum / h;
         at->error[i] = s->f[i] + at->right[i];
     }
-    lag_lu_solve(n, at->real, at->pivots, at->error);
+    lag_radau_solve_real(n, at, at->error);
     const double size = lag_stepper_norm(s, at->error);
     if (size < 1.0 || !again) {
         return size;
@@ -97,7 +95,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
     for (size_t i = 0; i < n; ++i) {
         at->error[i] += at->right[i];
     }
-    lag_lu_solve(n, at->real, at->pivots, at->error);
+    lag_radau_solve_real(n, at, at->error);
     return lag_stepper_norm(s, at->error);
 }
 
@@ -144,7 +142,7 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
     for (size_t i = 0; i < n; ++i) {
         at->error[i] -= at->right[i] / h;
     }
-    lag_lu_solve(n, at->real, at->pivots, at->error);
+    lag_radau_solve_real(n, at, at->error);
     return s->method->factor * lag_stepper_norm(s, at->error);
 }
 

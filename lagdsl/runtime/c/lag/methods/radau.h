@@ -46,6 +46,11 @@ typedef struct lag_radau_memo {
     double ahead;      /* length of step along which it changes by `change`, 0: not known */
     double before;     /* length of the step that `trend` is from, 0: none */
     double wall;       /* stage equations of a step so long could not be solved, 0: none such */
+    double placed;     /* 1: the order of the states is that for the Jacobian at hand */
+    double ordered;    /* 1: there is an order, with this band; */
+    double lower, upper;
+    double entries;    /* so many of the Jacobian are not zero */
+    double banded;     /* and matrices are decomposed in it */
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
 
@@ -54,11 +59,12 @@ typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
     double *jacobian;               /* (n, n) */
-    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed */
+    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band */
     double *pivots;                 /* (1 + pairs, n) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
+    double *order;                  /* (3, n) the states in the order of the band, the places of states in it, and a vector */
     double *change;                 /* (n, n) of the Jacobian along the step */
     double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
     double *trend;                  /* (n, n) its change along the step before, by time */
@@ -66,6 +72,8 @@ typedef struct lag_radau_places {
 } lag_radau_places;
 
 size_t lag_radau_memory(size_t size);
+/* Behind what the explicit method works in, which may be at work while matrices of this one are looked at; written before places are asked for. */
+lag_radau_memo *lag_radau_remembered(const lag_stepper *s);
 lag_radau_places lag_radau_place(const lag_stepper *s);
 
 /* Result of Newton's method. */
@@ -81,6 +89,21 @@ unsigned lag_radau_iterations(unsigned stages); /* at most */
 /* out = matrix in, for as many arrays of n numbers as there are stages. */
 void lag_radau_transform(
     size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
+
+/* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
+lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);
+
+/* This work in evaluations of the rates, by multiplications; matrices are as large as those at hand. */
+double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
+
+/* What the matrices of the first few steps from the present state on take, in the same measure. The present method need not be one of these. */
+double lag_radau_trial(lag_stepper *s);
+
+/* x (n) becomes the solution of the real system for it. */
+void lag_radau_solve_real(size_t n, const lag_radau_places *at, double *x);
+
+/* out = part (change + part bend) x */
+void lag_radau_changed(size_t n, const lag_radau_places *at, double part, const double *x, double *out);
 
 /* x (stages, n) becomes the solution of the decomposed systems for it. */
 void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x);

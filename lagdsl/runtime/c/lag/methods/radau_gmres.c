@@ -30,14 +30,7 @@ static void apply(size_t n, const lag_radau_places *at, const double *v, double 
     double *product = at->basis + (MOST + 1) * STAGES * n;
     lag_radau_transform(n, stages, table->transform, v, out);
     for (size_t k = 0; k < stages; ++k) {
-        const double part = table->node[k] - 0.5;
-        for (size_t i = 0; i < n; ++i) {
-            double sum = 0.0;
-            for (size_t j = 0; j < n; ++j) {
-                sum += (at->change[i * n + j] + part * at->bend[i * n + j]) * out[k * n + j];
-            }
-            product[k * n + i] = part * sum;
-        }
+        lag_radau_changed(n, at, table->node[k] - 0.5, out + k * n, product + k * n);
     }
     lag_radau_transform(n, stages, table->inverse, product, out);
     lag_radau_decomposed(n, at, out);

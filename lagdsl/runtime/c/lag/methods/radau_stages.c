@@ -12,7 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/linalg/lu.h"
 #include "lag/methods/radau.h"
 
 /* Errors of the stage equations, as a part of the tolerance. */
@@ -27,16 +26,21 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 
 size_t lag_radau_memory(size_t size)
 {
-    return MEMO + (5 + 2 * PAIRS) * size * size + (3 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+    return lag_dop853.memory(size) + MEMO + (5 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+}
+
+lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
+{
+    return (lag_radau_memo *)(void *)(s->work + lag_dop853.memory(s->ode->size));
 }
 
 lag_radau_places lag_radau_place(const lag_stepper *s)
 {
     const size_t n = s->ode->size;
     lag_radau_places at;
-    at.memo = (lag_radau_memo *)(void *)s->work;
+    at.memo = lag_radau_remembered(s);
     at.table = &lag_radau_tables[(size_t)at.memo->level];
-    at.jacobian = s->work + MEMO;
+    at.jacobian = (double *)(void *)at.memo + MEMO;
     at.real = at.jacobian + n * n;
     at.complex = at.real + n * n;
     at.pivots = at.complex + 2 * PAIRS * n * n;
@@ -47,7 +51,8 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.right = at.dense + STAGES * n;
     at.point = at.right + STAGES * n;
     at.error = at.point + n;
-    at.change = at.error + n;
+    at.order = at.error + n;
+    at.change = at.order + 3 * n;
     at.bend = at.change + n * n;
     at.trend = at.bend + n * n;
     at.basis = at.trend + n * n;
@@ -63,7 +68,7 @@ static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, doub
 {
     ++s->counts.jacobians;
     const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
-    at->memo->decomposed = 0.0;
+    at->memo->decomposed = at->memo->placed = 0.0;
     if (status != LAG_OK) {
         s->trouble = status;
         s->trouble_time = t;
@@ -118,49 +123,6 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
     return status;
 }
 
-/* Entry i of the Jacobian that is decomposed: at the start of the step, or at its middle. */
-static double entry(const lag_radau_places *at, size_t i)
-{
-    return at->memo->turning > 0.0 ? at->jacobian[i] + 0.5 * at->change[i] - 0.25 * at->bend[i] : at->jacobian[i];
-}
-
-/* ((alpha - i beta)/h) I - J, decomposed. */
-static int decompose_pair(size_t n, const lag_radau_places *at, size_t pair, double h)
-{
-    double *matrix = at->complex + 2 * n * n * pair;
-    for (size_t i = 0; i < n * n; ++i) {
-        matrix[2 * i] = -entry(at, i);
-        matrix[2 * i + 1] = 0.0;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        matrix[2 * (i * n + i)] += at->table->alpha[pair] / h;
-        matrix[2 * (i * n + i) + 1] -= at->table->beta[pair] / h;
-    }
-    return lag_lu_complex(n, matrix, at->pivots + (1 + pair) * n);
-}
-
-/* (mu/h) I - J and the matrices of the pairs, decomposed. */
-static lag_status decompose(lag_stepper *s, const lag_radau_places *at, double h)
-{
-    const size_t n = s->ode->size;
-    if (at->memo->decomposed == h) {
-        return LAG_OK;
-    }
-    ++s->counts.decompositions;
-    for (size_t i = 0; i < n * n; ++i) {
-        at->real[i] = -entry(at, i);
-    }
-    for (size_t i = 0; i < n; ++i) {
-        at->real[i * n + i] += at->table->mu / h;
-    }
-    int regular = lag_lu(n, at->real, at->pivots);
-    for (size_t pair = 0; 2 * pair + 1 < at->table->stages && regular; ++pair) {
-        regular = decompose_pair(n, at, pair, h);
-    }
-    at->memo->decomposed = regular ? h : 0.0;
-    return regular ? LAG_OK : LAG_SINGULAR;
-}
-
 void lag_radau_transform(size_t n, size_t stages, const double matrix[STAGES][STAGES], const double *in, double *out)
 {
     for (size_t k = 0; k < stages; ++k) {
@@ -185,24 +147,6 @@ static lag_status stage_slopes(lag_stepper *s, const lag_radau_places *at, doubl
         status = lag_stepper_rates(s, s->t + at->table->node[k] * h, at->point, at->slope + k * n);
     }
     return status;
-}
-
-void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x)
-{
-    lag_lu_solve(n, at->real, at->pivots, x);
-    for (size_t pair = 0; 2 * pair + 1 < at->table->stages; ++pair) {
-        double *a = x + (2 * pair + 1) * n;
-        double *b = a + n;
-        for (size_t i = 0; i < n; ++i) {
-            at->right[2 * i] = a[i];
-            at->right[2 * i + 1] = b[i];
-        }
-        lag_lu_complex_solve(n, at->complex + 2 * n * n * pair, at->pivots + (1 + pair) * n, at->right);
-        for (size_t i = 0; i < n; ++i) {
-            a[i] = at->right[2 * i];
-            b[i] = at->right[2 * i + 1];
-        }
-    }
 }
 
 /* The slopes of the stages become the residual of the stage equations, in the coordinates w. */
@@ -300,7 +244,7 @@ lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
         if (status != LAG_OK) {
             return status;
         }
-        if (decompose(s, at, h) == LAG_OK) {
+        if (lag_radau_decompose(s, at, h) == LAG_OK) {
             *outcome = iterate(s, at, h);
         }
         if (outcome->converged || at->memo->fresh != 0.0 || at->memo->turning > 0.0) {

@@ -1,22 +1,37 @@
 #include "lag/methods/stiffness.h"
 
+#include <float.h>
 #include <math.h>
-#include <string.h>
+
+#include "lag/methods/radau.h"
 
 /* The stability region of DOP853 reaches to about -6 on the real axis; accuracy keeps h |lambda| near 1. */
 static const double BORDER = 3.5;
 /* Below this the explicit method could do steps as long as those of the implicit one. */
 static const double EASY = 2.0;
 enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
+/* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
+enum { PRODUCTS = ITERATIONS + 2 };
+/* Evaluations of an explicit step. */
+enum { EXPLICIT = 12 };
+
+/* Numbers of the matrix. */
+static size_t entries(size_t size)
+{
+    return size <= PRODUCTS ? size * size : 0;
+}
 
 size_t lag_stiffness_memory(size_t size)
 {
-    return size * size + 3 * size;
+    return entries(size) + 5 * size;
 }
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
 {
-    *stiffness = (lag_stiffness){0, 0, BACK, memory, memory + size * size};
+    *stiffness = (lag_stiffness){.needed = BACK, .matrix = memory};
+    stiffness->v = memory + entries(size);
+    stiffness->f = stiffness->v + 3 * size;
+    stiffness->point = stiffness->f + size;
 }
 
 /* out = matrix in */
@@ -40,28 +55,75 @@ static double inner(const lag_stepper *s, const double *a, const double *b)
     return sum;
 }
 
-double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *s, int *decays)
+/* What products with the Jacobian at the present state need: itself, or the rates there. */
+static lag_status prepare(const lag_stiffness *stiffness, lag_stepper *s)
+{
+    if (s->ode->size <= PRODUCTS) {
+        ++s->counts.jacobians;
+        return s->ode->jacobian(s->ode->context, s->t, s->x, stiffness->matrix);
+    }
+    ++s->counts.evaluations;
+    return s->ode->rates(s->ode->context, s->t, s->x, stiffness->f);
+}
+
+/* out = Jacobian in: of a matrix that is not formed by a difference, as long as the tolerances, or as rounding asks for. */
+static lag_status multiply_jacobian(const lag_stiffness *stiffness, lag_stepper *s, const double *in, double *out)
+{
+    const size_t n = s->ode->size;
+    if (n <= PRODUCTS) {
+        multiply(n, stiffness->matrix, in, out);
+        return LAG_OK;
+    }
+    const double by = fmax(1.0, sqrt(DBL_EPSILON) * lag_stepper_norm(s, s->x)) / lag_stepper_norm(s, in);
+    for (size_t i = 0; i < n; ++i) {
+        stiffness->point[i] = s->x[i] + by * in[i];
+    }
+    ++s->counts.evaluations;
+    const lag_status status = s->ode->rates(s->ode->context, s->t, stiffness->point, out);
+    for (size_t i = 0; i < n; ++i) {
+        out[i] = (out[i] - stiffness->f[i]) / by;
+    }
+    return status;
+}
+
+/* v0, towards the fastest eigenvector and of length 1, and its two products with the Jacobian behind it. Returns 0 where there are none. */
+static int iterate(const lag_stiffness *stiffness, lag_stepper *s)
 {
     const size_t n = s->ode->size;
     double *v0 = stiffness->v;
     double *v1 = v0 + n;
-    double *v2 = v1 + n;
-    *decays = 0;
+    lag_status status = prepare(stiffness, s);
     for (size_t i = 0; i < n; ++i) {
         v0[i] = s->tolerance[i] * (1.0 + 0.618 * (double)(i % 5)) * (i % 2 == 0 ? 1.0 : -1.0);
     }
-    for (int k = 0; k < ITERATIONS; ++k) {
-        multiply(n, stiffness->matrix, v0, v1);
+    for (int k = 0; k < ITERATIONS && status == LAG_OK; ++k) {
+        status = multiply_jacobian(stiffness, s, v0, v1);
         const double length = sqrt(inner(s, v1, v1));
         if (!(length > 0.0) || !isfinite(length)) {
-            return 0.0;
+            return 0;
         }
         for (size_t i = 0; i < n; ++i) {
             v0[i] = v1[i] / length;
         }
     }
-    multiply(n, stiffness->matrix, v0, v1);
-    multiply(n, stiffness->matrix, v1, v2);
+    status = status == LAG_OK ? multiply_jacobian(stiffness, s, v0, v1) : status;
+    return status == LAG_OK && multiply_jacobian(stiffness, s, v1, v1 + n) == LAG_OK;
+}
+
+double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int *decays)
+{
+    const size_t n = s->ode->size;
+    const double *v0 = stiffness->v;
+    const double *v1 = v0 + n;
+    const double *v2 = v1 + n;
+    const int found = iterate(stiffness, s);
+    *decays = 0;
+    if (n > PRODUCTS) {
+        (void)prepare(stiffness, s); /* the system is left at the present state */
+    }
+    if (!found) {
+        return 0.0;
+    }
     /* lambda^2 = a lambda + b, in least squares on v2 = a v1 + b v0: one real eigenvalue or a pair */
     const double g11 = inner(s, v1, v1);
     const double g10 = inner(s, v1, v0);
@@ -84,15 +146,32 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *
     return fabs(value);
 }
 
-/* h |lambda| of the exact Jacobian at the present state; 0 where it is not to be had. */
-static double exact_urge(lag_stiffness *stiffness, lag_stepper *s, double h, int *decays)
+/* Progress of the implicit method since the last question, for each evaluation's worth of work. */
+static double progress(const lag_stiffness *stiffness, const lag_stepper *s)
 {
-    ++s->counts.jacobians;
-    *decays = 0;
-    if (s->ode->jacobian(s->ode->context, s->t, s->x, stiffness->matrix) != LAG_OK) {
-        return 0.0;
-    }
-    return h * lag_stiffness_fastest(stiffness, s, decays);
+    const lag_step_counts *before = &stiffness->before;
+    const lag_step_counts done = {
+        .evaluations = s->counts.evaluations - before->evaluations,
+        .jacobians = s->counts.jacobians - before->jacobians,
+        .decompositions = s->counts.decompositions - before->decompositions,
+    };
+    return (s->t - stiffness->t) / lag_radau_effort(s, &done);
+}
+
+static void mark(lag_stiffness *stiffness, const lag_stepper *s)
+{
+    stiffness->t = s->t;
+    stiffness->before = s->counts;
+}
+
+/*
+ * Explicit steps until the implicit method is worth a trial: its matrices of a few steps take no longer than what the explicit one has done since it
+ * began, so that a trial in vain costs no more than as much again.
+ */
+static unsigned steps_to_trial(const lag_stiffness *stiffness, lag_stepper *s)
+{
+    const double spent = (double)(s->counts.evaluations - stiffness->before.evaluations);
+    return (unsigned)fmin(ceil(fmax(lag_radau_trial(s) - spent, 0.0) / EXPLICIT), PAUSE);
 }
 
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
@@ -108,18 +187,28 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
         if (stiffness->signs < SIGNS) {
             return s->method;
         }
-        const int stiff = exact_urge(stiffness, s, h, &decays) > BORDER && decays;
+        const int stiff = h * lag_stiffness_fastest(stiffness, s, &decays) > BORDER && decays;
         stiffness->signs = 0;
-        stiffness->wait = stiff ? EVERY : PAUSE;
-        return stiff ? &lag_radau : s->method;
+        stiffness->wait = stiff ? steps_to_trial(stiffness, s) : PAUSE;
+        if (stiffness->wait > 0) {
+            return s->method;
+        }
+        stiffness->wait = EVERY;
+        stiffness->progress = h / EXPLICIT;
+        mark(stiffness, s);
+        return &lag_radau;
     }
     stiffness->wait = EVERY;
-    stiffness->signs = exact_urge(stiffness, s, fmin(s->h, h), &decays) < EASY ? stiffness->signs + 1 : 0;
+    const int slow = progress(stiffness, s) < stiffness->progress;
+    mark(stiffness, s);
+    const int easy = fmin(s->h, h) * lag_stiffness_fastest(stiffness, s, &decays) < EASY;
+    stiffness->signs = easy || slow ? stiffness->signs + 1 : 0;
     if (stiffness->signs < stiffness->needed) {
         return s->method;
     }
     stiffness->signs = 0;
     stiffness->wait = 0;
     stiffness->needed *= 2;
+    mark(stiffness, s);
     return &lag_dop853;
 }

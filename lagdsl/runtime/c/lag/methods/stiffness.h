@@ -1,7 +1,10 @@
 /*
  * Is the step limited by stability instead of accuracy? The explicit method itself measures h |lambda| at every step; where that
- * stays near the border of its stability region, the exact Jacobian tells whether its fastest eigenvalue decays, so that an implicit
+ * stays near the border of its stability region, the Jacobian tells whether its fastest eigenvalue decays, so that an implicit
  * method may step over it, or oscillates, which every method has to follow.
+ *
+ * An implicit step costs more: it is tried where its matrices cost no more than the work so far, and given up where it makes less of the same work
+ * than the explicit one did. Work is counted in evaluations of the rates.
  *
  * Source of the test: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2, (2.38).
  */
@@ -14,8 +17,12 @@ typedef struct lag_stiffness {
     unsigned signs;     /* steps in a row that speak for a change */
     unsigned wait;      /* steps until the next question */
     unsigned needed;    /* signs for a change back to the explicit method; doubled by every change */
-    double *matrix;     /* (size, size) */
+    double t;           /* at the last question to the implicit method, or when the explicit one began, */
+    lag_step_counts before; /* and the work then */
+    double progress;    /* of the explicit method for each evaluation, when it was left */
+    double *matrix;     /* (size, size) the Jacobian of a small system */
     double *v;          /* (3, size) */
+    double *f, *point;  /* (size) the rates at the present state, and another state */
 } lag_stiffness;
 
 /* Doubles for states of `size` numbers. */
@@ -27,9 +34,9 @@ void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s);
 
 /*
- * The eigenvalue of the matrix that is largest in magnitude, by the power method on vectors that the tolerances of `s` scale, and
- * whether it decays noticeably (by 1/20 of its magnitude).
+ * The eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the tolerances of
+ * `s` scale, and whether it decays noticeably (by 1/20 of its magnitude); 0 where it is not to be had.
  */
-double lag_stiffness_fastest(const lag_stiffness *stiffness, const lag_stepper *s, int *decays);
+double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int *decays);
 
 #endif

@@ -119,6 +119,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->callbacks.inputs;
     run->motion.context = options->callbacks.context;
+    run->motion.along.tell = options->callbacks.along;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.fixed.length = options->h_fixed;
@@ -201,5 +202,5 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
     run->ranks.look.model = model; /* the one before need not live any longer */
     motion->at.context = model->context;
     motion->at.workspace = workspace;
-    return motion->at.p != NULL ? model->prepare(&motion->at) : LAG_OK;
+    return motion->at.p != NULL ? lag_motion_prepare(motion) : LAG_OK;
 }

@@ -134,6 +134,9 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.signs);
     RECORD(run->methods.stiffness.wait);
     RECORD(run->methods.stiffness.needed);
+    RECORD(run->methods.stiffness.t);
+    RECORD(run->methods.stiffness.before);
+    RECORD(run->methods.stiffness.progress);
     RECORD(run->crossings.pieces.span);
     RECORD(run->crossings.pieces.reach);
     RECORD(run->crossings.pieces.limit);
@@ -258,5 +261,5 @@ lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
         return LAG_BAD_STATE_DATA;
     }
     lag_run_record(run, &record);
-    return run->motion.at.p != NULL ? run->motion.model->prepare(&run->motion.at) : LAG_OK;
+    return run->motion.at.p != NULL ? lag_motion_prepare(&run->motion) : LAG_OK;
 }

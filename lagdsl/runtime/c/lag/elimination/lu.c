@@ -1,7 +1,9 @@
 /* Source: Golub and Van Loan, Matrix Computations, 4th ed., algorithm 3.4.1 (outer products, partial pivoting). */
-#include "lag/linalg/lu.h"
+#include "lag/elimination/lu.h"
 
 #include <math.h>
+
+#include "lag/elimination/complex.h"
 
 static void swap_rows(size_t width, double *a, size_t i, size_t j)
 {
@@ -53,47 +55,25 @@ void lag_lu_solve(size_t n, const double *a, const double *pivot, double *x)
     }
 }
 
-static double size_of(const double *z)
-{
-    return fabs(z[0]) + fabs(z[1]);
-}
-
-/* z / w; the parts of w are not so far apart that squares could overflow. */
-static void divide(const double *z, const double *w, double *quotient)
-{
-    const double length = w[0] * w[0] + w[1] * w[1];
-    const double re = (z[0] * w[0] + z[1] * w[1]) / length;
-    quotient[1] = (z[1] * w[0] - z[0] * w[1]) / length;
-    quotient[0] = re;
-}
-
-/* z -= v w */
-static void subtract_product(double *z, const double *v, const double *w)
-{
-    const double re = v[0] * w[0] - v[1] * w[1];
-    z[1] -= v[0] * w[1] + v[1] * w[0];
-    z[0] -= re;
-}
-
 int lag_lu_complex(size_t n, double *a, double *pivot)
 {
     const size_t width = 2 * n;
     for (size_t k = 0; k < n; ++k) {
         size_t best = k;
         for (size_t i = k + 1; i < n; ++i) {
-            best = size_of(a + i * width + 2 * k) > size_of(a + best * width + 2 * k) ? i : best;
+            best = lag_complex_size(a + i * width + 2 * k) > lag_complex_size(a + best * width + 2 * k) ? i : best;
         }
         swap_rows(width, a, k, best);
         pivot[k] = (double)best;
         const double *diagonal = a + k * width + 2 * k;
-        if (!(size_of(diagonal) > 0.0)) {
+        if (!(lag_complex_size(diagonal) > 0.0)) {
             return 0;
         }
         for (size_t i = k + 1; i < n; ++i) {
             double *part = a + i * width + 2 * k;
-            divide(part, diagonal, part);
-            for (size_t j = k + 1; j < n && size_of(part) != 0.0; ++j) {
-                subtract_product(a + i * width + 2 * j, part, a + k * width + 2 * j);
+            lag_complex_divide(part, diagonal, part);
+            for (size_t j = k + 1; j < n && lag_complex_size(part) != 0.0; ++j) {
+                lag_complex_subtract_product(a + i * width + 2 * j, part, a + k * width + 2 * j);
             }
         }
     }
@@ -108,13 +88,13 @@ void lag_lu_complex_solve(size_t n, const double *a, const double *pivot, double
     }
     for (size_t i = 0; i < n; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            subtract_product(x + 2 * i, a + i * width + 2 * j, x + 2 * j);
+            lag_complex_subtract_product(x + 2 * i, a + i * width + 2 * j, x + 2 * j);
         }
     }
     for (size_t i = n; i-- > 0;) {
         for (size_t j = i + 1; j < n; ++j) {
-            subtract_product(x + 2 * i, a + i * width + 2 * j, x + 2 * j);
+            lag_complex_subtract_product(x + 2 * i, a + i * width + 2 * j, x + 2 * j);
         }
-        divide(x + 2 * i, a + i * width + 2 * i, x + 2 * i);
+        lag_complex_divide(x + 2 * i, a + i * width + 2 * i, x + 2 * i);
     }
 }

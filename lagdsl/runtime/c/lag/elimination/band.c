@@ -1,0 +1,150 @@
+/* Source: Golub and Van Loan, Matrix Computations, 4th ed., section 4.3.3 (band Gaussian elimination with partial pivoting). */
+#include "lag/elimination/band.h"
+
+#include <math.h>
+
+#include "lag/elimination/complex.h"
+
+lag_band lag_band_of(size_t n, const double *a, const double *order, double *place)
+{
+    lag_band band = {n, 0, 0};
+    for (size_t k = 0; k < n; ++k) {
+        place[(size_t)order[k]] = (double)k;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const size_t row = (size_t)place[i];
+        for (size_t j = 0; j < n; ++j) {
+            if (a[i * n + j] != 0.0) {
+                const size_t column = (size_t)place[j];
+                const size_t below = row > column ? row - column : 0;
+                const size_t above = column > row ? column - row : 0;
+                band.lower = below > band.lower ? below : band.lower;
+                band.upper = above > band.upper ? above : band.upper;
+            }
+        }
+    }
+    return band;
+}
+
+double lag_band_operations(const lag_band *band)
+{
+    return (double)band->n * (double)band->lower * (double)(band->lower + band->upper + 1);
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Behind the last row and the last column that elimination of column k reaches. */
+static size_t rows_end(const lag_band *band, size_t k)
+{
+    return least(k + band->lower + 1, band->n);
+}
+
+static size_t columns_end(const lag_band *band, size_t k)
+{
+    return least(k + band->lower + band->upper + 1, band->n);
+}
+
+static void exchange(double *a, double *b, size_t first, size_t end)
+{
+    for (size_t j = first; j < end && a != b; ++j) {
+        const double kept = a[j];
+        a[j] = b[j];
+        b[j] = kept;
+    }
+}
+
+int lag_band_lu(const lag_band *band, double *a, double *pivot)
+{
+    for (size_t k = 0; k < band->n; ++k) {
+        const size_t end = columns_end(band, k);
+        double *row = lag_band_row(band, a, k);
+        size_t best = k;
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            best = fabs(lag_band_row(band, a, i)[k]) > fabs(lag_band_row(band, a, best)[k]) ? i : best;
+        }
+        exchange(row, lag_band_row(band, a, best), k, end);
+        pivot[k] = (double)best;
+        if (!(fabs(row[k]) > 0.0)) {
+            return 0;
+        }
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            double *other = lag_band_row(band, a, i);
+            const double part = other[k] / row[k];
+            other[k] = part;
+            for (size_t j = k + 1; j < end && part != 0.0; ++j) {
+                other[j] -= part * row[j];
+            }
+        }
+    }
+    return 1;
+}
+
+void lag_band_solve(const lag_band *band, double *a, const double *pivot, double *x)
+{
+    for (size_t k = 0; k < band->n; ++k) {
+        exchange(x + k, x + (size_t)pivot[k], 0, 1);
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            x[i] -= lag_band_row(band, a, i)[k] * x[k];
+        }
+    }
+    for (size_t i = band->n; i-- > 0;) {
+        const double *row = lag_band_row(band, a, i);
+        for (size_t j = i + 1; j < columns_end(band, i); ++j) {
+            x[i] -= row[j] * x[j];
+        }
+        x[i] /= row[i];
+    }
+}
+
+/* Row i of numbers of two doubles each, so that entry (i, j) is at 2 j. */
+static double *row_of_pairs(const lag_band *band, double *a, size_t i)
+{
+    return a + 2 * (band->lower + i * (lag_band_width(band) - 1));
+}
+
+int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
+{
+    for (size_t k = 0; k < band->n; ++k) {
+        const size_t end = columns_end(band, k);
+        double *row = row_of_pairs(band, a, k);
+        size_t best = k;
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            const double size = lag_complex_size(row_of_pairs(band, a, i) + 2 * k);
+            best = size > lag_complex_size(row_of_pairs(band, a, best) + 2 * k) ? i : best;
+        }
+        exchange(row, row_of_pairs(band, a, best), 2 * k, 2 * end);
+        pivot[k] = (double)best;
+        if (!(lag_complex_size(row + 2 * k) > 0.0)) {
+            return 0;
+        }
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            double *other = row_of_pairs(band, a, i);
+            double *part = other + 2 * k;
+            lag_complex_divide(part, row + 2 * k, part);
+            for (size_t j = k + 1; j < end && lag_complex_size(part) != 0.0; ++j) {
+                lag_complex_subtract_product(other + 2 * j, part, row + 2 * j);
+            }
+        }
+    }
+    return 1;
+}
+
+void lag_band_solve_complex(const lag_band *band, double *a, const double *pivot, double *x)
+{
+    for (size_t k = 0; k < band->n; ++k) {
+        exchange(x + 2 * k, x + 2 * (size_t)pivot[k], 0, 2);
+        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
+            lag_complex_subtract_product(x + 2 * i, row_of_pairs(band, a, i) + 2 * k, x + 2 * k);
+        }
+    }
+    for (size_t i = band->n; i-- > 0;) {
+        const double *row = row_of_pairs(band, a, i);
+        for (size_t j = i + 1; j < columns_end(band, i); ++j) {
+            lag_complex_subtract_product(x + 2 * i, row + 2 * j, x + 2 * j);
+        }
+        lag_complex_divide(x + 2 * i, row + 2 * i, x + 2 * i);
+    }
+}
