@@ -29,7 +29,7 @@ static void bounces_end_at_the_limit_of_their_series(void)
         lag_run *run = ball(&model, e, 1.001 * left);
         CHECK(run->motion.w[law_at.contact] == 1.0); /* it is held */
         CHECK_NEAR(run->instants.contacts.until[0], left, 1e-12 * left);
-        CHECK_NEAR(lag_contacts_next(&run->instants.contacts), left, 1e-12 * left);
+        CHECK_NEAR(lag_contacts_end_of_bounces(&run->instants.contacts), left, 1e-12 * left);
         CHECK(law_count(LAG_CLOSED, &closed) == 0); /* but not told yet */
         CHECK(lag_run_to(run, 9.5, 0) == LAG_OK);
         CHECK(law_count(LAG_CLOSED, &closed) == 1 && law_count(LAG_IMPACT, &closed) == 1);

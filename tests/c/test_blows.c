@@ -27,13 +27,13 @@ static void a_bar_that_takes_hold_keeps_the_momentum(void)
     law.bar[0][1] = -1.0;
     lag_run *run = of(&model);
     lag_impulse *impulse = &run->instants.impulse;
-    CHECK(lag_impulse_keep(impulse, 0.0, x, run->motion.w) == LAG_OK);
+    CHECK(lag_impulse_keep_momenta(impulse, 0.0, x, run->motion.w) == LAG_OK);
     CHECK(lag_impulse_balance(impulse, 0.0, x, NULL, &jumped) == LAG_OK && jumped);
     CHECK_NEAR(x[2], 1.0, 1e-14);
     CHECK_NEAR(x[3], 1.0, 1e-14);
     CHECK_NEAR(x[0] + x[1], 0.0, 0.0); /* positions stay */
     /* what agrees with the bar stays to the bit */
-    CHECK(lag_impulse_keep(impulse, 0.0, x, run->motion.w) == LAG_OK);
+    CHECK(lag_impulse_keep_momenta(impulse, 0.0, x, run->motion.w) == LAG_OK);
     CHECK(lag_impulse_balance(impulse, 0.0, x, NULL, &jumped) == LAG_OK && !jumped);
     /* a unit impulse on the first moves both: 1/(m1 + m2) */
     CHECK(lag_impulse_respond(impulse, unit, change) == LAG_OK);
@@ -78,7 +78,7 @@ static void without_friction_a_gap_parts_with_e_of_its_approach(void)
     lag_run *run = of_particle(&model);
     lag_inequalities *rows = &run->instants.contacts.blows.rows;
     set_blow(rows, x, 0.75, 0.0);
-    CHECK(lag_impulse_strike(&run->instants.impulse, 0.0, x, rows) == LAG_OK);
+    CHECK(lag_impulse_impact(&run->instants.impulse, 0.0, x, rows) == LAG_OK);
     CHECK_NEAR(x[2], 1.5, 1e-14);
     CHECK_NEAR(x[3], 3.0, 0.0);
     CHECK_NEAR(rows->force[0], 3.5, 1e-14);
@@ -97,7 +97,7 @@ static void with_friction_poisson_returns_e_of_the_impulse(void)
     lag_run *run = of_particle(&model);
     lag_inequalities *rows = &run->instants.contacts.blows.rows;
     set_blow(rows, x, 0.5, 0.5);
-    CHECK(lag_impulse_strike(&run->instants.impulse, 0.0, x, rows) == LAG_OK);
+    CHECK(lag_impulse_impact(&run->instants.impulse, 0.0, x, rows) == LAG_OK);
     CHECK_NEAR(x[2], 0.35, 1e-13);
     CHECK_NEAR(0.5 * x[2] + x[3], 0.0, 1e-13);
     CHECK_NEAR(rows->force[0], 0.875 * 1.5, 1e-13);
@@ -147,7 +147,7 @@ static void energy_never_grows_where_different_e_meet(void)
             const size_t number = lag_inequalities_add_friction(rows, 3, 1, row[2 + i], speed);
             rows->coefficients[number * 2 + i] = 1.0;
         }
-        if (lag_impulse_strike(&run->instants.impulse, 0.0, x, rows) != LAG_OK) {
+        if (lag_impulse_impact(&run->instants.impulse, 0.0, x, rows) != LAG_OK) {
             continue;
         }
         for (size_t j = 0; j < 3; ++j) {

@@ -28,7 +28,7 @@ static void look(lag_run *run, double along, double aside)
     run->stepper.x[4] = along;
     run->stepper.x[5] = aside;
     CHECK(lag_motion_solve(&run->motion, 0.0, run->stepper.x) == LAG_OK);
-    CHECK(lag_frictions_look(frictions) == LAG_OK);
+    CHECK(lag_frictions_evaluate(frictions) == LAG_OK);
 }
 
 /* ---- one component ---- */
@@ -41,7 +41,7 @@ static void sticking_leaves_what_the_limit_has_beyond_the_force(void)
     CHECK(*lag_frictions_sticks(frictions, 0) == 1.0);
     CHECK_NEAR(lag_frictions_force(frictions, 0), 2.25, 1e-14);
     CHECK_NEAR(lag_frictions_guard(frictions, 0), 0.75, 1e-14);
-    CHECK(lag_frictions_band(frictions, 0) > 0.0 && lag_frictions_band(frictions, 0) < 1e-11);
+    CHECK(lag_frictions_dead_band(frictions, 0) > 0.0 && lag_frictions_dead_band(frictions, 0) < 1e-11);
     free(run);
 }
 
@@ -57,7 +57,7 @@ static void sliding_lasts_while_the_slip_has_its_direction(void)
         CHECK_NEAR(lag_frictions_guard(frictions, 0), -0.5, 0.0);
         CHECK_NEAR(lag_frictions_speed(frictions, 0), 0.5, 0.0);
         /* zero: a part of the largest terms so far */
-        CHECK(lag_frictions_slow(frictions, 0) > 0.0 && lag_frictions_slow(frictions, 0) < 4.0 * 1e-11);
+        CHECK(lag_frictions_speed_band(frictions, 0) > 0.0 && lag_frictions_speed_band(frictions, 0) < 4.0 * 1e-11);
         free(run);
     }
 }

@@ -27,7 +27,7 @@ static lag_run *begin(lag_model *model, double q0, double q1)
 static lag_status look(lag_run *run, double q0, double q1)
 {
     const double x[6] = {q0, q1};
-    return lag_zero_crossing_look(&run->crossings, 0.0, x);
+    return lag_zero_crossing_detect(&run->crossings, 0.0, x);
 }
 
 /* A relation in the sense of its truth, a gap or a force, a reserve of 3 - 1. */

@@ -92,13 +92,13 @@ static double next_behind(double t)
     lag_run *run = law_begin(&model, LAG_OK);
     lag_timed *timed = &run->instants.timed;
     CHECK_NEAR(timed->length, 10.0, 0.0);
-    CHECK(lag_timed_stand(timed, t) == LAG_OK && lag_timed_seek(timed, t) == LAG_OK);
+    CHECK(lag_timed_set(timed, t) == LAG_OK && lag_timed_find_next(timed, t) == LAG_OK);
     const double next = timed->next;
     const double before = run->motion.w[law_at.timed];
     if (next < 10.0) {
         CHECK(lag_timed_due(timed, next) && !lag_timed_due(timed, next - 1e-9));
         CHECK(lag_timed_change(timed, next) == LAG_OK);
-        CHECK(run->motion.w[law_at.timed] == 1.0 - before && lag_timed_told(timed));
+        CHECK(run->motion.w[law_at.timed] == 1.0 - before && lag_timed_is_reported(timed));
     }
     free(run);
     return next;

@@ -1,4 +1,4 @@
-/* A look at ranks: rows of a chain, each sharing a coordinate with the next one. */
+/* A estimate at ranks: rows of a chain, each sharing a coordinate with the next one. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,14 +27,14 @@ static void chain(double *jacobian)
     }
 }
 
-static lag_look place(const lag_model *model, double **memory)
+static lag_rank_estimate place(const lag_model *model, double **memory)
 {
-    lag_look look;
-    *memory = malloc(lag_look_memory(model) * sizeof(double));
+    lag_rank_estimate estimate;
+    *memory = malloc(lag_rank_estimate_memory(model) * sizeof(double));
     CHECK(*memory != NULL);
-    lag_look_place(&look, model, sizes, row_sizes, *memory);
-    look.lasting = lasting;
-    return look;
+    lag_rank_estimate_place(&estimate, model, sizes, row_sizes, *memory);
+    estimate.lasting = lasting;
+    return estimate;
 }
 
 static void turns_and_losses_are_seen(const lag_patterns *patterns)
@@ -42,30 +42,30 @@ static void turns_and_losses_are_seen(const lag_patterns *patterns)
     const lag_model model = model_of(patterns, ROWS);
     static double jacobian[ROWS * COLUMNS];
     double *memory = NULL;
-    lag_look look = place(&model, &memory);
+    lag_rank_estimate estimate = place(&model, &memory);
     chain(jacobian);
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
     jacobian[30 * COLUMNS + 30] = 0.7; /* a little */
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
     jacobian[30 * COLUMNS + 30] = jacobian[30 * COLUMNS + 31] = -0.7; /* all around */
-    CHECK(lag_look_turned(&look, jacobian));
-    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    CHECK(lag_rank_estimate_has_turned(&estimate, jacobian));
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_ATTENTION);
     chain(jacobian);
-    CHECK(!lag_look_turned(&look, jacobian));
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
-    look.rank = 0; /* nothing to compare with */
+    CHECK(!lag_rank_estimate_has_turned(&estimate, jacobian));
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
+    estimate.rank = 0; /* nothing to compare with */
     for (size_t j = 0; j < COLUMNS; ++j) {
         jacobian[12 * COLUMNS + j] *= 0.5;
     }
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
-    look.rank = 0;
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
+    estimate.rank = 0;
     for (size_t j = 0; j < COLUMNS; ++j) { /* hardly a row any more */
         jacobian[12 * COLUMNS + j] *= 0.1;
     }
-    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
-    CHECK(look.margin > 0.0 && look.margin < 0.05);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_ATTENTION);
+    CHECK(estimate.margin > 0.0 && estimate.margin < 0.05);
     memset(jacobian + 12 * COLUMNS, 0, COLUMNS * sizeof(double));
-    CHECK(lag_look_margin(&look, jacobian) == 0.0);
+    CHECK(lag_rank_estimate_margin(&estimate, jacobian) == 0.0);
     free(memory);
 }
 
@@ -75,13 +75,13 @@ static void rows_that_follow_are_found(void)
     const lag_model model = model_of(NULL, ROWS - 1);
     static double jacobian[ROWS * COLUMNS];
     double *memory = NULL;
-    lag_look look = place(&model, &memory);
+    lag_rank_estimate estimate = place(&model, &memory);
     chain(jacobian);
     memcpy(jacobian + 41 * COLUMNS, jacobian + 40 * COLUMNS, COLUMNS * sizeof(double));
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
     memcpy(jacobian + 11 * COLUMNS, jacobian + 10 * COLUMNS, COLUMNS * sizeof(double));
-    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_ATTENTION);
     free(memory);
 }
 
@@ -91,12 +91,12 @@ static void rows_that_go_are_left_out(void)
     const lag_model model = model_of(&PATTERNS, ROWS);
     static double jacobian[ROWS * COLUMNS];
     double *memory = NULL;
-    lag_look look = place(&model, &memory);
+    lag_rank_estimate estimate = place(&model, &memory);
     lasting[7] = 0.0;
     chain(jacobian);
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
     memset(jacobian + 7 * COLUMNS, 0, COLUMNS * sizeof(double));
-    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
     lasting[7] = 1.0;
     free(memory);
 }

@@ -103,9 +103,9 @@ static void the_balance_has_a_root_on_either_side(void)
     r->gradient[0] = r->gradient[1] = 1.0;
     CHECK(lag_refraction_energy(r, 0.0, x, &side.energy, &size) == LAG_OK);
     CHECK_NEAR(side.energy, 4.0, 1e-14);
-    CHECK(lag_impulse_keep(r->impulse, 0.0, x, run->motion.w) == LAG_OK);
+    CHECK(lag_impulse_keep_momenta(r->impulse, 0.0, x, run->motion.w) == LAG_OK);
     memcpy(r->before, r->impulse->before, 2 * sizeof(double));
-    CHECK(lag_impulse_look(r->impulse, 0.0, x) == LAG_OK);
+    CHECK(lag_impulse_evaluate(r->impulse, 0.0, x) == LAG_OK);
     CHECK(lag_refraction_find(r, 0.0, x, &side, &found) == LAG_OK && found);
     CHECK_NEAR(x[2], 2.0 - 4.8, 1e-9);
     CHECK_NEAR(x[3], 1.0 - 1.2, 1e-9);

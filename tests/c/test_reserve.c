@@ -43,8 +43,8 @@ static const double *look(lag_run *run)
 {
     lag_modes *modes = &run->instants.modes;
     CHECK(lag_motion_solve(&run->motion, run->stepper.t, run->stepper.x) == LAG_OK);
-    CHECK(lag_frictions_look(modes->frictions) == LAG_OK);
-    CHECK(lag_reserve_look(&modes->reserve) == LAG_OK);
+    CHECK(lag_frictions_evaluate(modes->frictions) == LAG_OK);
+    CHECK(lag_reserve_evaluate(&modes->reserve) == LAG_OK);
     return modes->frictions->reserve;
 }
 

@@ -156,7 +156,7 @@ static void turns_are_counted_and_saved(void)
     CHECK(lag_run_begin(other, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_load(other, bytes) == LAG_OK);
     CHECK(lag_run_to(other, 10.0, 0) == LAG_OK);
-    lag_motion_look(&other->motion, 10.0, other->stepper.x);
+    lag_motion_set_state(&other->motion, 10.0, other->stepper.x);
     CHECK(SPRING.output(&other->motion.at, outputs) == LAG_OK);
     lag_run_unwind(other, outputs);
     CHECK_NEAR(outputs[1], 30.0, 1e-7);

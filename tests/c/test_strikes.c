@@ -118,10 +118,10 @@ static void a_gap_is_not_negative_at_the_start_nor_made_so(void)
     lag_contacts *contacts = &run->instants.contacts;
     const double above[4] = {0.0, 1e6, 0.0, 0.0};
     const double below[4] = {-1e-3, 1e6, 0.0, 0.0};
-    CHECK(lag_contacts_pierced(contacts, 0.0, above, flags) == 0 && flags[0] == 0.0);
-    CHECK(lag_contacts_pierced(contacts, 0.0, below, flags) == 1 && flags[0] == 1.0);
-    CHECK(lag_contacts_apart(contacts, 0.0, below, above, run->motion.w, gap, flags) == LAG_PENETRATION && flags[0] == 1.0);
-    CHECK(lag_contacts_apart(contacts, 0.0, below, below, run->motion.w, gap, flags) == LAG_OK && flags[0] == 0.0); /* nothing has changed */
+    CHECK(lag_contacts_penetrating(contacts, 0.0, above, flags) == 0 && flags[0] == 0.0);
+    CHECK(lag_contacts_penetrating(contacts, 0.0, below, flags) == 1 && flags[0] == 1.0);
+    CHECK(lag_contacts_check_gaps(contacts, 0.0, below, above, run->motion.w, gap, flags) == LAG_PENETRATION && flags[0] == 1.0);
+    CHECK(lag_contacts_check_gaps(contacts, 0.0, below, below, run->motion.w, gap, flags) == LAG_OK && flags[0] == 0.0); /* nothing has changed */
     free(run);
 }
 
@@ -133,8 +133,8 @@ static void a_closed_contact_that_moves_apart_opens(void)
     const double rests[4] = {0.0, 1e6, 0.0, 0.0};
     const double rises[4] = {0.0, 1e6, 1e-3, 0.0};
     run->motion.w[law_at.contact] = 1.0;
-    CHECK(lag_contacts_hold(contacts, 0.0, rests) && lag_contacts_part(contacts, 0.0, rests) == LAG_OK && run->motion.w[law_at.contact] == 1.0);
-    CHECK(!lag_contacts_hold(contacts, 0.0, rises) && lag_contacts_part(contacts, 0.0, rises) == LAG_OK && run->motion.w[law_at.contact] == 0.0);
+    CHECK(lag_contacts_are_at_rest(contacts, 0.0, rests) && lag_contacts_open(contacts, 0.0, rests) == LAG_OK && run->motion.w[law_at.contact] == 1.0);
+    CHECK(!lag_contacts_are_at_rest(contacts, 0.0, rises) && lag_contacts_open(contacts, 0.0, rises) == LAG_OK && run->motion.w[law_at.contact] == 0.0);
     free(run);
 }
 
@@ -147,16 +147,16 @@ static void a_contact_is_judged_by_what_enters_its_gap(void)
     lag_run *run = ball(&model);
     lag_contacts *contacts = &run->instants.contacts;
     const double fast[4] = {0.5, 1e6, -3.0, 1e9};
-    CHECK(lag_contacts_look(contacts, 0.0, run->stepper.x) == LAG_OK);
+    CHECK(lag_contacts_evaluate_at(contacts, 0.0, run->stepper.x) == LAG_OK);
     CHECK_NEAR(lag_contacts_gap_noise(contacts, 0), 16.0 * DBL_EPSILON * 2.0, 1e-30);
-    CHECK_NEAR(lag_contacts_touch(contacts, 0), 2e-12, 1e-24);
-    CHECK_NEAR(lag_contacts_creep(contacts, 0), 2e-12 / 10.0, 1e-24); /* that in 10 s */
-    CHECK(lag_contacts_weigh(contacts, 0.0, run->stepper.x) == LAG_OK);
+    CHECK_NEAR(lag_contacts_gap_band(contacts, 0), 2e-12, 1e-24);
+    CHECK_NEAR(lag_contacts_speed_band(contacts, 0), 2e-12 / 10.0, 1e-24); /* that in 10 s */
+    CHECK(lag_contacts_find_forces(contacts, 0.0, run->stepper.x) == LAG_OK);
     CHECK_NEAR(contacts->sizes.force[0], 20.0, 1e-12);
     CHECK_NEAR(lag_contacts_force_noise(contacts, 0), 20.0 * 1e-13, 1e-24);
-    CHECK(lag_contacts_look(contacts, 0.0, fast) == LAG_OK); /* the largest so far: 2 m, 3 m/s */
+    CHECK(lag_contacts_evaluate_at(contacts, 0.0, fast) == LAG_OK); /* the largest so far: 2 m, 3 m/s */
     CHECK_NEAR(lag_contacts_gap_noise(contacts, 0), 16.0 * DBL_EPSILON * 2.0, 1e-30);
-    CHECK_NEAR(lag_contacts_creep(contacts, 0), 3e-12, 1e-24);
+    CHECK_NEAR(lag_contacts_speed_band(contacts, 0), 3e-12, 1e-24);
     free(run);
 }
 

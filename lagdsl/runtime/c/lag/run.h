@@ -120,7 +120,7 @@ typedef struct lag_run_sizes {
 
 /* Ranks of the rows of the constraints, and where the motion crosses positions at which one is lost. */
 typedef struct lag_run_ranks {
-    lag_look look;
+    lag_rank_estimate estimate;
     double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
     unsigned char *dependent; /* (nc) */
     lag_singular singular;    /* where it goes across singular positions */

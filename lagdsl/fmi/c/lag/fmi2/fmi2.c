@@ -12,7 +12,7 @@ const char *fmi2GetVersion(void)
 }
 
 /* In messages of FMI 2, # begins a reference to a variable; the text itself is an argument, so that % is nothing special. */
-static void tell(const lag_shell *shell, lag_answer answer, const char *category, const char *message)
+static void log_message(const lag_shell *shell, lag_answer answer, const char *category, const char *message)
 {
     const fmi2CallbackLogger logger = (fmi2CallbackLogger)shell->host.logger;
     if (logger == NULL) {
@@ -32,7 +32,7 @@ static void tell(const lag_shell *shell, lag_answer answer, const char *category
 
 static lag_host host_of(const fmi2CallbackFunctions *functions)
 {
-    lag_host host = {.environment = functions->componentEnvironment, .tell = tell, .logger = (void (*)(void))functions->logger};
+    lag_host host = {.environment = functions->componentEnvironment, .tell = log_message, .logger = (void (*)(void))functions->logger};
     if (functions->allocateMemory != NULL && functions->freeMemory != NULL) {
         host.allocate = functions->allocateMemory;
         host.release = functions->freeMemory;

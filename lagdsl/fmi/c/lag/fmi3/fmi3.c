@@ -8,7 +8,7 @@ const char *fmi3GetVersion(void)
     return fmi3Version;
 }
 
-static void tell(const lag_shell *shell, lag_answer answer, const char *category, const char *message)
+static void log_message(const lag_shell *shell, lag_answer answer, const char *category, const char *message)
 {
     const fmi3LogMessageCallback logger = (fmi3LogMessageCallback)shell->host.logger;
     if (logger != NULL) {
@@ -27,7 +27,7 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String in
         .kind = LAG_MODEL_EXCHANGE,
         .logging = loggingOn,
         .event_mode = 1,
-        .host = {.environment = instanceEnvironment, .tell = tell, .logger = (void (*)(void))logMessage},
+        .host = {.environment = instanceEnvironment, .tell = log_message, .logger = (void (*)(void))logMessage},
     };
     return lag_shell_create("fmi3InstantiateModelExchange", &birth);
 }
@@ -47,7 +47,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
         .event_mode = eventModeUsed,
         .early_return = earlyReturnAllowed,
         .host = {.environment = instanceEnvironment,
-            .tell = tell,
+            .tell = log_message,
             .logger = (void (*)(void))logMessage,
             .update = (void (*)(void))intermediateUpdate},
     };
@@ -86,7 +86,7 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String instanceName, fmi3Stri
         .token = instantiationToken,
         .kind = LAG_NO_KIND,
         .logging = loggingOn,
-        .host = {.environment = instanceEnvironment, .tell = tell, .logger = (void (*)(void))logMessage},
+        .host = {.environment = instanceEnvironment, .tell = log_message, .logger = (void (*)(void))logMessage},
     };
     return lag_shell_create("fmi3InstantiateScheduledExecution", &birth);
 }

@@ -87,7 +87,7 @@ static int stops_here(const lag_instance *instance, double end, int stops)
 }
 
 /* From where the run is to `end`, or to where it has to stop before; *event: event mode has something to do there. */
-static lag_status go(lag_instance *instance, double end, double far, int stops, int *event)
+static lag_status advance(lag_instance *instance, double end, double far, int stops, int *event)
 {
     lag_run *run = instance->run;
     int going = reached(run) < end;
@@ -130,7 +130,7 @@ static int needs_implicit(lag_instance *instance, double h)
 }
 
 /* Steps of one length, none longer than the option wants it. */
-static lag_status go_fixed(lag_instance *instance, double end)
+static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
 {
     lag_run *run = instance->run;
     const double begun = instance->held.t;
@@ -195,7 +195,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
         status = begin(instance, far);
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
-        status = held->step > 0.0 ? go_fixed(instance, end) : go(instance, end, far, stops, &told->event);
+        status = held->step > 0.0 ? advance_by_fixed_steps(instance, end) : advance(instance, end, far, stops, &told->event);
         if (status == LAG_OK && !told->event && held->t == end && end + LAG_SAME_TICK * h >= held->stop) {
             status = end_at_the_stop(instance);
         }

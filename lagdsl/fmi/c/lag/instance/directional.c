@@ -147,7 +147,7 @@ static lag_status follow_parameters(lag_instance *instance)
 }
 
 /* Everything is ready for what changes along the direction that stands in `derivatives`. */
-static lag_status go(lag_instance *instance)
+static lag_status find_changes(lag_instance *instance)
 {
     lag_status status = LAG_OK;
     if (instance->held.phase == LAG_PHASE_START) {
@@ -271,9 +271,9 @@ static int has(const lag_instance *instance, int pulled, const lag_known *unknow
 }
 
 /* Everything is ready for what changes along a direction, of one kind. */
-static lag_status aim(lag_instance *instance, int pulled, const lag_known *known, size_t knowns, const double *seed)
+static lag_status set_direction(lag_instance *instance, int pulled, const lag_known *known, size_t knowns, const double *seed)
 {
-    lag_status status = lag_instance_know(instance, pulled ? LAG_KNOWN_PULLED : LAG_KNOWN_DERIVATIVES);
+    lag_status status = lag_instance_evaluate(instance, pulled ? LAG_KNOWN_PULLED : LAG_KNOWN_DERIVATIVES);
     clear(instance);
     for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
         double *place = place_of(instance, &known[k]);
@@ -286,7 +286,7 @@ static lag_status aim(lag_instance *instance, int pulled, const lag_known *known
     if (instance->held.phase == LAG_PHASE_MOTION) {
         lag_instance_follow_direction(instance->fmu, instance->derivatives.x);
     }
-    return status == LAG_OK ? go(instance) : status;
+    return status == LAG_OK ? find_changes(instance) : status;
 }
 
 lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
@@ -298,7 +298,7 @@ lag_status lag_instance_directional(lag_instance *instance, const lag_known *unk
         if (!has(instance, pulled, unknown, unknowns)) {
             continue;
         }
-        status = aim(instance, pulled, known, knowns, seed);
+        status = set_direction(instance, pulled, known, knowns, seed);
         for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
             if (is_pulled(instance, &unknown[i]) == pulled) {
                 status = change(instance, &to, &unknown[i], &sensitivity[i]);
@@ -314,7 +314,7 @@ static lag_status add_changes(lag_instance *instance, int pulled, const lag_know
 {
     static const double one = 1.0;
     changes to = lay_out(instance);
-    lag_status status = aim(instance, pulled, known, 1, &one);
+    lag_status status = set_direction(instance, pulled, known, 1, &one);
     for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
         double value = 0.0;
         if (is_pulled(instance, &unknown[i]) == pulled) {

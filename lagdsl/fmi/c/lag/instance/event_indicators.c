@@ -75,7 +75,7 @@ int lag_instance_is_armed(const lag_instance *instance, size_t i)
 }
 
 /* The way of guard i until it leaves; negative: it has left. */
-static double room(const lag_instance *instance, size_t i)
+static double distance_to_leave(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double before = lag_zero_crossing_touches(&instance->run->crossings, i) ? dead_band(instance, i) : 0.0;
@@ -86,7 +86,7 @@ static double room(const lag_instance *instance, size_t i)
 int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
-    const int leaves = room(instance, i) < near;
+    const int leaves = distance_to_leave(instance, i) < near;
     instance->run->crossings.pieces.seen[0][i] = value_of(instance, i);
     instance->guards.latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
@@ -96,11 +96,11 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->values.g;
     const size_t count = lag_guards(instance->fmu->model);
-    lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
+    lag_status status = count > 0 ? lag_zero_crossing_detect(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         if (!is_held(instance->fmu, i)) {
-            *g++ = is_false(instance, i) ? -room(instance, i) : room(instance, i);
+            *g++ = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
         }
         if (value_of(instance, i) > instance->guards.latched[i]) {
             instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
@@ -111,7 +111,7 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
 {
-    const lag_status status = lag_instance_know(instance, LAG_KNOWN_INDICATORS);
+    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_INDICATORS);
     if (status == LAG_OK) {
         memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
     }
@@ -119,14 +119,14 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
 }
 
 /* True if guard i was armed, and the event has not changed its value. */
-static int goes_on(const lag_instance *instance, size_t i)
+static int stays_armed(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double value = value_of(instance, i);
     return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.pieces.seen[0][i]) <= sigma;
 }
 
-lag_status lag_instance_latch(lag_instance *instance)
+lag_status lag_instance_arm(lag_instance *instance)
 {
     lag_run *run = instance->run;
     const double t = instance->held.t;
@@ -136,7 +136,7 @@ lag_status lag_instance_latch(lag_instance *instance)
     }
     const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
     for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
-        if (goes_on(instance, i)) {
+        if (stays_armed(instance, i)) {
             continue;
         }
         const double behind = fmax(0.0, -value_of(instance, i)) + dead_band(instance, i);

@@ -26,7 +26,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
     if (exchanged && relations > 0) {
         lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
-    lag_status status = count > 0 ? lag_zero_crossing_look(crossings, t, instance->x) : LAG_OK;
+    lag_status status = count > 0 ? lag_zero_crossing_detect(crossings, t, instance->x) : LAG_OK;
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const int leaves = exchanged ? lag_instance_leaves(instance, i) : crossings->changed[i] != 0.0;
         const double behind = i < relations ? fmax(0.0, -crossings->value[i]) : 0.0;
@@ -115,7 +115,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
         lag_instance_note_stop(instance, status);
-        status = lag_instance_latch(instance);
+        status = lag_instance_arm(instance);
     }
     if (status == LAG_OK) {
         status = lag_run_count_turns(instance->run, held->t, instance->x);

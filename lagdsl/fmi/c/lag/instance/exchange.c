@@ -42,7 +42,7 @@ void lag_instance_states(const lag_instance *instance, double *x)
 
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
-    const lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
+    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
     if (status == LAG_OK) {
         lag_instance_gather_states(instance->fmu, instance->values.xd, xd);
     }
@@ -60,7 +60,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
 {
     lag_held *held = &instance->held;
     *events = *terminate = 0;
-    lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
+    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RESIDUALS);
     if (status == LAG_OK) {
         *events = is_off(instance);
         lag_noise_follow(&instance->run->instants.noise, instance->x);

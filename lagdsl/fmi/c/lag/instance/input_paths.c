@@ -27,7 +27,7 @@ void lag_instance_leave_inputs(lag_instance *instance)
 }
 
 /* The inputs at the present, into those of the run; 0: they are not known on the left of it, or have not been set since. */
-static int look(lag_instance *instance)
+static int read_inputs(lag_instance *instance)
 {
     const double t = instance->held.t;
     const int known = t == instance->held.left_at && t > instance->run->counts.begun;
@@ -55,7 +55,7 @@ static size_t rate_of(const lag_instance *instance, size_t i)
 }
 
 /* A jump of input i that counts as nothing. */
-static double small(const lag_instance *instance, size_t i)
+static double negligible_jump(const lag_instance *instance, size_t i)
 {
     return fmax(instance->held.tolerance, NOTHING) * size_of(instance, i);
 }
@@ -74,11 +74,11 @@ lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
     const unsigned char *follows = instance->fmu->inputs.continuous;
     const double h = instance->held.left_for;
-    const size_t count = follows != NULL && look(instance) ? instance->fmu->model->nu : 0;
+    const size_t count = follows != NULL && read_inputs(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {
         const size_t rate = rate_of(instance, i);
         const double bend = OF_RATES * h * jump_of(instance, rate) + OF_ACCELERATIONS * h * h * size_of(instance, rate_of(instance, rate));
-        if (follows[i] != 0 && jump_of(instance, i) > small(instance, i) + bend) {
+        if (follows[i] != 0 && jump_of(instance, i) > negligible_jump(instance, i) + bend) {
             return refuse(instance, i);
         }
     }
@@ -92,7 +92,7 @@ static int is_blow(const lag_instance *instance)
     for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
         const size_t rate = rate_of(instance, i);
         const double moves = OF_ACCELERATIONS * instance->held.left_for * size_of(instance, rate);
-        blow = blow || (rate < instance->fmu->model->nu && jump_of(instance, i) > small(instance, i) + moves);
+        blow = blow || (rate < instance->fmu->model->nu && jump_of(instance, i) > negligible_jump(instance, i) + moves);
     }
     return blow;
 }
@@ -100,7 +100,7 @@ static int is_blow(const lag_instance *instance)
 lag_status lag_instance_balance_inputs(lag_instance *instance)
 {
     lag_run *run = instance->run;
-    if (!look(instance) || memcmp(run->motion.u, instance->inputs.left, instance->fmu->model->nu * sizeof(double)) == 0) {
+    if (!read_inputs(instance) || memcmp(run->motion.u, instance->inputs.left, instance->fmu->model->nu * sizeof(double)) == 0) {
         return LAG_OK;
     }
     const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->inputs.left, is_blow(instance));

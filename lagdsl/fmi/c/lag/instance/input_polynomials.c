@@ -19,18 +19,18 @@ void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 }
 
 /* As lag_motion wants them. */
-static void course(void *context, double t, int before, double *u)
+static void inputs_of(void *context, double t, int before, double *u)
 {
     (void)before; /* a jump is an event */
     const lag_instance *instance = context;
     lag_instance_inputs_at(instance, t, u);
 }
 
-void lag_instance_tell_inputs(lag_instance *instance)
+void lag_instance_set_run_inputs(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
     const size_t count = instance->fmu->model->nu;
-    motion->inputs = instance->held.polynomial ? course : NULL;
+    motion->inputs = instance->held.polynomial ? inputs_of : NULL;
     motion->context = instance;
     if (count > 0) {
         lag_instance_inputs_at(instance, instance->held.t, motion->u);
@@ -76,7 +76,7 @@ void lag_instance_chain_inputs(lag_instance *instance)
         }
     }
     find_polynomials(instance);
-    lag_instance_tell_inputs(instance);
+    lag_instance_set_run_inputs(instance);
 }
 
 /* Derivative number `order` of the inputs from `first` on, at the present. */
@@ -101,7 +101,7 @@ static void set(lag_instance *instance, size_t order, size_t first, size_t count
     held->jumped = 1;
     held->initialized = 0;
     instance->values.known = 0;
-    lag_instance_tell_inputs(instance);
+    lag_instance_set_run_inputs(instance);
 }
 
 void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values)

@@ -45,7 +45,7 @@ static size_t doubles(const lag_fmu *fmu)
 }
 
 /* Remembers which `terminate` acted. */
-static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
+static lag_status record_terminate(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
     (void)run;
@@ -64,7 +64,7 @@ static lag_run_options options_of(lag_instance *instance)
     lag_run_options options = lag_instance_plan();
     options.tolerance = held->integration;
     options.p = instance->p;
-    options.callbacks = (lag_run_callbacks){.context = instance, .tell = hear};
+    options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_terminate};
     options.sizes = fmu->sizes;
     options.lasting = fmu->lasting;
     options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
@@ -150,7 +150,7 @@ void lag_instance_renew(lag_instance *instance)
     lag_derivatives_size(&instance->derivatives, instance->run->sizes.natural, instance->run->sizes.rows);
     instance->held.prepared = instance->held.initialized = 0;
     instance->values.known = 0;
-    lag_instance_tell_inputs(instance);
+    lag_instance_set_run_inputs(instance);
 }
 
 /* That of the experiment is one for `lag run`, which is the tolerance of the steps. */

@@ -161,14 +161,14 @@ void lag_instance_note_stop(lag_instance *instance, lag_status status);
 /* ---- instance_start.c ---- */
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
-lag_status lag_instance_settle(lag_instance *instance);
+lag_status lag_instance_begin_at(lag_instance *instance);
 
 /* ---- lazy_evaluation.c ---- */
 
 /* Functions know the parameters, states follow from the starts. */
 lag_status lag_instance_ready(lag_instance *instance);
 /* Lets all of these be known. */
-lag_status lag_instance_know(lag_instance *instance, unsigned what);
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned what);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 
@@ -202,7 +202,7 @@ void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count,
 /* Inputs whose derivatives are inputs, too, go as these say. */
 void lag_instance_chain_inputs(lag_instance *instance);
 /* The run knows the inputs. */
-void lag_instance_tell_inputs(lag_instance *instance);
+void lag_instance_set_run_inputs(lag_instance *instance);
 
 /* ---- input_paths.c ---- */
 
@@ -219,10 +219,10 @@ lag_status lag_instance_balance_inputs(lag_instance *instance);
 lag_status lag_instance_find_indicators(lag_instance *instance);
 /* True if guard i has been clear of its dead band since the last event. */
 int lag_instance_is_armed(const lag_instance *instance, size_t i);
-/* Event mode: true if guard i, looked at last at the present state, has left its side. */
+/* Event mode: true if guard i, evaluated last at the present state, has left its side. */
 int lag_instance_leaves(lag_instance *instance, size_t i);
 /* An event has ended at the present state: what is behind zero now is no event until it goes further. */
-lag_status lag_instance_latch(lag_instance *instance);
+lag_status lag_instance_arm(lag_instance *instance);
 
 /* ---- event_mode.c ---- */
 

@@ -36,7 +36,7 @@ static const char *name_of(size_t count, const lag_slot *slots, size_t which)
 }
 
 /* The first discrete that an event could not settle. */
-static const char *guilty(const lag_instance *instance)
+static const char *unsettled_discrete(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     size_t i = 0;
@@ -57,7 +57,7 @@ static const char *displacing(const lag_instance *instance)
             return model->resets[i];
         }
     }
-    return guilty(instance);
+    return unsettled_discrete(instance);
 }
 
 /* The first assertion that does not hold where the run looked last. */
@@ -116,15 +116,15 @@ static words words_of(const lag_instance *instance, lag_status status, char *row
     case LAG_VIOLATED:
         return (words){"", broken(instance), ""};
     case LAG_CHATTER:
-        return (words){"events of ", guilty(instance), " accumulate"};
+        return (words){"events of ", unsettled_discrete(instance), " accumulate"};
     case LAG_EVENT_ITERATION_FAILED:
-        return (words){"event iteration did not converge; still changing: ", guilty(instance), ""};
+        return (words){"event iteration did not converge; still changing: ", unsettled_discrete(instance), ""};
     case LAG_CONFLICT:
         return (words){"two clauses reset ", fault < model->nreset ? model->resets[fault] : "a state", " to different values"};
     case LAG_ASSERTION_FAILED:
         return (words){"", fault < model->nfail ? model->failures[fault] : "an assertion failed", ""};
     case LAG_PENETRATION:
-        return (words){"the gap of ", guilty(instance), " is negative"};
+        return (words){"the gap of ", unsettled_discrete(instance), " is negative"};
     case LAG_WAY_JUMP:
         return (words){"the position of a mass would jump with ", displacing(instance), ""};
     case LAG_NO_FORCES:

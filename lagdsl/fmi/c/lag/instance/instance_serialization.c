@@ -72,6 +72,6 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
     lag_motion *motion = &instance->run->motion;
     status = motion->at.p != NULL ? lag_motion_parameters(motion, motion->at.p) : LAG_OK;
     instance->values.known = 0;
-    lag_instance_tell_inputs(instance);
+    lag_instance_set_run_inputs(instance);
     return status;
 }

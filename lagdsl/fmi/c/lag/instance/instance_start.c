@@ -115,7 +115,7 @@ static lag_status find(lag_instance *instance)
         status = gather(instance);
     }
     const int exported = status == LAG_OK && as_exported(instance);
-    lag_instance_tell_inputs(instance);
+    lag_instance_set_run_inputs(instance);
     if (status != LAG_OK) {
         return lag_instance_judge(instance, status);
     }
@@ -127,7 +127,7 @@ static lag_status find(lag_instance *instance)
     return status == LAG_OK ? lag_instance_judge(instance, lag_run_move(run, instance->held.t, instance->x, 0.0)) : status;
 }
 
-lag_status lag_instance_settle(lag_instance *instance)
+lag_status lag_instance_begin_at(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
@@ -149,7 +149,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_fill(lag_guards(instance->fmu->model), 0.0, instance->guards.latched);
     lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->guards.armed);
     if (status == LAG_OK || status == LAG_STOPPED) {
-        status = lag_instance_latch(instance);
+        status = lag_instance_arm(instance);
     }
     if (status == LAG_OK) {
         status = lag_run_count_turns(instance->run, held->t, instance->x);

@@ -11,7 +11,7 @@ lag_status lag_instance_ready(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     if (held->phase == LAG_PHASE_START && !held->initialized) {
-        return lag_instance_settle(instance);
+        return lag_instance_begin_at(instance);
     }
     if (!held->prepared) {
         held->prepared = 1;
@@ -132,7 +132,7 @@ static unsigned with_accelerations(const lag_instance *instance, unsigned what)
  * Values that computing `what` invalidates: indicators need accelerations of their own, and only one kind of derivatives is
  * kept.
  */
-static unsigned lost(unsigned what)
+static unsigned invalidated_by(unsigned what)
 {
     switch (what) {
     case LAG_KNOWN_INDICATORS:
@@ -146,7 +146,7 @@ static unsigned lost(unsigned what)
     }
 }
 
-lag_status lag_instance_know(lag_instance *instance, unsigned what)
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned what)
 {
     lag_status status = lag_instance_ready(instance);
     unsigned missing = with_accelerations(instance, what) & ~instance->values.known;
@@ -154,7 +154,7 @@ lag_status lag_instance_know(lag_instance *instance, unsigned what)
         if ((missing & bit) != 0) {
             status = lag_instance_judge(instance, find(instance, bit));
             instance->values.known |= status == LAG_OK ? bit : 0;
-            instance->values.known &= ~lost(bit);
+            instance->values.known &= ~invalidated_by(bit);
             missing &= ~bit;
         }
     }

@@ -33,7 +33,7 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     if (order != 1) {
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
     }
-    lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
+    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
     memcpy(instance->scratch.point, instance->x, size * sizeof(double));
     memcpy(instance->scratch.tangent, instance->values.xd, size * sizeof(double));
     memset(values, 0, count * sizeof(double));

@@ -119,7 +119,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
     lag_status status = LAG_OK;
     if ((what & ~instance->values.known) != 0) {
-        status = lag_instance_know(instance, what);
+        status = lag_instance_evaluate(instance, what);
     } else if (follows) {
         status = lag_instance_ready(instance);
     }

@@ -29,7 +29,7 @@ static void spread(const lag_shell *shell, const uint32_t *references, size_t n,
 }
 
 /* Room that is kept: only the first calls allocate. */
-static int room(lag_shell *shell, size_t count)
+static int reserve(lag_shell *shell, size_t count)
 {
     if (count <= shell->capacity) {
         return 1;
@@ -67,7 +67,7 @@ lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *
     if (answer != LAG_ANSWER_OK || nsensitivity == 0) {
         return answer;
     }
-    if (!room(shell, unknown + known)) {
+    if (!reserve(shell, unknown + known)) {
         return LAG_ANSWER_ERROR;
     }
     spread(shell, unknowns, nunknown, shell->known);

@@ -50,7 +50,7 @@ lag_answer lag_shell_enter_initialization(lag_shell *shell)
 }
 
 /* Co-simulation without event mode: what happens at the start. */
-static lag_answer settle(lag_shell *shell)
+static lag_answer update_until_settled(lag_shell *shell)
 {
     lag_update told = {.again = 1};
     for (unsigned pass = 0; told.again && pass < MOST_PASSES; ++pass) {
@@ -84,7 +84,7 @@ lag_answer lag_shell_exit_initialization(lag_shell *shell)
     shell->now.pending = 1;
     if (shell->now.kind == LAG_CO_SIMULATION && !shell->now.event_mode) {
         shell->now.pending = 0;
-        return settle(shell);
+        return update_until_settled(shell);
     }
     return LAG_ANSWER_OK;
 }

@@ -26,7 +26,7 @@ static const struct {
 
 enum { CATEGORY_COUNT = sizeof CATEGORIES / sizeof CATEGORIES[0] };
 
-static void tell(lag_shell *shell, lag_answer answer, unsigned category, const char *format, va_list arguments)
+static void log_message(lag_shell *shell, lag_answer answer, unsigned category, const char *format, va_list arguments)
 {
     if ((shell->categories & category) == 0 || shell->host.tell == NULL) {
         return;
@@ -52,7 +52,7 @@ lag_answer lag_shell_say(lag_shell *shell, lag_answer answer, const char *format
         LAG_CATEGORY_EVENTS, LAG_CATEGORY_WARNING, LAG_CATEGORY_DISCARD, LAG_CATEGORY_ERROR, LAG_CATEGORY_FATAL};
     va_list arguments;
     va_start(arguments, format);
-    tell(shell, answer, category[answer], format, arguments);
+    log_message(shell, answer, category[answer], format, arguments);
     va_end(arguments);
     return answer;
 }
@@ -61,7 +61,7 @@ void lag_shell_note(lag_shell *shell, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    tell(shell, LAG_ANSWER_OK, LAG_CATEGORY_EVENTS, format, arguments);
+    log_message(shell, LAG_ANSWER_OK, LAG_CATEGORY_EVENTS, format, arguments);
     va_end(arguments);
 }
 

@@ -36,7 +36,7 @@ static int acceptable(lag_shell *shell, double t, double h)
 }
 
 /* True if the importer lets the step continue from here; `early`: the step may end here. */
-static int goes_on(lag_shell *shell, lag_between *between, int early, double *until)
+static int may_continue(lag_shell *shell, lag_between *between, int early, double *until)
 {
     const char *call = shell->call;
     shell->now.mode = LAG_MODE_INTERMEDIATE;
@@ -63,7 +63,7 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
         if (status != LAG_OK || told.event || told.terminate || between == NULL) {
             return status;
         }
-        if (!goes_on(shell, between, outcome->early, &until) || !(until > shell->now.time)) {
+        if (!may_continue(shell, between, outcome->early, &until) || !(until > shell->now.time)) {
             return LAG_OK;
         }
         until = fmin(until, end);

@@ -37,7 +37,7 @@ static int parts(const lag_contacts *contacts, size_t i)
 {
     const double speed = contacts->speed[i];
     const int is_captured = contacts->blows.approach[i] != 0.0 && speed < contacts->capture_speed[i];
-    return speed > fmax(lag_contacts_creep(contacts, i), REBOUND * -contacts->blows.approach[i]) && !is_captured;
+    return speed > fmax(lag_contacts_speed_band(contacts, i), REBOUND * -contacts->blows.approach[i]) && !is_captured;
 }
 
 /* A speed of contact i as the square root of twice the energy that stops it. */
@@ -50,7 +50,7 @@ static double size_of(const lag_contacts *contacts, size_t i, double speed)
  * Accelerations of the gaps of contacts flagged in `closing`, while they are open: rows of the constraints that they would be, with the
  * accelerations that there are without them.
  */
-static void fly(lag_contacts *contacts, double t, const double *x)
+static void find_return_accelerations(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
     lag_impulse *impulse = contacts->impulse;
@@ -105,7 +105,7 @@ static series series_of(const lag_contacts *contacts, size_t component)
 }
 
 /* Holds what parts with flights that are too short to follow; struck contacts are told to be closed at the limit of their series. */
-static void hold(lag_contacts *contacts, double t)
+static void hold_brief(lag_contacts *contacts, double t)
 {
     series last = {.component = SIZE_MAX};
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
@@ -123,17 +123,17 @@ static void hold(lag_contacts *contacts, double t)
     }
 }
 
-lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
     for (size_t i = 0; i < count; ++i) {
         *lag_contacts_flag(contacts, i) = contacts->blows.before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
-    lag_status status = lag_contacts_part(contacts, t, x);
+    lag_status status = lag_contacts_open(contacts, t, x);
     if (contacts->blows.struck == 0 || status != LAG_OK) {
         return status;
     }
-    status = lag_contacts_look(contacts, t, x);
+    status = lag_contacts_evaluate_at(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const int struck = contacts->blows.approach[i] != 0.0;
         const int opened = contacts->blows.before[i] != 0.0 && *lag_contacts_flag(contacts, i) == 0.0 && lag_contacts_touches(contacts, i);
@@ -143,8 +143,8 @@ lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double 
         *lag_contacts_flag(contacts, i) = struck && contacts->blows.closing[i] == 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
     if (status == LAG_OK && lag_any(count, contacts->blows.closing)) {
-        fly(contacts, t, x);
-        hold(contacts, t);
+        find_return_accelerations(contacts, t, x);
+        hold_brief(contacts, t);
     }
     return status;
 }

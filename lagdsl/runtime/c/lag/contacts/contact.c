@@ -80,15 +80,15 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     }
 }
 
-int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags)
+int lag_contacts_penetrating(lag_contacts *contacts, double t, const double *x, double *flags)
 {
     const size_t count = contacts->motion->model->ncontact;
     int any = 0;
-    if (count == 0 || lag_contacts_look(contacts, t, x) != LAG_OK) {
+    if (count == 0 || lag_contacts_evaluate_at(contacts, t, x) != LAG_OK) {
         return 0;
     }
     for (size_t i = 0; i < count; ++i) {
-        flags[i] = contacts->gap[i] < -lag_contacts_touch(contacts, i);
+        flags[i] = contacts->gap[i] < -lag_contacts_gap_band(contacts, i);
         any = any || flags[i] != 0.0;
     }
     return any;
@@ -97,15 +97,15 @@ int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, doub
 lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing)
 {
     const size_t count = contacts->motion->model->ncontact;
-    const lag_status status = count > 0 ? lag_contacts_look(contacts, t, x) : LAG_OK;
+    const lag_status status = count > 0 ? lag_contacts_evaluate_at(contacts, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const int touches = fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
-        closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
+        const int touches = fabs(contacts->gap[i]) <= lag_contacts_gap_band(contacts, i);
+        closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
     }
     return status;
 }
 
-double lag_contacts_next(const lag_contacts *contacts)
+double lag_contacts_end_of_bounces(const lag_contacts *contacts)
 {
     double next = (double)INFINITY;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
@@ -114,7 +114,7 @@ double lag_contacts_next(const lag_contacts *contacts)
     return next;
 }
 
-lag_status lag_contacts_apart(
+lag_status lag_contacts_check_gaps(
     lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced)
 {
     const size_t count = contacts->motion->model->ncontact;
@@ -122,10 +122,10 @@ lag_status lag_contacts_apart(
         return LAG_OK;
     }
     contacts->motion->at.w = before;
-    lag_status status = lag_contacts_look(contacts, t, was);
+    lag_status status = lag_contacts_evaluate_at(contacts, t, was);
     contacts->motion->at.w = contacts->motion->w;
     memcpy(gap, contacts->gap, count * sizeof(double));
-    status = status == LAG_OK ? lag_contacts_look(contacts, t, x) : status;
+    status = status == LAG_OK ? lag_contacts_evaluate_at(contacts, t, x) : status;
     if (status != LAG_OK) {
         return status;
     }

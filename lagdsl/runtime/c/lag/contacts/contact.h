@@ -16,7 +16,7 @@ struct lag_frictions;
 typedef struct lag_contact_sizes {
     double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
     double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
-    double *scale, *pace;    /* (ncontact) length and speed of each, at the state looked at last */
+    double *scale, *pace;    /* (ncontact) length and speed of each, at the state evaluated last */
     double *force;           /* (ncontact) the largest that each had to carry, about */
 } lag_contact_sizes;
 
@@ -46,7 +46,7 @@ typedef struct lag_contacts {
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
     const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
     double *until;           /* (ncontact) bounces that were too short to follow last up to then; infinite: there are none */
-    double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state looked at last */
+    double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state evaluated last */
     double *restitution, *capture_speed, *zeno_time;   /* (ncontact) */
     double *forces;          /* (nq) magnitudes of generalized forces */
     double *work;            /* (4 nq) */
@@ -65,16 +65,16 @@ double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
 
 /* True if any gap is negative; `flags` (ncontact) marks these. */
-int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
+int lag_contacts_penetrating(lag_contacts *contacts, double t, const double *x, double *flags);
 
 /* Flags (ncontact) in `closing` of contacts that touch and do not move apart, as at the start. */
 lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing);
 
 /* Opens closed contacts that do not touch or do not stay. */
-lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
+lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x);
 
 /* 1: gaps of closed contacts have no rate beyond round-off. */
-int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
+int lag_contacts_are_at_rest(lag_contacts *contacts, double t, const double *x);
 
 /*
  * Impacts until nothing closes any more, first with those of contacts flagged in `met` and those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
@@ -82,32 +82,32 @@ int lag_contacts_hold(lag_contacts *contacts, double t, const double *x);
  * in w, contacts that are closed unless they pull, and their counts. LAG_EVENT_ITERATION_FAILED: impacts without end. LAG_NO_FORCES: no impulses satisfy the
  * law of friction.
  */
-lag_status lag_contacts_strike(
+lag_status lag_contacts_impact(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);
 
 /* Sets the contacts that are closed behind these impacts, and those that are held, as their bounces accumulate. */
-lag_status lag_contacts_conclude(lag_contacts *contacts, double t, const double *x);
+lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const double *x);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */
-double lag_contacts_next(const lag_contacts *contacts);
+double lag_contacts_end_of_bounces(const lag_contacts *contacts);
 
 /*
  * LAG_PENETRATION, and flags in `pierced` (ncontact), if what has changed since the discretes were `before` (nw) and the state `was` makes a
  * gap negative, as the side of a step does. `gap` (ncontact) is for its use.
  */
-lag_status lag_contacts_apart(
+lag_status lag_contacts_check_gaps(
     lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced);
 
 /* Gaps with their scales where `motion` is. */
 lag_status lag_contacts_evaluate(lag_contacts *contacts);
 
 /* For the parts of it: the same at a state, the multipliers, forces by which pulls are told from round-off. */
-lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x);
+lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const double *x);
 void lag_contacts_solve(lag_contacts *contacts, double t, const double *x);
-lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x);
+lag_status lag_contacts_find_forces(lag_contacts *contacts, double t, const double *x);
 /* A gap below this touches; a rate below this is round-off. */
-double lag_contacts_touch(const lag_contacts *contacts, size_t i);
-double lag_contacts_creep(const lag_contacts *contacts, size_t i);
+double lag_contacts_gap_band(const lag_contacts *contacts, size_t i);
+double lag_contacts_speed_band(const lag_contacts *contacts, size_t i);
 
 static inline double *lag_contacts_flag(const lag_contacts *contacts, size_t i)
 {
@@ -131,7 +131,7 @@ static inline size_t lag_contacts_component(const lag_contacts *contacts, size_t
 /* 1: contact i was located as closing at this instant, or its gap is zero. */
 static inline int lag_contacts_touches(const lag_contacts *contacts, size_t i)
 {
-    return contacts->blows.met[i] != 0.0 || contacts->gap[i] <= lag_contacts_touch(contacts, i);
+    return contacts->blows.met[i] != 0.0 || contacts->gap[i] <= lag_contacts_gap_band(contacts, i);
 }
 
 static inline double lag_contacts_multiplier(const lag_contacts *contacts, size_t i)

@@ -60,7 +60,7 @@ static void find_scales(lag_contacts *contacts)
 
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i)
 {
-    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_creep(contacts, i) : ROUNDING * contacts->sizes.scale[i];
+    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_speed_band(contacts, i) : ROUNDING * contacts->sizes.scale[i];
 }
 
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
@@ -68,14 +68,14 @@ double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
     return NO_FORCE * contacts->sizes.force[i];
 }
 
-double lag_contacts_touch(const lag_contacts *contacts, size_t i)
+double lag_contacts_gap_band(const lag_contacts *contacts, size_t i)
 {
     const double off = contacts->limits != NULL ? LIMITS * contacts->limits[contacts->motion->model->contact_rows[i]] : 0.0;
     const double closed = *lag_contacts_flag(contacts, i) != 0.0 ? off : 0.0;
     return fmax(TOUCHING * contacts->sizes.scale[i], closed);
 }
 
-double lag_contacts_creep(const lag_contacts *contacts, size_t i)
+double lag_contacts_speed_band(const lag_contacts *contacts, size_t i)
 {
     const double drift = contacts->length > 0.0 ? TOUCHING * contacts->sizes.scale[i] / contacts->length : 0.0;
     return fmax(TOUCHING * contacts->sizes.pace[i], drift);
@@ -92,10 +92,10 @@ lag_status lag_contacts_evaluate(lag_contacts *contacts)
     return status;
 }
 
-lag_status lag_contacts_look(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     lag_contacts_follow(contacts, x);
     return lag_contacts_evaluate(contacts);
 }
@@ -132,7 +132,7 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 }
 
 /* Generalized forces (nq) that act where the positions are moved by this part of their magnitudes: all up, or every other one down. */
-static lag_status act(lag_contacts *contacts, const double *x, double part, int alternate, double *force)
+static lag_status loads_at(lag_contacts *contacts, const double *x, double part, int alternate, double *force)
 {
     lag_motion *motion = contacts->motion;
     double *memory = contacts->work;
@@ -152,17 +152,17 @@ static lag_status act(lag_contacts *contacts, const double *x, double part, int 
 }
 
 /* Magnitudes of the generalized forces: those that act, and those that would where positions change by as much as they are. */
-static lag_status find_forces(lag_contacts *contacts, const double *x)
+static lag_status find_load_sizes(lag_contacts *contacts, const double *x)
 {
     const size_t n = contacts->motion->model->nq;
     double *tau = contacts->work + 2 * n;
     double *other = contacts->work + 3 * n;
-    const lag_status status = act(contacts, x, 0.0, 0, tau);
+    const lag_status status = loads_at(contacts, x, 0.0, 0, tau);
     for (size_t j = 0; j < n; ++j) {
         contacts->forces[j] = fabs(tau[j]);
     }
     for (int k = 0; k < 2 && status == LAG_OK; ++k) {
-        if (act(contacts, x, CHANGE, k, other) == LAG_OK) {
+        if (loads_at(contacts, x, CHANGE, k, other) == LAG_OK) {
             for (size_t j = 0; j < n; ++j) {
                 const double by = fabs(other[j] - tau[j]) / CHANGE;
                 contacts->forces[j] = isfinite(by) ? fmax(contacts->forces[j], by) : contacts->forces[j];
@@ -176,7 +176,7 @@ static lag_status find_forces(lag_contacts *contacts, const double *x)
  * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
  * Contacts between bodies on which only their neighbours act then have a scale, too.
  */
-static void hand_on(lag_contacts *contacts)
+static void spread_force_sizes(lag_contacts *contacts)
 {
     const size_t n = contacts->motion->model->nq;
     const size_t count = contacts->motion->model->ncontact;
@@ -184,7 +184,7 @@ static void hand_on(lag_contacts *contacts)
     for (size_t round = 0; round < count && grew; ++round) {
         grew = 0;
         for (size_t i = 0; i < count; ++i) {
-            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
+            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_gap_band(contacts, i);
             const double force = touches ? force_of(contacts, i, 1) : 0.0;
             for (size_t j = 0; j < n && force > 0.0; ++j) {
                 const double by = fabs(contacts->jacobian[i * n + j]) * force;
@@ -197,17 +197,17 @@ static void hand_on(lag_contacts *contacts)
     }
 }
 
-lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_find_forces(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
     const lag_model *model = motion->model;
-    lag_motion_look(motion, t, x);
-    lag_status status = find_forces(contacts, x);
+    lag_motion_set_state(motion, t, x);
+    lag_status status = find_load_sizes(contacts, x);
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, contacts->impulse->mass);
     }
     if (status == LAG_OK) {
-        hand_on(contacts);
+        spread_force_sizes(contacts);
     }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const double force = force_of(contacts, i, 1);

@@ -18,7 +18,7 @@ static double *flag(const lag_contacts *contacts, size_t i)
 static lag_status release(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
-    const lag_status status = lag_contacts_weigh(contacts, t, x);
+    const lag_status status = lag_contacts_find_forces(contacts, t, x);
     const int any = lag_any(count, flag(contacts, 0));
     if (any) {
         lag_contacts_solve(contacts, t, x);
@@ -42,7 +42,7 @@ static int find_closing(lag_contacts *contacts)
 {
     int any = 0;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        const int closing = lag_contacts_touches(contacts, i) && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
+        const int closing = lag_contacts_touches(contacts, i) && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_speed_band(contacts, i);
         contacts->blows.closing[i] = closing;
         any = any || closing;
     }
@@ -52,7 +52,7 @@ static int find_closing(lag_contacts *contacts)
 /* True if contact i is closed and has an approach speed beyond round-off. */
 static int is_driven(const lag_contacts *contacts, size_t i)
 {
-    return *flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
+    return *flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_speed_band(contacts, i);
 }
 
 static int any_driven(const lag_contacts *contacts)
@@ -94,7 +94,7 @@ static lag_status add_frictions(lag_contacts *contacts)
     lag_frictions *frictions = contacts->frictions;
     lag_inequalities *blow = &contacts->blows.rows;
     const lag_model *model = contacts->motion->model;
-    const lag_status status = lag_frictions_look(frictions);
+    const lag_status status = lag_frictions_evaluate(frictions);
     for (size_t k = 0; k < model->nfriction && status == LAG_OK; ++k) {
         const double *gain = frictions->gain + k * model->nc;
         const size_t first = (size_t)frictions->first[k];
@@ -154,12 +154,12 @@ static void keep_compliance(lag_contacts *contacts)
 }
 
 /* Impacts until nothing closes any more. */
-static lag_status strike(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
+static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;
     for (int k = 0; k < MOST_IMPACTS; ++k) {
         const int struck = k == 0 && lag_any(collisions, collision);
-        lag_status status = lag_contacts_look(contacts, t, x);
+        lag_status status = lag_contacts_evaluate_at(contacts, t, x);
         if (status == LAG_OK && (find_closing(contacts) || struck) && contacts->blows.struck == 0) {
             status = release(contacts, t, x);
         }
@@ -170,7 +170,7 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
             return LAG_OK;
         }
         status = gather(contacts, struck ? collision : NULL, restitution);
-        status = status == LAG_OK ? lag_impulse_strike(contacts->impulse, t, x, &contacts->blows.rows) : status;
+        status = status == LAG_OK ? lag_impulse_impact(contacts->impulse, t, x, &contacts->blows.rows) : status;
         if (status != LAG_OK) {
             return status;
         }
@@ -179,38 +179,38 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
     return LAG_EVENT_ITERATION_FAILED;
 }
 
-lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
     if (!lag_any(count, flag(contacts, 0))) {
         return LAG_OK;
     }
-    const lag_status status = lag_contacts_look(contacts, t, x);
+    const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (!lag_contacts_touches(contacts, i) || contacts->speed[i] > lag_contacts_creep(contacts, i)) {
+        if (!lag_contacts_touches(contacts, i) || contacts->speed[i] > lag_contacts_speed_band(contacts, i)) {
             *flag(contacts, i) = 0.0;
         }
     }
     return status;
 }
 
-int lag_contacts_hold(lag_contacts *contacts, double t, const double *x)
+int lag_contacts_are_at_rest(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
-    int hold = !lag_any(count, flag(contacts, 0)) || lag_contacts_look(contacts, t, x) == LAG_OK;
+    int hold = !lag_any(count, flag(contacts, 0)) || lag_contacts_evaluate_at(contacts, t, x) == LAG_OK;
     for (size_t i = 0; i < count && hold; ++i) {
-        hold = *flag(contacts, i) == 0.0 || fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
+        hold = *flag(contacts, i) == 0.0 || fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
     }
     return hold;
 }
 
-lag_status lag_contacts_strike(
+lag_status lag_contacts_impact(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t count = contacts->motion->model->ncontact;
     contacts->blows.struck = 0;
     memset(contacts->blows.approach, 0, count * sizeof(double));
     memcpy(contacts->blows.before, flag(contacts, 0), count * sizeof(double));
-    const lag_status status = strike(contacts, t, x, collision, restitution);
-    return status == LAG_OK ? lag_contacts_conclude(contacts, t, x) : status;
+    const lag_status status = solve_impacts(contacts, t, x, collision, restitution);
+    return status == LAG_OK ? lag_contacts_accumulate(contacts, t, x) : status;
 }

@@ -60,14 +60,14 @@ static const double *row_of(const lag_frictions *frictions, size_t k)
 }
 
 /* The force of one side, a contact or behind them a friction, pushes at its component. */
-static void follow(lag_frictions *frictions, size_t side, const double *row, double force)
+static void include_push(lag_frictions *frictions, size_t side, const double *row, double force)
 {
     const double push = frictions->compliance[side] * fabs(force);
     double *most = frictions->push + lag_row_component(frictions->motion->model, row);
     *most = isfinite(push) ? fmax(*most, push) : *most;
 }
 
-lag_status lag_frictions_look(lag_frictions *frictions)
+lag_status lag_frictions_evaluate(lag_frictions *frictions)
 {
     const lag_motion *motion = frictions->motion;
     const lag_model *model = motion->model;
@@ -88,11 +88,11 @@ lag_status lag_frictions_look(lag_frictions *frictions)
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         const double limit = fabs(frictions->limit[k]);
-        follow(frictions, model->ncontact + k, row_of(frictions, k), lag_frictions_force(frictions, k));
+        include_push(frictions, model->ncontact + k, row_of(frictions, k), lag_frictions_force(frictions, k));
         frictions->force[k] = isfinite(limit) ? fmax(frictions->force[k], limit) : frictions->force[k];
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        follow(frictions, i, frictions->contacts->jacobian + i * n, motion->lam[model->contact_rows[i]]);
+        include_push(frictions, i, frictions->contacts->jacobian + i * n, motion->lam[model->contact_rows[i]]);
     }
     return status;
 }
@@ -114,7 +114,7 @@ double lag_frictions_speed(const lag_frictions *frictions, size_t k)
     return lag_frictions_length(frictions, frictions->slip, k);
 }
 
-double lag_frictions_slow(const lag_frictions *frictions, size_t k)
+double lag_frictions_speed_band(const lag_frictions *frictions, size_t k)
 {
     const double crept = ROUNDING * frictions->push[lag_row_component(frictions->motion->model, row_of(frictions, k))] * frictions->step;
     return SLOW * lag_frictions_length(frictions, frictions->fast, k) + crept;
@@ -131,16 +131,16 @@ void lag_frictions_begin(lag_frictions *frictions)
     const lag_model *model = frictions->motion->model;
     for (size_t k = 0; k < model->nfriction; ++k) {
         const size_t first = (size_t)frictions->first[k];
-        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_speed_band(frictions, k);
         const double *from = moves ? frictions->slip + first : lag_frictions_direction(frictions, k);
         memcpy(frictions->reference + first, from, lag_frictions_components(frictions, k) * sizeof(double));
     }
 }
 
 /* The length of a slip in a plane at which it ends in any case. */
-static double slow_in_plane(const lag_frictions *frictions, size_t k)
+static double speed_band_in_plane(const lag_frictions *frictions, size_t k)
 {
-    return SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k) + lag_frictions_slow(frictions, k);
+    return SLOW_IN_PLANE * lag_frictions_length(frictions, frictions->fast, k) + lag_frictions_speed_band(frictions, k);
 }
 
 /* The part of a slip along that of the beginning of the step. */
@@ -155,7 +155,7 @@ static double along_reference(const lag_frictions *frictions, size_t k)
 int lag_frictions_turns(const lag_frictions *frictions, size_t k)
 {
     const double speed = lag_frictions_speed(frictions, k);
-    return lag_frictions_components(frictions, k) > 1 && speed > 2.0 * slow_in_plane(frictions, k) &&
+    return lag_frictions_components(frictions, k) > 1 && speed > 2.0 * speed_band_in_plane(frictions, k) &&
            speed > ENDED * lag_frictions_length(frictions, frictions->reference, k);
 }
 
@@ -170,7 +170,7 @@ double lag_frictions_guard(const lag_frictions *frictions, size_t k)
         return isnan(shared) ? frictions->sticking[k] - lag_frictions_force(frictions, k) : shared;
     }
     if (plane) {
-        return along_reference(frictions, k) - slow_in_plane(frictions, k);
+        return along_reference(frictions, k) - speed_band_in_plane(frictions, k);
     }
     return *lag_frictions_direction(frictions, k) * frictions->slip[(size_t)frictions->first[k]];
 }
@@ -180,8 +180,8 @@ double lag_frictions_size(const lag_frictions *frictions, size_t k)
     return *lag_frictions_sticks(frictions, k) != 0.0 ? frictions->force[k] : lag_frictions_length(frictions, frictions->fast, k);
 }
 
-double lag_frictions_band(const lag_frictions *frictions, size_t k)
+double lag_frictions_dead_band(const lag_frictions *frictions, size_t k)
 {
     const double part = isnan(frictions->reserve[frictions->motion->model->ncontact + k]) ? NO_FORCE : NO_SHARED_FORCE;
-    return *lag_frictions_sticks(frictions, k) != 0.0 ? part * lag_frictions_size(frictions, k) : lag_frictions_slow(frictions, k);
+    return *lag_frictions_sticks(frictions, k) != 0.0 ? part * lag_frictions_size(frictions, k) : lag_frictions_speed_band(frictions, k);
 }

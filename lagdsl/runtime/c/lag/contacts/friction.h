@@ -16,7 +16,7 @@ typedef struct lag_frictions {
     lag_places places;
     lag_contacts *contacts;    /* the largest rates so far are theirs */
     double *first;             /* (nfriction) the first component of the slip of each */
-    double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state looked at last, */
+    double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state evaluated last, */
     double *reference;         /* (nslip) slips where the step began: a slip in a plane ends where it has no part along them, */
     double *fast;              /* (nslip) the largest terms of each slip so far, */
     double *compliance;        /* (ncontact + nfriction) the acceleration of each gap and slip for a unit force of its own, */
@@ -33,10 +33,10 @@ size_t lag_frictions_memory(const lag_model *model);
 
 void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory);
 
-/* Slips and limits at the state that `motion` looked at last, with its accelerations and multipliers. */
-lag_status lag_frictions_look(lag_frictions *frictions);
+/* Slips and limits at the state at which `motion` was evaluated last, with its accelerations and multipliers. */
+lag_status lag_frictions_evaluate(lag_frictions *frictions);
 
-/* A step begins at the state that was looked at last. */
+/* A step begins at the state that was evaluated last. */
 void lag_frictions_begin(lag_frictions *frictions);
 
 /* 1: the slip of friction k in a plane has turned away from where it led, but not ended. */
@@ -50,12 +50,12 @@ int lag_frictions_acts(const lag_frictions *frictions, size_t k);
  * slides; infinite while it is off. Its dead band, and the size of the numbers that enter it.
  */
 double lag_frictions_guard(const lag_frictions *frictions, size_t k);
-double lag_frictions_band(const lag_frictions *frictions, size_t k);
+double lag_frictions_dead_band(const lag_frictions *frictions, size_t k);
 double lag_frictions_size(const lag_frictions *frictions, size_t k);
 
 /* The length of slip k, and below which it is zero. */
 double lag_frictions_speed(const lag_frictions *frictions, size_t k);
-double lag_frictions_slow(const lag_frictions *frictions, size_t k);
+double lag_frictions_speed_band(const lag_frictions *frictions, size_t k);
 
 static inline double *lag_frictions_sticks(const lag_frictions *frictions, size_t k)
 {

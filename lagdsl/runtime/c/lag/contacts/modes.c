@@ -65,7 +65,7 @@ static const double *contact_row(const lag_modes *modes, size_t i)
 }
 
 /* 1: contact i pushes, or does nothing, by the measure of its largest forces. */
-static int pushes(const lag_modes *modes, size_t i, double most)
+static int has_admissible_force(const lag_modes *modes, size_t i, double most)
 {
     const double force = lag_contacts_multiplier(modes->contacts, i);
     const double size = modes->contacts->sizes.force[i] > 0.0 ? modes->contacts->sizes.force[i] : most;
@@ -73,23 +73,23 @@ static int pushes(const lag_modes *modes, size_t i, double most)
 }
 
 /* 1: friction k, which sticks, is within its limits, as far as some forces of the present modes are. */
-static int bears(const lag_modes *modes, size_t k)
+static int is_within_limit(const lag_modes *modes, size_t k)
 {
     return lag_frictions_guard(modes->frictions, k) >= -BEYOND * modes->frictions->force[k];
 }
 
 /* 1: friction k is in a mode that its slip and its force agree with. */
-static int agrees(const lag_modes *modes, size_t k)
+static int is_consistent_mode(const lag_modes *modes, size_t k)
 {
     const lag_frictions *frictions = modes->frictions;
     const double *direction = lag_frictions_direction(frictions, k);
-    const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+    const int moves = lag_frictions_speed(frictions, k) > lag_frictions_speed_band(frictions, k);
     const int sticks = *lag_frictions_sticks(frictions, k) != 0.0;
     if (!lag_frictions_acts(frictions, k)) {
         return !sticks && !lag_any(lag_frictions_components(frictions, k), direction);
     }
     if (sticks) {
-        return !(moves && modes->jumped) && bears(modes, k);
+        return !(moves && modes->jumped) && is_within_limit(modes, k);
     }
     return moves && (lag_frictions_components(frictions, k) > 1 || lag_frictions_guard(frictions, k) > 0.0);
 }
@@ -105,13 +105,13 @@ static int find_touched(lag_modes *modes, const double *left)
         most = fmax(most, modes->normal[i] != 0.0 ? fabs(lag_contacts_multiplier(modes->contacts, i)) : 0.0);
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (modes->normal[i] != 0.0 && ((left != NULL && left[i] != 0.0) || !pushes(modes, i, most))) {
+        if (modes->normal[i] != 0.0 && ((left != NULL && left[i] != 0.0) || !has_admissible_force(modes, i, most))) {
             touch(modes, contact_row(modes, i));
             any = 1;
         }
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
-        if ((left != NULL && left[model->ncontact + k] != 0.0) || !agrees(modes, k)) {
+        if ((left != NULL && left[model->ncontact + k] != 0.0) || !is_consistent_mode(modes, k)) {
             touch(modes, lag_modes_slip_row(modes, k));
             any = 1;
         }
@@ -119,7 +119,7 @@ static int find_touched(lag_modes *modes, const double *left)
     return any;
 }
 
-void lag_modes_let_go(lag_modes *modes)
+void lag_modes_release_frictions(lag_modes *modes)
 {
     lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->places.sticks);
     modes->jumped = 1;
@@ -184,17 +184,17 @@ static void sort_frictions(lag_modes *modes, const double *left)
         const size_t side = model->ncontact + k;
         const int gone = stuck ? leaves_mode(modes, side, left) : left != NULL && left[side] != 0.0;
         const double speed = lag_frictions_speed(frictions, k);
-        const int moved = speed > lag_frictions_slow(frictions, k) && (!stuck || modes->jumped);
+        const int moved = speed > lag_frictions_speed_band(frictions, k) && (!stuck || modes->jumped);
         double force[2] = {0.0, 0.0};
         for (size_t a = 0; a < lag_frictions_components(frictions, k); ++a) {
             force[a] = force_of(modes)[model->friction_rows[lag_modes_first(modes, k) + a]];
         }
-        lag_modes_head(modes, k, force, 0.0, 0.0);
+        lag_modes_set_heading(modes, k, force, 0.0, 0.0);
         modes->loose[k] = 0.0;
         if (acts && moved && (stuck || !gone || lag_frictions_turns(frictions, k))) {
-            lag_modes_head(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
+            lag_modes_set_heading(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
         } else if (acts && gone && stuck) {
-            lag_modes_head(modes, k, force, hypot(force[0], force[1]), -1.0);
+            lag_modes_set_heading(modes, k, force, hypot(force[0], force[1]), -1.0);
         } else {
             modes->loose[k] = acts;
         }
@@ -208,17 +208,17 @@ static int is_consistent(const lag_modes *modes)
 {
     int holds = 1;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
-        holds = holds && (*lag_frictions_sticks(modes->frictions, k) == 0.0 || bears(modes, k));
+        holds = holds && (*lag_frictions_sticks(modes->frictions, k) == 0.0 || is_within_limit(modes, k));
     }
     return holds;
 }
 
 /* Limits and reserves with the forces of the present modes. */
-static lag_status look_at_forces(lag_modes *modes, double t, const double *x)
+static lag_status evaluate_forces(lag_modes *modes, double t, const double *x)
 {
     lag_contacts_solve(modes->contacts, t, x);
-    const lag_status status = lag_frictions_look(modes->frictions);
-    return status == LAG_OK ? lag_reserve_look(&modes->reserve) : status;
+    const lag_status status = lag_frictions_evaluate(modes->frictions);
+    return status == LAG_OK ? lag_reserve_evaluate(&modes->reserve) : status;
 }
 
 /* The problem in what was touched. */
@@ -232,7 +232,7 @@ static lag_status find_touched_modes(lag_modes *modes, double t, const double *x
     sort_frictions(modes, left);
     lag_status status = lag_modes_solve(modes, t, x);
     for (int k = 0; k < MOST_TIMES && status == LAG_OK && model->nfriction > 0; ++k) {
-        status = look_at_forces(modes, t, x);
+        status = evaluate_forces(modes, t, x);
         if (status != LAG_OK || is_consistent(modes)) {
             return status;
         }
@@ -256,7 +256,7 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
     if (!any) {
         return LAG_OK;
     }
-    lag_status status = look_at_forces(modes, t, x);
+    lag_status status = evaluate_forces(modes, t, x);
     if (status == LAG_OK && !find_touched(modes, left)) {
         return LAG_OK;
     }
@@ -264,6 +264,6 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
         double *closed = lag_contacts_flag(modes->contacts, i);
         *closed = modes->normal[i] == CANDIDATE ? 0.0 : *closed;
     }
-    status = tried && status == LAG_OK ? look_at_forces(modes, t, x) : status;
+    status = tried && status == LAG_OK ? evaluate_forces(modes, t, x) : status;
     return status == LAG_OK ? find_touched_modes(modes, t, x, left) : status;
 }

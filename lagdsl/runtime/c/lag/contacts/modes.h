@@ -41,7 +41,7 @@ size_t lag_modes_memory(const lag_model *model);
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
 
 /* Rates have been set: nothing sticks until modes are found. */
-void lag_modes_let_go(lag_modes *modes);
+void lag_modes_release_frictions(lag_modes *modes);
 
 /*
  * Sets the modes, in w, of contacts flagged in `candidates` (ncontact), which are closed at rest or have met without approach speed, and of all

@@ -19,7 +19,7 @@ int lag_modes_is_touched(const lag_modes *modes, const double *row)
     return model->components == NULL || modes->touched[lag_row_component(model, row)] != 0.0;
 }
 
-void lag_modes_head(lag_modes *modes, size_t k, const double *along, double length, double sense)
+void lag_modes_set_heading(lag_modes *modes, size_t k, const double *along, double length, double sense)
 {
     for (size_t a = 0; a < lag_frictions_components(modes->frictions, k); ++a) {
         modes->heading[lag_modes_first(modes, k) + a] = length > 0.0 ? sense * along[a] / length : 0.0;
@@ -29,7 +29,7 @@ void lag_modes_head(lag_modes *modes, size_t k, const double *along, double leng
 /* ---- the problem ---- */
 
 /* Directions of w (nw) for the present headings: of a slip in a plane only what is missing in the slip itself. */
-static void direct(const lag_modes *modes, double *w)
+static void set_directions(const lag_modes *modes, double *w)
 {
     const lag_frictions *frictions = modes->frictions;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
@@ -37,7 +37,7 @@ static void direct(const lag_modes *modes, double *w)
         if (!lag_modes_is_touched(modes, lag_modes_slip_row(modes, k))) {
             continue;
         }
-        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_slow(frictions, k);
+        const int moves = lag_frictions_speed(frictions, k) > lag_frictions_speed_band(frictions, k);
         const double part = count == 1 ? 1.0 : moves ? 0.0 : BEGINNING * fmax(lag_frictions_length(frictions, frictions->fast, k), BEGINNING);
         for (size_t a = 0; a < count && modes->began[k] != GOES_ON; ++a) {
             w[modes->places.direction + lag_modes_first(modes, k) + a] = part * modes->heading[lag_modes_first(modes, k) + a];
@@ -46,7 +46,7 @@ static void direct(const lag_modes *modes, double *w)
 }
 
 /* Friction that may stick has no load of sliding in the problem: a slip in a plane that is round-off has a direction. */
-static void silence(const lag_modes *modes, double *w)
+static void leave_out_loads(const lag_modes *modes, double *w)
 {
     const lag_frictions *frictions = modes->frictions;
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
@@ -58,7 +58,7 @@ static void silence(const lag_modes *modes, double *w)
 }
 
 /* M, f, J, gamma with the discretes w. */
-static lag_status look(lag_modes *modes, const double *w, double *force, double *jacobian, double *gamma)
+static lag_status evaluate_dynamics(lag_modes *modes, const double *w, double *force, double *jacobian, double *gamma)
 {
     lag_motion *motion = modes->motion;
     motion->at.w = w;
@@ -73,15 +73,15 @@ static lag_status find_rows(lag_modes *modes)
     const lag_model *model = modes->motion->model;
     double *w = modes->w;
     memcpy(w, modes->motion->w, model->nw * sizeof(double));
-    direct(modes, w);
-    silence(modes, w);
+    set_directions(modes, w);
+    leave_out_loads(modes, w);
     for (size_t i = 0; i < model->ncontact; ++i) {
         w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 1.0 : w[modes->places.contact + i];
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         w[modes->places.sticks + k] = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k)) ? modes->loose[k] : w[modes->places.sticks + k];
     }
-    const lag_status status = look(modes, w, modes->force, modes->jacobian, modes->gamma);
+    const lag_status status = evaluate_dynamics(modes, w, modes->force, modes->jacobian, modes->gamma);
     for (size_t i = 0; i < model->ncontact; ++i) {
         w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 0.0 : w[modes->places.contact + i];
     }
@@ -95,7 +95,7 @@ static lag_status find_rows(lag_modes *modes)
 static lag_status find_loads(lag_modes *modes)
 {
     lag_motion *motion = modes->motion;
-    lag_status status = lag_loads_look(&modes->loads, motion->model, &motion->at);
+    lag_status status = lag_loads_evaluate(&modes->loads, motion->model, &motion->at);
     motion->at.w = modes->w;
     status = status == LAG_OK ? lag_loads_gain(&modes->loads, motion->model, &motion->at) : status;
     motion->at.w = motion->w;
@@ -183,7 +183,7 @@ static lag_status solve(lag_modes *modes, double t, const double *x)
 
 /* ---- what follows ---- */
 
-static int moves(const lag_modes *modes, size_t row)
+static int is_accelerated(const lag_modes *modes, size_t row)
 {
     return fabs(modes->rows.after[row]) > NONE * modes->rows.scale[row];
 }
@@ -194,7 +194,7 @@ static double limit_of(const lag_inequalities *rows, size_t number)
 }
 
 /* 1: it slips: by more than a part of what its acceleration is a sum of, and of the one that its limit makes. */
-static int slips_away(const lag_modes *modes, size_t number, size_t row, size_t count, double length)
+static int begins_to_slip(const lag_modes *modes, size_t number, size_t row, size_t count, double length)
 {
     const lag_inequalities *rows = &modes->rows;
     const double scale = fmax(rows->scale[row], rows->scale[row + count - 1]);
@@ -223,12 +223,12 @@ static int find_slipping(lag_modes *modes)
         }
         const double *after = modes->rows.after + row;
         const double length = lag_slip_length(count, after);
-        const int slips = slips_away(modes, number, row, count, length);
+        const int slips = begins_to_slip(modes, number, row, count, length);
         if (slips || modes->began[k] == 0.0 || !is_at_limit(modes, number, row, count)) {
-            lag_modes_head(modes, k, after, slips ? length : 0.0, 1.0);
+            lag_modes_set_heading(modes, k, after, slips ? length : 0.0, 1.0);
         } else {
             const double *before = lag_frictions_direction(frictions, k);
-            lag_modes_head(modes, k, before, lag_slip_length(count, before), 1.0);
+            lag_modes_set_heading(modes, k, before, lag_slip_length(count, before), 1.0);
             modes->began[k] = GOES_ON;
         }
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
@@ -247,13 +247,13 @@ static void set_modes(lag_modes *modes)
     size_t normal = 0;
     for (size_t i = 0; i < model->ncontact; ++i) {
         if (modes->normal[i] != 0.0) {
-            const int opens = modes->rows.after[normal] > 0.0 && moves(modes, normal);
+            const int opens = modes->rows.after[normal] > 0.0 && is_accelerated(modes, normal);
             frictions->compliance[i] = modes->rows.compliance[normal];
             *lag_contacts_flag(modes->contacts, i) = opens ? 0.0 : 1.0;
             ++normal;
         }
     }
-    direct(modes, modes->motion->w);
+    set_directions(modes, modes->motion->w);
     for (size_t k = 0; k < model->nfriction; ++k) {
         if (!lag_modes_is_touched(modes, lag_modes_slip_row(modes, k))) {
             continue;
@@ -272,7 +272,7 @@ lag_status lag_modes_solve(lag_modes *modes, double t, const double *x)
     memcpy(modes->kinetic, modes->began, modes->motion->model->nfriction * sizeof(double));
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         if (modes->loose[k] != 0.0) {
-            lag_modes_head(modes, k, modes->heading, 0.0, 0.0);
+            lag_modes_set_heading(modes, k, modes->heading, 0.0, 0.0);
         }
     }
     lag_status status = find_rows(modes);

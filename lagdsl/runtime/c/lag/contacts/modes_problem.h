@@ -11,7 +11,7 @@
 lag_status lag_modes_solve(lag_modes *modes, double t, const double *x);
 
 /* The heading of slip k: along `along` (components) in this sense; zero where it has no length. */
-void lag_modes_head(lag_modes *modes, size_t k, const double *along, double length, double sense);
+void lag_modes_set_heading(lag_modes *modes, size_t k, const double *along, double length, double sense);
 
 /* 1: modes of the component of this row (nq) are looked for. */
 int lag_modes_is_touched(const lag_modes *modes, const double *row);

@@ -150,7 +150,7 @@ static void join_groups(lag_reserve *r)
     }
 }
 
-lag_status lag_reserve_look(lag_reserve *r)
+lag_status lag_reserve_evaluate(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
     if (model->nfriction == 0) {
@@ -162,7 +162,7 @@ lag_status lag_reserve_look(lag_reserve *r)
         return LAG_OK;
     }
     lag_status status = find_active(r);
-    status = status == LAG_OK ? lag_loads_look(&r->loads, model, &r->motion->at) : status;
+    status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
     status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
     if (status != LAG_OK || r->count == 0 || !find_shared(r)) {
         return status;

@@ -36,6 +36,6 @@ size_t lag_reserve_memory(const lag_model *model);
 void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *memory);
 
 /* Fills frictions->reserve for what sticks, and of contacts that share forces with it, at the state that `motion` was solved at last, with frictions looked at. */
-lag_status lag_reserve_look(lag_reserve *reserve);
+lag_status lag_reserve_evaluate(lag_reserve *reserve);
 
 #endif

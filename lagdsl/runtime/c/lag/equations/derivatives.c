@@ -170,7 +170,7 @@ lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const do
     const lag_model *model = motion->model;
     pulled one = {.coordinate = &motion->coordinate};
     double *memory = motion->memory;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     place_system(&one.d, model, &memory);
     lag_derivatives_size(&one.d, motion->sizes, motion->row_sizes);
     one.d.rate = rate;

@@ -34,7 +34,7 @@ void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory)
     loads->unused = memory;
 }
 
-lag_status lag_loads_look(lag_loads *loads, const lag_model *model, const lag_arguments *at)
+lag_status lag_loads_evaluate(lag_loads *loads, const lag_model *model, const lag_arguments *at)
 {
     return model->nload > 0 ? model->load(at, loads->value, loads->by_acceleration, loads->by_multiplier) : LAG_OK;
 }
@@ -95,13 +95,13 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
 }
 
 /* Accelerations and multipliers at the present loads into qdd, lam; L there. */
-static lag_status look(feedback *f, double *qdd, double *lam)
+static lag_status evaluate_loads(feedback *f, double *qdd, double *lam)
 {
     lag_status status = f->solve(f->context, &f->at, f->again, qdd, lam);
     f->again = 1;
     f->at.qdd = qdd;
     f->at.lam = lam;
-    status = status == LAG_OK ? lag_loads_look(&f->loads, f->model, &f->at) : status;
+    status = status == LAG_OK ? lag_loads_evaluate(&f->loads, f->model, &f->at) : status;
     return status == LAG_OK ? lag_loads_gain(&f->loads, f->model, &f->at) : status;
 }
 
@@ -175,7 +175,7 @@ static lag_status change_loads(feedback *f, const double *slope, const double *p
 static lag_status start(feedback *f, double *qdd, double *lam)
 {
     lag_fill(f->model->nload, 0.0, f->load);
-    const lag_status status = look(f, qdd, lam);
+    const lag_status status = evaluate_loads(f, qdd, lam);
     for (size_t i = 0; i < f->model->nload; ++i) {
         f->size[i] = fabs(f->loads.value[i]);
     }
@@ -192,7 +192,7 @@ static lag_status follow_chord(feedback *f, const double *chord, double *qdd, do
     lag_status status = *chord != 0.0 ? LAG_OK : LAG_MISSING;
     for (int k = 0; k < MOST_CHORDS && status == LAG_OK; ++k) {
         status = change_loads(f, slope, pivot, &left);
-        status = status == LAG_OK ? look(f, qdd, lam) : status;
+        status = status == LAG_OK ? evaluate_loads(f, qdd, lam) : status;
         if (status == LAG_OK && (left <= FOUND || (left >= before && before <= ROUNDINGS * FOUND))) {
             return LAG_OK;
         }
@@ -211,7 +211,7 @@ static lag_status find_loads(feedback *f, double *qdd, double *lam)
     for (int k = 0; k < MOST_STEPS && status == LAG_OK; ++k) {
         status = factor(f);
         status = status == LAG_OK ? change_loads(f, f->slope, f->pivot, &left) : status;
-        status = status == LAG_OK ? look(f, qdd, lam) : status;
+        status = status == LAG_OK ? evaluate_loads(f, qdd, lam) : status;
         if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
             return f->wedged ? LAG_NO_FORCES : LAG_OK;
         }

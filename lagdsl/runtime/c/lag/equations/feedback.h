@@ -32,7 +32,7 @@ size_t lag_loads_memory(const lag_model *model);
 void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory);
 
 /* L with its derivatives by qdd and lam; what changes with loads. Nothing in models without loads. */
-lag_status lag_loads_look(lag_loads *loads, const lag_model *model, const lag_arguments *at);
+lag_status lag_loads_evaluate(lag_loads *loads, const lag_model *model, const lag_arguments *at);
 lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_arguments *at);
 
 /* Doubles for it. */

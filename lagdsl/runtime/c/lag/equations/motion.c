@@ -106,7 +106,7 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     if (motion->model->nload > 0) {
         return jacobian_with_loads(motion, t, x, matrix);
     }
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
     if (is_along(motion)) {
         const lag_along *told = &motion->along.told;
@@ -163,7 +163,7 @@ lag_status lag_motion_start(lag_motion *motion, double t, double *x)
     return status == LAG_OK ? model->start(&motion->at, x, x + n, x + 2 * n, motion->u) : status;
 }
 
-void lag_motion_look(lag_motion *motion, double t, const double *x)
+void lag_motion_set_state(lag_motion *motion, double t, const double *x)
 {
     const size_t n = motion->model->nq;
     motion->at.t = t;
@@ -185,7 +185,7 @@ lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at)
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
 {
     const lag_model *model = motion->model;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     double *chord = motion->loads + model->nload * (model->nq + model->nc) + 3 * lag_motion_size(model);
     const lag_status status = lag_forward_dynamics_along(
         model, &motion->at, motion->memory, chord, motion->qdd, motion->lam, &motion->coordinate);

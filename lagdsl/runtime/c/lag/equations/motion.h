@@ -80,7 +80,7 @@ lag_status lag_motion_start(lag_motion *motion, double t, double *x);
 lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at);
 
 /* Lets `at` be the state x at time t, inputs included. */
-void lag_motion_look(lag_motion *motion, double t, const double *x);
+void lag_motion_set_state(lag_motion *motion, double t, const double *x);
 
 /* The same, with qdd and lam solved. */
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x);

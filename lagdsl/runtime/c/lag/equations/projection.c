@@ -204,7 +204,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
     const size_t n = motion->model->nq;
     double before = (double)INFINITY;
     memcpy(projection->point, x, n * sizeof(double));
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     motion->at.q = projection->point;
     projection->step.formed = 0;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
@@ -363,7 +363,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
     if (model->nc == 0) {
         return LAG_OK;
     }
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     lag_status status = lag_projection_look(projection, 1);
     if (status != LAG_OK || !lag_any(model->nc, projection->phi)) {
         return status;
@@ -393,7 +393,7 @@ double lag_projection_distance(lag_projection *projection, double t, const doubl
 {
     lag_motion *motion = projection->motion;
     const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / LAG_ROUNDING : 1.0;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     const lag_status status = lag_projection_look(projection, 0);
     return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
 }

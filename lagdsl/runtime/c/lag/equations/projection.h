@@ -30,7 +30,7 @@ typedef struct lag_projection {
     const double *least;   /* one of the two */
     double *sizes;         /* (nq) natural sizes of the coordinates */
     double *phi;           /* (nc) residuals, and */
-    double *jacobian;      /* (nc, nq) their Jacobian, as they were looked at last */
+    double *jacobian;      /* (nc, nq) their Jacobian, as they were evaluated last */
     lag_projection_step step;
     double *point;         /* (nq) */
     double *component;     /* (nc) that of the coordinates of each row, */

@@ -12,175 +12,175 @@
  */
 static const double LEFT = 0.25;
 
-size_t lag_look_memory(const lag_model *model)
+size_t lag_rank_estimate_memory(const lag_model *model)
 {
     const size_t m = model->nc;
     return 3 * lag_entries_count(model) + 4 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
 }
 
 /* Columns of each row. */
-static void list_columns(lag_look *look)
+static void list_columns(lag_rank_estimate *estimate)
 {
     size_t next = 0;
-    for (size_t i = 0; i < look->m; ++i) {
-        const lag_entries entries = lag_entries_of(look->model, i);
-        look->first[i] = (double)next;
+    for (size_t i = 0; i < estimate->m; ++i) {
+        const lag_entries entries = lag_entries_of(estimate->model, i);
+        estimate->first[i] = (double)next;
         for (size_t k = entries.first; k < entries.end; ++k) {
-            look->column[next++] = (double)lag_entry_column(&entries, k);
+            estimate->column[next++] = (double)lag_entry_column(&entries, k);
         }
     }
-    look->first[look->m] = (double)next;
+    estimate->first[estimate->m] = (double)next;
 }
 
-static size_t end_of(const lag_look *look, size_t row)
+static size_t end_of(const lag_rank_estimate *estimate, size_t row)
 {
-    return (size_t)look->first[row + 1];
+    return (size_t)estimate->first[row + 1];
 }
 
 /* Rows of each column, ascending, in the memory of the entries. */
-static void list_rows(const lag_look *look, double *first, double *row)
+static void list_rows(const lag_rank_estimate *estimate, double *first, double *row)
 {
-    lag_fill(look->n + 1, 0.0, first);
-    for (size_t k = 0; k < end_of(look, look->m - 1); ++k) {
-        first[(size_t)look->column[k]] += 1.0;
+    lag_fill(estimate->n + 1, 0.0, first);
+    for (size_t k = 0; k < end_of(estimate, estimate->m - 1); ++k) {
+        first[(size_t)estimate->column[k]] += 1.0;
     }
-    for (size_t j = 0; j < look->n; ++j) { /* where each ends; then, backwards, where it begins */
+    for (size_t j = 0; j < estimate->n; ++j) { /* where each ends; then, backwards, where it begins */
         first[j + 1] += first[j];
     }
-    for (size_t i = look->m; i-- > 0;) {
-        for (size_t k = end_of(look, i); k-- > (size_t)look->first[i];) {
-            row[(size_t)--first[(size_t)look->column[k]]] = (double)i;
+    for (size_t i = estimate->m; i-- > 0;) {
+        for (size_t k = end_of(estimate, i); k-- > (size_t)estimate->first[i];) {
+            row[(size_t)--first[(size_t)estimate->column[k]]] = (double)i;
         }
     }
 }
 
 /* Rows that share a column with a row, and stand nowhere yet, come behind the others, ascending. */
-static void append_neighbors(lag_look *look, size_t row, const double *first, const double *rows, double *place, size_t *count)
+static void append_neighbors(lag_rank_estimate *estimate, size_t row, const double *first, const double *rows, double *place, size_t *count)
 {
     const size_t begin = *count;
-    for (size_t k = (size_t)look->first[row]; k < end_of(look, row) && *count < look->m; ++k) {
-        const size_t column = (size_t)look->column[k];
+    for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row) && *count < estimate->m; ++k) {
+        const size_t column = (size_t)estimate->column[k];
         for (size_t e = (size_t)first[column]; e < (size_t)first[column + 1]; ++e) {
             size_t at = *count;
             if (place[(size_t)rows[e]] != 0.0) {
                 continue;
             }
-            for (; at > begin && look->order[at - 1] > rows[e]; --at) {
-                look->order[at] = look->order[at - 1];
+            for (; at > begin && estimate->order[at - 1] > rows[e]; --at) {
+                estimate->order[at] = estimate->order[at - 1];
             }
-            look->order[at] = rows[e];
+            estimate->order[at] = rows[e];
             place[(size_t)rows[e]] = (double)++*count;
         }
     }
     for (size_t at = begin; at < *count; ++at) {
-        place[(size_t)look->order[at]] = (double)(at + 1);
+        place[(size_t)estimate->order[at]] = (double)(at + 1);
     }
 }
 
 /* Rows next to each other, from the first one on: neighbors follow in turn, then what is not connected with them. */
-static void put_in_order(lag_look *look, const double *first, const double *rows)
+static void put_in_order(lag_rank_estimate *estimate, const double *first, const double *rows)
 {
-    double *place = look->reach; /* 1 + where a row stands; 0: nowhere yet */
+    double *place = estimate->reach; /* 1 + where a row stands; 0: nowhere yet */
     size_t count = 0;
-    lag_fill(look->m, 0.0, place);
-    for (size_t seed = 0; seed < look->m; ++seed) {
+    lag_fill(estimate->m, 0.0, place);
+    for (size_t seed = 0; seed < estimate->m; ++seed) {
         size_t next = count;
         if (place[seed] == 0.0) {
-            look->order[count++] = (double)seed;
+            estimate->order[count++] = (double)seed;
             place[seed] = (double)count;
         }
         for (; next < count; ++next) {
-            append_neighbors(look, (size_t)look->order[next], first, rows, place, &count);
+            append_neighbors(estimate, (size_t)estimate->order[next], first, rows, place, &count);
         }
     }
 }
 
 /* The first row in the order that shares a column with each; `low` (n) is the first that has an entry in a column. */
-static void find_reach(lag_look *look, double *low)
+static void find_profile(lag_rank_estimate *estimate, double *low)
 {
     size_t next = 0;
-    lag_fill(look->n, (double)look->m, low);
-    for (size_t i = look->m; i-- > 0;) {
-        const size_t row = (size_t)look->order[i];
-        for (size_t k = (size_t)look->first[row]; k < end_of(look, row); ++k) {
-            low[(size_t)look->column[k]] = (double)i;
+    lag_fill(estimate->n, (double)estimate->m, low);
+    for (size_t i = estimate->m; i-- > 0;) {
+        const size_t row = (size_t)estimate->order[i];
+        for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row); ++k) {
+            low[(size_t)estimate->column[k]] = (double)i;
         }
     }
-    for (size_t i = 0; i < look->m; ++i) {
-        const size_t row = (size_t)look->order[i];
+    for (size_t i = 0; i < estimate->m; ++i) {
+        const size_t row = (size_t)estimate->order[i];
         double reach = (double)i;
-        for (size_t k = (size_t)look->first[row]; k < end_of(look, row); ++k) {
-            reach = low[(size_t)look->column[k]] < reach ? low[(size_t)look->column[k]] : reach;
+        for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row); ++k) {
+            reach = low[(size_t)estimate->column[k]] < reach ? low[(size_t)estimate->column[k]] : reach;
         }
-        look->reach[i] = reach;
-        look->start[i] = (double)next;
+        estimate->reach[i] = reach;
+        estimate->start[i] = (double)next;
         next += i - (size_t)reach + 1;
     }
-    look->start[look->m] = (double)next;
+    estimate->start[estimate->m] = (double)next;
 }
 
-void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory)
+void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory)
 {
     const size_t m = model->nc;
     const size_t n = model->nq;
-    memset(look, 0, sizeof *look);
-    look->model = model;
-    look->m = m;
-    look->n = n;
-    look->most = model->rank;
-    look->sizes = sizes;
-    look->row_sizes = row_sizes;
-    look->rows = lag_take(&memory, lag_entries_count(model));
-    look->now = lag_take(&memory, lag_entries_count(model));
-    look->first = lag_take(&memory, m + 1);
-    look->column = lag_take(&memory, lag_entries_count(model));
-    look->order = lag_take(&memory, m);
-    look->reach = lag_take(&memory, m);
-    look->start = lag_take(&memory, m + 1);
-    look->follows = lag_take(&memory, m);
-    look->trial = lag_take(&memory, m);
+    memset(estimate, 0, sizeof *estimate);
+    estimate->model = model;
+    estimate->m = m;
+    estimate->n = n;
+    estimate->most = model->rank;
+    estimate->sizes = sizes;
+    estimate->row_sizes = row_sizes;
+    estimate->rows = lag_take(&memory, lag_entries_count(model));
+    estimate->now = lag_take(&memory, lag_entries_count(model));
+    estimate->first = lag_take(&memory, m + 1);
+    estimate->column = lag_take(&memory, lag_entries_count(model));
+    estimate->order = lag_take(&memory, m);
+    estimate->reach = lag_take(&memory, m);
+    estimate->start = lag_take(&memory, m + 1);
+    estimate->follows = lag_take(&memory, m);
+    estimate->trial = lag_take(&memory, m);
     double *low = lag_take(&memory, n);
     double *of_columns = lag_take(&memory, n + 1);
-    look->band = memory;
+    estimate->band = memory;
     if (m > 0) {
-        list_columns(look);
-        list_rows(look, of_columns, look->now);
-        put_in_order(look, of_columns, look->now);
-        find_reach(look, low);
+        list_columns(estimate);
+        list_rows(estimate, of_columns, estimate->now);
+        put_in_order(estimate, of_columns, estimate->now);
+        find_profile(estimate, low);
     }
-    lag_fill(m, 0.0, look->follows);
-    lag_fill(m, 0.0, look->trial);
+    lag_fill(m, 0.0, estimate->follows);
+    lag_fill(m, 0.0, estimate->trial);
 }
 
 /* Rows that come and go, or follow from others, say nothing. */
-static int counts(const lag_look *look, size_t row)
+static int counts(const lag_rank_estimate *estimate, size_t row)
 {
-    const int redundant = look->model->redundant != NULL && look->model->redundant[row];
-    return !redundant && look->follows[row] == 0.0 && (look->lasting == NULL || look->lasting[row] != 0.0);
+    const int redundant = estimate->model->redundant != NULL && estimate->model->redundant[row];
+    return !redundant && estimate->follows[row] == 0.0 && (estimate->lasting == NULL || estimate->lasting[row] != 0.0);
 }
 
 /* So many of the rows that count follow from others, although nobody said which. */
-static size_t redundant_rows(const lag_look *look)
+static size_t redundant_rows(const lag_rank_estimate *estimate)
 {
     size_t count = 0;
-    for (size_t i = 0; i < look->m; ++i) {
-        count += (size_t)counts(look, i);
+    for (size_t i = 0; i < estimate->m; ++i) {
+        count += (size_t)counts(estimate, i);
     }
-    return count > look->most ? count - look->most : 0;
+    return count > estimate->most ? count - estimate->most : 0;
 }
 
 /* Row i of a times row j of b, both by entries. */
-static double product(const lag_look *look, size_t i, size_t j, const double *a, const double *b)
+static double product(const lag_rank_estimate *estimate, size_t i, size_t j, const double *a, const double *b)
 {
-    const size_t end = end_of(look, i);
-    const size_t others = end_of(look, j);
-    size_t l = (size_t)look->first[j];
+    const size_t end = end_of(estimate, i);
+    const size_t others = end_of(estimate, j);
+    size_t l = (size_t)estimate->first[j];
     double sum = 0.0;
-    for (size_t k = (size_t)look->first[i]; k < end; ++k) {
-        while (l < others && look->column[l] < look->column[k]) {
+    for (size_t k = (size_t)estimate->first[i]; k < end; ++k) {
+        while (l < others && estimate->column[l] < estimate->column[k]) {
             ++l;
         }
-        sum += l < others && look->column[l] == look->column[k] ? a[k] * b[l] : 0.0;
+        sum += l < others && estimate->column[l] == estimate->column[k] ? a[k] * b[l] : 0.0;
     }
     return sum;
 }
@@ -189,16 +189,16 @@ static double product(const lag_look *look, size_t i, size_t j, const double *a,
  * Cholesky's method within the band, without up to `spare` rows that follow from others. Returns the smallest pivot; zero where the matrix is
  * not positive definite.
  */
-static double least_pivot(lag_look *look, size_t spare)
+static double least_pivot(lag_rank_estimate *estimate, size_t spare)
 {
     double least = (double)INFINITY;
-    for (size_t i = 0; i < look->m; ++i) {
-        const size_t reach = (size_t)look->reach[i];
-        double *line = look->band + (size_t)look->start[i];
+    for (size_t i = 0; i < estimate->m; ++i) {
+        const size_t reach = (size_t)estimate->reach[i];
+        double *line = estimate->band + (size_t)estimate->start[i];
         double pivot = line[i - reach];
         for (size_t j = reach; j < i; ++j) {
-            const size_t other = (size_t)look->reach[j];
-            const double *above = look->band + (size_t)look->start[j];
+            const size_t other = (size_t)estimate->reach[j];
+            const double *above = estimate->band + (size_t)estimate->start[j];
             double sum = line[j - reach];
             for (size_t k = other > reach ? other : reach; k < j; ++k) {
                 sum -= line[k - reach] * above[k - other];
@@ -208,7 +208,7 @@ static double least_pivot(lag_look *look, size_t spare)
         }
         if (spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
             --spare;
-            look->follows[(size_t)look->order[i]] = 1.0;
+            estimate->follows[(size_t)estimate->order[i]] = 1.0;
             lag_fill(i - reach, 0.0, line);
             line[i - reach] = 1.0;
             continue;
@@ -223,62 +223,62 @@ static double least_pivot(lag_look *look, size_t spare)
 }
 
 /* The products of rows a with rows b, made symmetric, less a part of those of b; of each row that does not count with itself one. */
-static void multiply(const lag_look *look, const double *a, const double *b, double part)
+static void multiply(const lag_rank_estimate *estimate, const double *a, const double *b, double part)
 {
-    for (size_t i = 0; i < look->m; ++i) {
-        const size_t row = (size_t)look->order[i];
-        const size_t reach = (size_t)look->reach[i];
-        double *line = look->band + (size_t)look->start[i];
+    for (size_t i = 0; i < estimate->m; ++i) {
+        const size_t row = (size_t)estimate->order[i];
+        const size_t reach = (size_t)estimate->reach[i];
+        double *line = estimate->band + (size_t)estimate->start[i];
         for (size_t j = reach; j <= i; ++j) {
-            const size_t other = (size_t)look->order[j];
+            const size_t other = (size_t)estimate->order[j];
             double sum = i == j ? 1.0 : 0.0;
-            if (counts(look, row) && counts(look, other)) {
-                sum = 0.5 * (product(look, row, other, a, b) + product(look, row, other, b, a));
-                sum -= part > 0.0 ? part * product(look, row, other, b, b) : 0.0;
+            if (counts(estimate, row) && counts(estimate, other)) {
+                sum = 0.5 * (product(estimate, row, other, a, b) + product(estimate, row, other, b, a));
+                sum -= part > 0.0 ? part * product(estimate, row, other, b, b) : 0.0;
             }
             line[j - reach] = sum;
         }
     }
 }
 
-static void scale(lag_look *look, const double *jacobian)
+static void scale(lag_rank_estimate *estimate, const double *jacobian)
 {
-    const size_t n = look->n;
-    for (size_t i = 0; i < look->m; ++i) {
-        for (size_t k = (size_t)look->first[i]; k < (size_t)look->first[i + 1]; ++k) {
-            const size_t j = (size_t)look->column[k];
-            look->now[k] = jacobian[i * n + j] * look->sizes[j] / look->row_sizes[i];
+    const size_t n = estimate->n;
+    for (size_t i = 0; i < estimate->m; ++i) {
+        for (size_t k = (size_t)estimate->first[i]; k < (size_t)estimate->first[i + 1]; ++k) {
+            const size_t j = (size_t)estimate->column[k];
+            estimate->now[k] = jacobian[i * n + j] * estimate->sizes[j] / estimate->row_sizes[i];
         }
     }
 }
 
-int lag_look_turned(lag_look *look, const double *jacobian)
+int lag_rank_estimate_has_turned(lag_rank_estimate *estimate, const double *jacobian)
 {
-    scale(look, jacobian);
-    multiply(look, look->now, look->rows, LEFT);
-    return !(least_pivot(look, 0) > 0.0);
+    scale(estimate, jacobian);
+    multiply(estimate, estimate->now, estimate->rows, LEFT);
+    return !(least_pivot(estimate, 0) > 0.0);
 }
 
-double lag_look_margin(lag_look *look, const double *jacobian)
+double lag_rank_estimate_margin(lag_rank_estimate *estimate, const double *jacobian)
 {
-    double *follows = look->follows;
-    scale(look, jacobian);
-    look->follows = look->trial;
-    lag_fill(look->m, 0.0, look->follows);
-    multiply(look, look->now, look->now, 0.0);
-    const double least = least_pivot(look, redundant_rows(look));
-    look->follows = follows;
+    double *follows = estimate->follows;
+    scale(estimate, jacobian);
+    estimate->follows = estimate->trial;
+    lag_fill(estimate->m, 0.0, estimate->follows);
+    multiply(estimate, estimate->now, estimate->now, 0.0);
+    const double least = least_pivot(estimate, redundant_rows(estimate));
+    estimate->follows = follows;
     return sqrt(least);
 }
 
-lag_status lag_look_at(lag_look *look, const double *jacobian)
+lag_status lag_rank_estimate_update(lag_rank_estimate *estimate, const double *jacobian)
 {
-    if (look->rank > 0 && lag_look_turned(look, jacobian)) {
+    if (estimate->rank > 0 && lag_rank_estimate_has_turned(estimate, jacobian)) {
         return LAG_ATTENTION;
     }
-    look->margin = lag_look_margin(look, jacobian);
-    look->rank = look->most;
-    memcpy(look->rows, look->now, lag_entries_count(look->model) * sizeof(double));
-    memcpy(look->follows, look->trial, look->m * sizeof(double));
-    return look->margin > LAG_RANK_NEAR ? LAG_OK : LAG_ATTENTION;
+    estimate->margin = lag_rank_estimate_margin(estimate, jacobian);
+    estimate->rank = estimate->most;
+    memcpy(estimate->rows, estimate->now, lag_entries_count(estimate->model) * sizeof(double));
+    memcpy(estimate->follows, estimate->trial, estimate->m * sizeof(double));
+    return estimate->margin > LAG_RANK_NEAR ? LAG_OK : LAG_ATTENTION;
 }

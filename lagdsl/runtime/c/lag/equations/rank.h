@@ -15,7 +15,7 @@
 /* A row of size one of which less than this is left beside others follows from them; so does a direction. */
 static const double LAG_FOLLOWS = 1e-6;
 
-typedef struct lag_look {
+typedef struct lag_rank_estimate {
     const lag_model *model;
     size_t m, n, most;        /* rows, columns, independent rows */
     size_t rank;              /* at the last state; 0: none */
@@ -28,12 +28,12 @@ typedef struct lag_look {
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
     double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
-} lag_look;
+} lag_rank_estimate;
 
 /* Doubles for it. */
-size_t lag_look_memory(const lag_model *model);
+size_t lag_rank_estimate_memory(const lag_model *model);
 
-void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
+void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
 
 /* Pivots of J, rows of size one: below this rank is nearly lost. */
 #define LAG_RANK_NEAR 0.1
@@ -42,10 +42,10 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
  * LAG_OK, or LAG_ATTENTION. This is the state that the next estimate starts from, unless J has turned so far since the last one that rank
  * might have been lost on the way.
  */
-lag_status lag_look_at(lag_look *look, const double *jacobian);
+lag_status lag_rank_estimate_update(lag_rank_estimate *estimate, const double *jacobian);
 
 /* True if J has turned so far, and the least pivot of J, zero where rank is lost; nothing of it is remembered. */
-int lag_look_turned(lag_look *look, const double *jacobian);
-double lag_look_margin(lag_look *look, const double *jacobian);
+int lag_rank_estimate_has_turned(lag_rank_estimate *estimate, const double *jacobian);
+double lag_rank_estimate_margin(lag_rank_estimate *estimate, const double *jacobian);
 
 #endif

@@ -59,7 +59,7 @@ void lag_event_iteration_place(
     lag_position_maps_place(&iteration->maps, iteration->motion, memory);
 }
 
-lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)
+lag_status lag_event_iteration_report(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)
 {
     const lag_event_notice notice = {.t = t, .what = what, .which = which, .x = x, .w = iteration->motion->w};
     return iteration->listener.tell != NULL ? iteration->listener.tell(iteration->listener.context, &notice) : LAG_OK;
@@ -68,7 +68,7 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
 /* ---- one pass ---- */
 
 /* 1: no discretes changed since the pass began; loads follow the state. */
-static int rests(const lag_event_iteration *iteration)
+static int is_unchanged(const lag_event_iteration *iteration)
 {
     return lag_same(iteration->places.load, iteration->discretes.before, iteration->motion->w);
 }
@@ -85,7 +85,7 @@ void lag_event_iteration_solve(lag_motion *motion, double t, const double *x)
     }
 }
 
-static lag_status look(lag_event_iteration *iteration, double t, const double *x)
+static lag_status evaluate_clauses(lag_event_iteration *iteration, double t, const double *x)
 {
     lag_motion *motion = iteration->motion;
     const lag_clauses *c = &iteration->clauses;
@@ -94,7 +94,7 @@ static lag_status look(lag_event_iteration *iteration, double t, const double *x
         &motion->at, iteration->discretes.next, c->reset, c->value, c->collision, c->restitution, c->stop, c->fail);
 }
 
-lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x)
+lag_status lag_event_iteration_initialize(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
     const lag_places *places = &iteration->places;
@@ -102,14 +102,14 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
     lag_status status = LAG_OK;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         memcpy(iteration->discretes.before, w, model->nw * sizeof(double));
-        status = lag_event_iteration_stand(iteration, t, x);
+        status = lag_event_iteration_relations(iteration, t, x);
         if (status == LAG_OK) {
-            status = look(iteration, t, x);
+            status = evaluate_clauses(iteration, t, x);
         }
         for (size_t i = places->condition; i < places->clock; ++i) {
             w[i] = iteration->discretes.next[i];
         }
-        if (rests(iteration)) {
+        if (is_unchanged(iteration)) {
             break;
         }
     }
@@ -121,7 +121,7 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
 {
     const lag_places *places = &iteration->places;
     const size_t count = places->clock - places->condition;
-    const lag_status status = count > 0 ? look(iteration, t, x) : LAG_OK;
+    const lag_status status = count > 0 ? evaluate_clauses(iteration, t, x) : LAG_OK;
     *changed = status == LAG_OK && !lag_same(count, iteration->discretes.next + places->condition, iteration->motion->w + places->condition);
     return status;
 }
@@ -129,7 +129,7 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
 /* ---- contacts ---- */
 
 /* Impacts of clauses, and contacts that something drives in now. */
-static lag_status strike(lag_event_iteration *iteration, double t, double *x, int *acted)
+static lag_status solve_impacts(lag_event_iteration *iteration, double t, double *x, int *acted)
 {
     const lag_model *model = iteration->motion->model;
     const int any = lag_any(model->ncollision, iteration->clauses.collision);
@@ -137,7 +137,7 @@ static lag_status strike(lag_event_iteration *iteration, double t, double *x, in
         return LAG_OK;
     }
     *acted = *acted || any;
-    return lag_event_iteration_collide(iteration, t, x, iteration->clauses.collision, acted);
+    return lag_event_iteration_impact(iteration, t, x, iteration->clauses.collision, acted);
 }
 
 /* ---- clauses ---- */
@@ -164,19 +164,19 @@ static lag_status reset(lag_event_iteration *iteration, double t, double *x, int
         }
     }
     for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
-        status = iteration->clauses.reset[i] != 0.0 ? lag_event_iteration_tell(iteration, t, x, LAG_REINIT, i) : LAG_OK;
+        status = iteration->clauses.reset[i] != 0.0 ? lag_event_iteration_report(iteration, t, x, LAG_REINIT, i) : LAG_OK;
     }
     return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
 
-lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x)
+lag_status lag_event_iteration_open(lag_event_iteration *iteration, double t, const double *x)
 {
     const size_t count = iteration->motion->model->ncontact;
     const double *closed = iteration->motion->w + iteration->places.contact;
     memcpy(iteration->closed, closed, count * sizeof(double));
-    lag_status status = lag_contacts_part(iteration->contacts, t, x);
+    lag_status status = lag_contacts_open(iteration->contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = iteration->closed[i] != closed[i] ? lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+        status = iteration->closed[i] != closed[i] ? lag_event_iteration_report_contact(iteration, t, x, LAG_OPENED, i) : LAG_OK;
     }
     return status;
 }
@@ -195,20 +195,20 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     for (size_t i = 0; i < model->nstop && status == LAG_OK; ++i) {
         if (iteration->clauses.stop[i] != 0.0) {
             iteration->clauses.stopped = 1;
-            status = lag_event_iteration_tell(iteration, t, x, LAG_TERMINATE, i);
+            status = lag_event_iteration_report(iteration, t, x, LAG_TERMINATE, i);
         }
     }
     if (status == LAG_OK) {
         status = reset(iteration, t, x, acted);
     }
     if (*acted) {
-        lag_modes_let_go(iteration->modes);
+        lag_modes_release_frictions(iteration->modes);
     }
-    return status == LAG_OK && *acted ? lag_event_iteration_part(iteration, t, x) : status;
+    return status == LAG_OK && *acted ? lag_event_iteration_open(iteration, t, x) : status;
 }
 
 /* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
-static int is_settled(const lag_event_iteration *iteration)
+static int is_balanced(const lag_event_iteration *iteration)
 {
     const lag_places *places = &iteration->places;
     const size_t relations = iteration->motion->model->nindicator;
@@ -217,7 +217,7 @@ static int is_settled(const lag_event_iteration *iteration)
 }
 
 /* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
-static const double *settled_before(lag_event_iteration *iteration)
+static const double *balanced_discretes(lag_event_iteration *iteration)
 {
     const lag_places *places = &iteration->places;
     const lag_model *model = iteration->motion->model;
@@ -241,17 +241,17 @@ static const double *with_states(lag_event_iteration *iteration, const double *x
  * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
  * adapt, because they only push.
  */
-static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
+static lag_status apply_constraints(lag_event_iteration *iteration, double t, double *x, int acted)
 {
     const lag_model *model = iteration->motion->model;
     const double *held = acted ? iteration->clauses.held + model->nq : NULL;
     int jumped = 0;
-    if (is_settled(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->trial.states)) {
+    if (is_balanced(iteration) && lag_same(model->nz, x + 2 * model->nq, iteration->trial.states)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
     iteration->modes->jumped = 1; /* slips may depend on what has changed */
     const double *was = with_states(iteration, x, iteration->trial.states);
-    lag_status status = lag_impulse_keep(iteration->impulse, t, was, settled_before(iteration));
+    lag_status status = lag_impulse_keep_momenta(iteration->impulse, t, was, balanced_discretes(iteration));
     memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
         status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
@@ -259,10 +259,10 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }
 
-lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x)
+lag_status lag_event_iteration_balance(lag_event_iteration *iteration, double t, double *x)
 {
     int jumped = 0;
-    const lag_status status = lag_impulse_keep(iteration->impulse, t, x, iteration->motion->w);
+    const lag_status status = lag_impulse_keep_momenta(iteration->impulse, t, x, iteration->motion->w);
     memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     return status == LAG_OK ? lag_impulse_balance(iteration->impulse, t, x, NULL, &jumped) : status;
 }
@@ -276,7 +276,7 @@ static lag_status turn(lag_event_iteration *iteration, double t, double *x, cons
     const size_t count = iteration->motion->model->nindicator;
     double *truth = iteration->motion->w + iteration->places.relation;
     memcpy(iteration->sides.truth, truth, count * sizeof(double));
-    lag_status status = lag_event_iteration_ahead(iteration, t, x, turned);
+    lag_status status = lag_event_iteration_sides(iteration, t, x, turned);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         int refracted = 0;
         int back = 0;
@@ -293,7 +293,7 @@ static lag_status turn(lag_event_iteration *iteration, double t, double *x, cons
 static lag_status pass(lag_event_iteration *iteration, double t, double *x, const double *turned, int *acted)
 {
     lag_motion *motion = iteration->motion;
-    lag_status status = look(iteration, t, x);
+    lag_status status = evaluate_clauses(iteration, t, x);
     if (status != LAG_OK) {
         return status;
     }
@@ -301,14 +301,14 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
     memcpy(motion->w, iteration->discretes.next, motion->model->nw * sizeof(double));
     lag_places_clear(&iteration->places, motion->w);
     if (!lag_same(iteration->places.contact, motion->w, iteration->discretes.before)) {
-        status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
+        status = lag_timed_set_behind(iteration->timed, t); /* corners of time may depend on discretes */
     }
     status = status == LAG_OK ? act(iteration, t, x, acted) : status;
     if (status == LAG_OK) {
-        status = take_hold(iteration, t, x, *acted);
+        status = apply_constraints(iteration, t, x, *acted);
     }
     if (status == LAG_OK) {
-        status = strike(iteration, t, x, acted);
+        status = solve_impacts(iteration, t, x, acted);
     }
     status = status == LAG_OK ? turn(iteration, t, x, turned, acted) : status;
     iteration->instant.acted = iteration->instant.acted || *acted;
@@ -328,7 +328,7 @@ static int positions_jump(const lag_event_iteration *iteration, double t, const 
 }
 
 /* Friction that is in another mode than before the instant. One that was off, or is, tells nothing: its contact does. */
-static lag_status tell_frictions(lag_event_iteration *iteration, double t, const double *x)
+static lag_status report_frictions(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_frictions *frictions = iteration->modes->frictions;
     const double *sticks = iteration->instant.stood + iteration->places.sticks;
@@ -339,7 +339,7 @@ static lag_status tell_frictions(lag_event_iteration *iteration, double t, const
         const int stuck = *lag_frictions_sticks(frictions, k) != 0.0;
         const int reverses = lag_frictions_components(frictions, k) == 1 && before[0] * now[0] < 0.0;
         if (lag_frictions_acts(frictions, k) && (stuck != (sticks[k] != 0.0) || reverses)) {
-            status = lag_event_iteration_tell(iteration, t, x, stuck ? LAG_STICKS : reverses ? LAG_REVERSES : LAG_SLIPS, k);
+            status = lag_event_iteration_report(iteration, t, x, stuck ? LAG_STICKS : reverses ? LAG_REVERSES : LAG_SLIPS, k);
         }
     }
     return status;
@@ -355,8 +355,8 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         int acted = 0;
         memcpy(iteration->discretes.before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
-        if (status == LAG_OK && !acted && rests(iteration)) {
-            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : tell_frictions(iteration, t, x);
+        if (status == LAG_OK && !acted && is_unchanged(iteration)) {
+            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : report_frictions(iteration, t, x);
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {
@@ -370,13 +370,13 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 
 /* ---- what is continuous ---- */
 
-lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment)
+lag_status lag_event_iteration_check_positions(lag_event_iteration *iteration, double t, const double *x, double moment)
 {
     const lag_model *model = iteration->motion->model;
     const double *stood = iteration->instant.from + 2 * model->nq;
     const double *was = with_states(iteration, x, stood);
     double *pierced = iteration->discretes.guilty + iteration->places.contact;
-    lag_status status = lag_contacts_apart(iteration->contacts, t, x, was, iteration->instant.stood, iteration->pulling, pierced);
+    lag_status status = lag_contacts_check_gaps(iteration->contacts, t, x, was, iteration->instant.stood, iteration->pulling, pierced);
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }

@@ -99,9 +99,9 @@ void lag_event_iteration_place(
     double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
-lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x);
+lag_status lag_event_iteration_initialize(lag_event_iteration *iteration, double t, const double *x);
 
-/* *changed: 1 if a condition, or a value that `pre` reads, is other than at the last look, as after a change of inputs. */
+/* *changed: 1 if a condition, or a value that `pre` reads, is other than at the last evaluation, as after a change of inputs. */
 lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double t, const double *x, int *changed);
 
 /*
@@ -111,22 +111,22 @@ lag_status lag_event_iteration_conditions(lag_event_iteration *iteration, double
 lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *sides);
 
 /* Closed contacts that rates of now move apart open. */
-lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x);
+lag_status lag_event_iteration_open(lag_event_iteration *iteration, double t, const double *x);
 
 /*
  * Relation `which` has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
  * side by the law of impact where it does not.
  */
-lag_status lag_event_iteration_bend(lag_event_iteration *iteration, double t, const double *x, size_t which);
+lag_status lag_event_iteration_turn_gaps(lag_event_iteration *iteration, double t, const double *x, size_t which);
 
 /*
  * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
  * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not. The instant is known up to a `moment` [s].
  */
-lag_status lag_event_iteration_follow(lag_event_iteration *iteration, double t, const double *x, double moment);
+lag_status lag_event_iteration_check_positions(lag_event_iteration *iteration, double t, const double *x, double moment);
 
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
-lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
+lag_status lag_event_iteration_balance(lag_event_iteration *iteration, double t, double *x);
 
 /*
  * Relation `which` turns, with what an energy that jumps there does: 1 in *refracted, rates have changed; 1 in *back, the motion turns back, and the
@@ -135,24 +135,24 @@ lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t,
 lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back);
 
 /* Relations that are zero at the start, but for round-off, turn if rates or accelerations lead them to the other side: flags in `turned`. */
-lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, double *x, double *turned);
+lag_status lag_event_iteration_start_sides(lag_event_iteration *iteration, double t, double *x, double *turned);
 
 /*
  * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
  * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N.
  */
-lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned);
+lag_status lag_event_iteration_keep_turning(lag_event_iteration *iteration, double t, const double *x, double *turned);
 
 /*
  * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned`, which has changed, back across its zero
  * for shorter and shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
  * motion would go on behind it.
  */
-int lag_event_iteration_sinks(
+int lag_event_iteration_accumulates(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length);
 
 /* Tells that something happened. */
-lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
+lag_status lag_event_iteration_report(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
 
 /* For the parts of a pass. */
 
@@ -160,19 +160,19 @@ lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double
 void lag_event_iteration_solve(lag_motion *motion, double t, const double *x);
 
 /* Relations as they stand at a state, into w. */
-lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x);
+lag_status lag_event_iteration_relations(lag_event_iteration *iteration, double t, const double *x);
 
 /*
  * Relations as they stand; those that pass zero here are on the side to which the motion leads, those that stay at zero what they have turned to
  * (flags, or null).
  */
-lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);
+lag_status lag_event_iteration_sides(lag_event_iteration *iteration, double t, const double *x, const double *turned);
 
 /* A contact has opened, or closed. A rest that was announced for later is canceled. */
-lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i);
+lag_status lag_event_iteration_report_contact(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i);
 
 /* Impacts, those of clauses (ncollision flags, or null) first, and what they did; 1 in `acted` where there were any. */
-lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted);
+lag_status lag_event_iteration_impact(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted);
 
 /* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
 lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed);

@@ -31,7 +31,7 @@ static int holds(const lag_model *model, size_t i, double g)
     return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
 }
 
-lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x)
+lag_status lag_event_iteration_relations(lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
     const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->sides.now) : LAG_OK;
@@ -92,7 +92,7 @@ static double side_of(const lag_event_iteration *iteration, size_t i, double win
 }
 
 /* Values of the relations before the event, into `before`. */
-static lag_status look_back(lag_event_iteration *iteration, double t)
+static lag_status evaluate_before(lag_event_iteration *iteration, double t)
 {
     iteration->motion->at.w = iteration->instant.stood;
     const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.before);
@@ -118,7 +118,7 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
 {
     lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
-    const int known = lag_noise_look(noise, t, x) == LAG_OK;
+    const int known = lag_noise_update(noise, t, x) == LAG_OK;
     const int clear = known && are_clear(iteration, window);
     if (known && !clear) {
         lag_noise_find(noise, t, x);
@@ -129,14 +129,14 @@ static lag_status find_sides(lag_event_iteration *iteration, double t, const dou
         memcpy(now, noise->value, count * sizeof(double));
     }
     memcpy(iteration->sides.before, now, count * sizeof(double));
-    status = known && !clear ? look_back(iteration, t) : status;
+    status = known && !clear ? evaluate_before(iteration, t) : status;
     for (size_t i = 0; i < count; ++i) {
         iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(now[i], 0.0);
     }
     return status;
 }
 
-lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned)
+lag_status lag_event_iteration_sides(lag_event_iteration *iteration, double t, const double *x, const double *turned)
 {
     const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
@@ -157,7 +157,7 @@ lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, c
     return status;
 }
 
-lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, double *x, double *turned)
+lag_status lag_event_iteration_start_sides(lag_event_iteration *iteration, double t, double *x, double *turned)
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
@@ -175,7 +175,7 @@ lag_status lag_event_iteration_depart(lag_event_iteration *iteration, double t, 
     return status;
 }
 
-lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, const double *x, double *turned)
+lag_status lag_event_iteration_keep_turning(lag_event_iteration *iteration, double t, const double *x, double *turned)
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
@@ -192,7 +192,7 @@ lag_status lag_event_iteration_reach(lag_event_iteration *iteration, double t, c
 /* ---- series of resets ---- */
 
 /* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
-static int is_too_deep(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight, double low)
+static int returns_too_slowly(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight, double low)
 {
     const lag_model *model = iteration->motion->model;
     const double *truth = iteration->motion->w + iteration->places.relation;
@@ -200,7 +200,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     const double *g = iteration->noise->value;
     const double *rate = g + model->nindicator + model->ncorner;
     int any = 0;
-    const lag_status status = lag_noise_look(iteration->noise, t, x);
+    const lag_status status = lag_noise_update(iteration->noise, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const double rise = truth[i] != 0.0 ? -rate[i] : rate[i];
         const int stands = turned[i] != 0.0 && truth[i] != stood[i] && holds(model, i, g[i]) == (truth[i] != 0.0);
@@ -209,7 +209,7 @@ static int is_too_deep(lag_event_iteration *iteration, double t, const double *x
     return any;
 }
 
-int lag_event_iteration_sinks(
+int lag_event_iteration_accumulates(
     lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
     if (!iteration->instant.acted) {
@@ -218,5 +218,5 @@ int lag_event_iteration_sinks(
     const int crowds = lag_crowds(resets, t, length, 1);
     const double flight = resets->ratio * resets->interval;
     const double low = flight < SHORT * length ? LOW : DEEP;
-    return crowds || (resets->shrinking >= SERIES && is_too_deep(iteration, t, x, turned, flight, low));
+    return crowds || (resets->shrinking >= SERIES && returns_too_slowly(iteration, t, x, turned, flight, low));
 }

@@ -68,20 +68,20 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    const double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
+    const double next = fmin(instants->timed.next, lag_contacts_end_of_bounces(&instants->contacts));
     return fmin(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
 }
 
 /* True if a clock ticks, or bounces are over. */
-static int is_told(const lag_instants *instants, double t)
+static int is_reported(const lag_instants *instants, double t)
 {
     const size_t count = instants->motion->model->nclock;
-    return lag_clocks_due(count, instants->clock, t) < count || lag_contacts_next(&instants->contacts) <= t;
+    return lag_clocks_due(count, instants->clock, t) < count || lag_contacts_end_of_bounces(&instants->contacts) <= t;
 }
 
 int lag_instants_due(const lag_instants *instants, double t)
 {
-    return is_told(instants, t) || instants->timed.next <= t;
+    return is_reported(instants, t) || instants->timed.next <= t;
 }
 
 double lag_instants_same(const lag_instants *instants, double t)
@@ -90,28 +90,28 @@ double lag_instants_same(const lag_instants *instants, double t)
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
-static lag_status ring(lag_instants *instants, double t, const double *x)
+static lag_status tick_clocks(lag_instants *instants, double t, const double *x)
 {
     lag_status status = LAG_OK;
     for (size_t i = 0; i < instants->motion->model->nclock && status == LAG_OK; ++i) {
         if (lag_clock_is_due(&instants->clock[i], t)) {
             ++instants->clock[i].next;
             instants->motion->w[instants->places.clock + i] = 1.0;
-            status = lag_event_iteration_tell(&instants->iteration, t, x, LAG_TICK, i);
+            status = lag_event_iteration_report(&instants->iteration, t, x, LAG_TICK, i);
         }
     }
     return status;
 }
 
 /* Contacts whose bounces are over now have closed. */
-static lag_status rest(lag_instants *instants, double t, const double *x)
+static lag_status report_rest(lag_instants *instants, double t, const double *x)
 {
     lag_contacts *contacts = &instants->contacts;
     lag_status status = LAG_OK;
     for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
         if (contacts->until[i] <= t) {
             contacts->until[i] = (double)INFINITY;
-            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_event_iteration_tell(&instants->iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_event_iteration_report(&instants->iteration, t, x, LAG_CLOSED, i) : LAG_OK;
         }
     }
     return status;
@@ -123,7 +123,7 @@ static lag_status run(lag_instants *instants, double t, double *x, const double 
 {
     lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, sides);
     if (status == LAG_OK && instants->timed.next > t) {
-        status = lag_timed_seek(&instants->timed, t);
+        status = lag_timed_find_next(&instants->timed, t);
     }
     return status == LAG_OK && instants->iteration.clauses.stopped ? LAG_STOPPED : status;
 }
@@ -138,19 +138,19 @@ static void remember(lag_instants *instants, const double *x)
 }
 
 /* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
-static lag_status settle(lag_instants *instants, double t, const double *x)
+static lag_status initialize(lag_instants *instants, double t, const double *x)
 {
     const lag_places *places = &instants->iteration.places;
     const size_t count = places->clock - places->condition;
     double *conditions = instants->motion->w + places->condition;
-    lag_status status = lag_timed_stand(&instants->timed, t);
-    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
+    lag_status status = lag_timed_set(&instants->timed, t);
+    status = status == LAG_OK ? lag_event_iteration_initialize(&instants->iteration, t, x) : status;
     if (instants->motion->model->ntimed == 0 || status != LAG_OK) {
         return status;
     }
     memcpy(instants->w_before, conditions, count * sizeof(double));
-    status = lag_timed_enter(&instants->timed, t);
-    status = status == LAG_OK ? lag_event_iteration_settle(&instants->iteration, t, x) : status;
+    status = lag_timed_set_behind(&instants->timed, t);
+    status = status == LAG_OK ? lag_event_iteration_initialize(&instants->iteration, t, x) : status;
     memcpy(conditions, instants->w_before, count * sizeof(double));
     return status;
 }
@@ -162,15 +162,15 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     motion->at.t = t;
     lag_status status = model->discrete_start(&motion->at, motion->w);
     instants->timed.length = instants->contacts.length;
-    status = status == LAG_OK ? settle(instants, t, x) : status;
+    status = status == LAG_OK ? initialize(instants, t, x) : status;
     if (status == LAG_OK) {
-        const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.discretes.guilty + instants->places.contact);
+        const int pierced = lag_contacts_penetrating(&instants->contacts, t, x, instants->iteration.discretes.guilty + instants->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.blows.closing);
     }
     instants->modes.jumped = 1; /* nothing is known of them */
     status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.blows.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;
-    status = status == LAG_OK ? ring(instants, t, x) : status;
+    status = status == LAG_OK ? tick_clocks(instants, t, x) : status;
     if (status != LAG_OK) {
         return status;
     }
@@ -178,7 +178,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         motion->w[instants->places.initial] = 1.0;
     }
     remember(instants, x);
-    status = lag_event_iteration_depart(&instants->iteration, t, x, instants->departed);
+    status = lag_event_iteration_start_sides(&instants->iteration, t, x, instants->departed);
     instants->iteration.sides.begins = 1;
     status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
     instants->iteration.sides.begins = 0;
@@ -201,10 +201,10 @@ static lag_status keep_with(lag_instants *instants, double t, const double *x, c
     lag_inputs *const inputs = motion->inputs;
     motion->inputs = NULL;
     motion->at.u = u;
-    const lag_status status = lag_impulse_keep(&instants->impulse, t, x, motion->w);
+    const lag_status status = lag_impulse_keep_momenta(&instants->impulse, t, x, motion->w);
     motion->at.u = motion->u;
     motion->inputs = inputs;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     return status;
 }
 
@@ -219,16 +219,16 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
-    status = lag_event_iteration_part(&instants->iteration, t, x);
+    status = lag_event_iteration_open(&instants->iteration, t, x);
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
 /* Carries out the changes with time that are due now, with their impulses. */
-static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
+static lag_status change_with_time(lag_instants *instants, double t, double *x, int *jumped)
 {
     lag_impulse *impulse = &instants->impulse;
     *jumped = 0;
-    lag_status status = lag_impulse_keep(impulse, t, x, instants->motion->w);
+    lag_status status = lag_impulse_keep_momenta(impulse, t, x, instants->motion->w);
     if (status == LAG_OK) {
         status = lag_timed_change(&instants->timed, t);
     }
@@ -237,7 +237,7 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
 }
 
 /* Reports the changes with time. */
-static lag_status tell_turned(lag_instants *instants, double t, const double *x)
+static lag_status report_time_events(lag_instants *instants, double t, const double *x)
 {
     const lag_model *model = instants->motion->model;
     const lag_timed *timed = &instants->timed;
@@ -246,29 +246,29 @@ static lag_status tell_turned(lag_instants *instants, double t, const double *x)
     for (size_t i = 0; i < model->ntimed && status == LAG_OK; ++i) {
         if (timed->told[i] != 0.0 && w[i] != timed->before[i]) {
             const lag_event_kind truth = w[i] != 0.0 ? LAG_TRUE : LAG_FALSE;
-            status = lag_event_iteration_tell(&instants->iteration, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
+            status = lag_event_iteration_report(&instants->iteration, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
         }
     }
     return status;
 }
 
 /* Gaps and position maps are continuous. */
-static lag_status follow(lag_instants *instants, double t, const double *x)
+static lag_status check_positions(lag_instants *instants, double t, const double *x)
 {
     const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
-    return lag_event_iteration_follow(&instants->iteration, t, x, moment);
+    return lag_event_iteration_check_positions(&instants->iteration, t, x, moment);
 }
 
-lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)
+lag_status lag_instants_change_unreported(lag_instants *instants, double t, double *x, int *quiet)
 {
     int jumped = 0;
     *quiet = 0;
-    if (is_told(instants, t)) {
+    if (is_reported(instants, t)) {
         return LAG_OK;
     }
     remember(instants, x);
-    lag_status status = turn(instants, t, x, &jumped);
-    *quiet = !jumped && !lag_timed_told(&instants->timed) && lag_contacts_hold(&instants->contacts, t, x);
+    lag_status status = change_with_time(instants, t, x, &jumped);
+    *quiet = !jumped && !lag_timed_is_reported(&instants->timed) && lag_contacts_are_at_rest(&instants->contacts, t, x);
     if (!*quiet) {
         lag_instants_take_back(instants, x);
     }
@@ -283,15 +283,15 @@ void lag_instants_take_back(const lag_instants *instants, double *x)
 }
 
 /* Carries out all that is due before the clauses: changes with time, clocks, the end of bounces. */
-static lag_status strike(lag_instants *instants, double t, double *x)
+static lag_status carry_out_due(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;
     const int due = lag_timed_due(&instants->timed, t);
-    lag_status status = due ? turn(instants, t, x, &jumped) : LAG_OK;
-    status = status == LAG_OK ? rest(instants, t, x) : status;
-    status = status == LAG_OK ? ring(instants, t, x) : status;
+    lag_status status = due ? change_with_time(instants, t, x, &jumped) : LAG_OK;
+    status = status == LAG_OK ? report_rest(instants, t, x) : status;
+    status = status == LAG_OK ? tick_clocks(instants, t, x) : status;
     if (status == LAG_OK && due) {
-        status = tell_turned(instants, t, x);
+        status = report_time_events(instants, t, x);
         instants->timed.next = (double)INFINITY;
     }
     return status;
@@ -304,10 +304,10 @@ static lag_status turn_relations(lag_instants *instants, double t, const double 
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
     memcpy(iteration->discretes.before, instants->motion->w, model->nw * sizeof(double));
-    lag_status status = lag_event_iteration_ahead(iteration, t, x, NULL);
+    lag_status status = lag_event_iteration_sides(iteration, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (truth[i] != iteration->discretes.before[instants->places.relation + i]) {
-            status = lag_event_iteration_tell(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+            status = lag_event_iteration_report(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
     }
     return status;
@@ -316,13 +316,13 @@ static lag_status turn_relations(lag_instants *instants, double t, const double 
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 {
     remember(instants, x);
-    lag_status status = strike(instants, t, x);
+    lag_status status = carry_out_due(instants, t, x);
     if (status == LAG_OK) {
         status = turn_relations(instants, t, x);
     }
     instants->timed.next = (double)INFINITY;
     status = status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
-    return status == LAG_OK ? follow(instants, t, x) : status;
+    return status == LAG_OK ? check_positions(instants, t, x) : status;
 }
 
 /* A relation changes at an event. */
@@ -335,11 +335,11 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     instants->iteration.instant.acted = instants->iteration.instant.acted || refracted;
     instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
-        status = lag_event_iteration_bend(&instants->iteration, t, x, i);
+        status = lag_event_iteration_turn_gaps(&instants->iteration, t, x, i);
     }
     for (size_t k = 0; k < instants->motion->model->nindicator && status == LAG_OK && !back; ++k) {
         if (k == i || (refracted && truth[k] != instants->refraction.truth[k])) {
-            status = lag_event_iteration_tell(&instants->iteration, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
+            status = lag_event_iteration_report(&instants->iteration, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
         }
     }
     return status;
@@ -350,8 +350,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
     remember(instants, x);
-    lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
-    status = ticks && status == LAG_OK ? lag_event_iteration_reach(&instants->iteration, t, x, changed) : status;
+    lag_status status = ticks ? carry_out_due(instants, t, x) : LAG_OK;
+    status = ticks && status == LAG_OK ? lag_event_iteration_keep_turning(&instants->iteration, t, x, changed) : status;
     int any = 0;
     instants->iteration.sides.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
@@ -368,9 +368,9 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     instants->iteration.sides.located = NULL;
     lag_fill(model->ncontact, 0.0, instants->contacts.blows.met);
-    status = status == LAG_OK ? follow(instants, t, x) : status;
+    status = status == LAG_OK ? check_positions(instants, t, x) : status;
     const int sunk = status == LAG_OK && any &&
-        lag_event_iteration_sinks(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
+        lag_event_iteration_accumulates(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
     const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
     if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;

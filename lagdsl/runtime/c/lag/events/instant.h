@@ -47,7 +47,7 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x);
 double lag_instants_next(const lag_instants *instants);
 
 /* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done, but for the search for the next ones. */
-lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet);
+lag_status lag_instants_change_unreported(lag_instants *instants, double t, double *x, int *quiet);
 
 /* The state and the discretes before what was done quietly. */
 void lag_instants_take_back(const lag_instants *instants, double *x);

@@ -106,7 +106,7 @@ lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, doubl
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
 }
 
-lag_status lag_noise_look(lag_noise *noise, double t, const double *x)
+lag_status lag_noise_update(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     const double *rates = noise->value + count_of(model);
@@ -150,7 +150,7 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
     for (size_t i = 0; i < lag_motion_size(motion->model); ++i) {
         noise->point[i] = changed(noise, i, x[i], k, sign);
     }
-    lag_motion_look(motion, after, noise->point);
+    lag_motion_set_state(motion, after, noise->point);
     memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
     motion->inputs = NULL;
     change_inputs(noise, k, sign);
@@ -163,7 +163,7 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
 void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
-    const lag_status status = lag_noise_look(noise, t, x);
+    const lag_status status = lag_noise_update(noise, t, x);
     lag_noise_follow(noise, x);
     if (status != LAG_OK) {
         return;
@@ -205,7 +205,7 @@ static int vanishes(double with, double without, double largest)
  * x with other rates and states, by about as much as they have been so far, each in its own way, and with slightly other places: at a corner of `abs` a
  * relation has no rate.
  */
-static void turn_aside(const lag_noise *noise, const double *x, double *point)
+static void perturb(const lag_noise *noise, const double *x, double *point)
 {
     const lag_model *model = noise->motion->model;
     for (size_t j = 0; j < lag_motion_size(model); ++j) {
@@ -214,7 +214,7 @@ static void turn_aside(const lag_noise *noise, const double *x, double *point)
 }
 
 /* True if relation i may rest: it is zero and does not move, as far as the motion is known. */
-static int may_rest(const lag_noise *noise, size_t i)
+static int may_be_held(const lag_noise *noise, size_t i)
 {
     const double rate = noise->value[count_of(noise->motion->model) + i];
     const double near = fmax(LAG_CLEARLY * noise->sigma[i], lag_noise_known(noise, i));
@@ -239,16 +239,16 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
 {
     const size_t count = noise->motion->model->nindicator;
     lag_fill(count, 0.0, held);
-    if (count == 0 || lag_noise_look(noise, t, x) != LAG_OK) {
+    if (count == 0 || lag_noise_update(noise, t, x) != LAG_OK) {
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        held[i] = may_rest(noise, i);
+        held[i] = may_be_held(noise, i);
     }
     if (!lag_any(count, held)) {
         return;
     }
-    turn_aside(noise, x, point);
+    perturb(noise, x, point);
     lag_status status = lag_noise_evaluate(noise, t, point, noise->other);
     status = status == LAG_OK ? lag_projection_rates(projection, t, point, NULL) : status;
     status = status == LAG_OK ? lag_noise_evaluate(noise, t, point, noise->opposite) : status;
@@ -271,7 +271,7 @@ typedef struct lag_line {
 static double indicator(const lag_line *line, double t)
 {
     lag_motion *motion = line->noise->motion;
-    lag_motion_look(motion, t, line->noise->point);
+    lag_motion_set_state(motion, t, line->noise->point);
     return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
 }
 

@@ -32,7 +32,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 void lag_noise_follow(lag_noise *noise, const double *x);
 
 /* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
-lag_status lag_noise_look(lag_noise *noise, double t, const double *x);
+lag_status lag_noise_update(lag_noise *noise, double t, const double *x);
 
 /* The same into `values`, and they do not count among those so far. */
 lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values);

@@ -40,7 +40,7 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_im
 /* The indicator at the point, with accelerations and multipliers as they are; not a number where there is none. */
 static double indicator(lag_refraction *r, double t, size_t which)
 {
-    lag_motion_look(r->motion, t, r->point);
+    lag_motion_set_state(r->motion, t, r->point);
     const lag_status status = r->motion->model->indicator(&r->motion->at, r->g);
     return status == LAG_OK ? r->g[which] : (double)NAN;
 }
@@ -105,10 +105,10 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
 static lag_status keep(lag_refraction *r, double t, const double *x, double *h, double *size)
 {
     const lag_model *model = r->motion->model;
-    lag_status status = lag_impulse_look(r->impulse, t, x);
+    lag_status status = lag_impulse_evaluate(r->impulse, t, x);
     memcpy(r->rows, r->impulse->jacobian, model->nc * model->nq * sizeof(double));
     memcpy(r->speeds, r->impulse->residual, model->nc * sizeof(double));
-    status = status == LAG_OK ? lag_impulse_keep(r->impulse, t, x, r->motion->w) : status;
+    status = status == LAG_OK ? lag_impulse_keep_momenta(r->impulse, t, x, r->motion->w) : status;
     memcpy(r->before, r->impulse->before, model->nq * sizeof(double));
     return status == LAG_OK ? lag_refraction_energy(r, t, x, h, size) : status;
 }
@@ -134,12 +134,12 @@ static lag_status turn_back(lag_refraction *r, double t, const double *x, const 
     const lag_side own = {.energy = side->energy, .drift = side->drift, .sense = -side->sense};
     memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
     memcpy(r->impulse->before, r->before, r->motion->model->nq * sizeof(double));
-    const lag_status status = lag_impulse_look(r->impulse, t, r->rate);
+    const lag_status status = lag_impulse_evaluate(r->impulse, t, r->rate);
     return status == LAG_OK ? lag_refraction_find(r, t, r->rate, &own, back) : status;
 }
 
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
-static void turn(lag_refraction *r, double t, const double *x, size_t which)
+static void turn_relation(lag_refraction *r, double t, const double *x, size_t which)
 {
     const lag_model *model = r->motion->model;
     double *truth = r->motion->w + r->places.relation;
@@ -164,7 +164,7 @@ static void turn(lag_refraction *r, double t, const double *x, size_t which)
 }
 
 /* Momenta, rows of constraints and the energy h at x. */
-static lag_status see(lag_refraction *r, double t, const double *x, double *momenta, double *rows, double *speeds, double *h)
+static lag_status evaluate_side(lag_refraction *r, double t, const double *x, double *momenta, double *rows, double *speeds, double *h)
 {
     lag_motion *motion = r->motion;
     const lag_model *model = motion->model;
@@ -178,15 +178,15 @@ static lag_status see(lag_refraction *r, double t, const double *x, double *mome
 }
 
 /* 1: a relation is in the Lagrangian or in a constraint: what follows from it is not the same. Most are in forces only. */
-static int matters(lag_refraction *r, double t, const double *x, size_t which)
+static int changes_balance(lag_refraction *r, double t, const double *x, size_t which)
 {
     const lag_model *model = r->motion->model;
     double *truth = r->motion->w + r->places.relation;
     double before = 0.0;
     double after = 0.0;
-    lag_status status = see(r, t, x, r->before, r->rows, r->speeds, &before);
-    turn(r, t, x, which);
-    status = status == LAG_OK ? see(r, t, x, r->along, r->impulse->jacobian, r->impulse->residual, &after) : status;
+    lag_status status = evaluate_side(r, t, x, r->before, r->rows, r->speeds, &before);
+    turn_relation(r, t, x, which);
+    status = status == LAG_OK ? evaluate_side(r, t, x, r->along, r->impulse->jacobian, r->impulse->residual, &after) : status;
     memcpy(truth, r->truth, model->nindicator * sizeof(double));
     return status != LAG_OK || before != after || !lag_same(model->nq, r->before, r->along) ||
            !lag_same(model->nc, r->speeds, r->impulse->residual) || !lag_same(model->nc * model->nq, r->rows, r->impulse->jacobian);
@@ -203,7 +203,7 @@ lag_status lag_refraction_cross(
     double size = 0.0;
     double other = 0.0;
     *refracted = *back = 0;
-    if (motion->model->energies == NULL || !matters(r, t, x, which)) { /* without it nothing is known of an energy that jumps */
+    if (motion->model->energies == NULL || !changes_balance(r, t, x, which)) { /* without it nothing is known of an energy that jumps */
         return LAG_OK;
     }
     lag_noise_find(r->noise, t, x);
@@ -218,9 +218,9 @@ lag_status lag_refraction_cross(
     const double noise = FEW * r->noise->sigma[which];
     const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
     status = keep(r, t, x, &side.energy, &size);
-    turn(r, t, x, which);
+    turn_relation(r, t, x, which);
     status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
-    status = status == LAG_OK ? lag_impulse_look(r->impulse, t, x) : status;
+    status = status == LAG_OK ? lag_impulse_evaluate(r->impulse, t, x) : status;
     const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
     if (status != LAG_OK || !jumps || !is_there) {
         memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));

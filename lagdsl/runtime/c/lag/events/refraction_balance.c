@@ -18,7 +18,7 @@ lag_status lag_refraction_energy(const lag_refraction *r, double t, const double
     double total = 0.0;
     double kinetic = 0.0;
     double potential = 0.0;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     const lag_status status = motion->model->energies(&motion->at, &total, &kinetic, &potential, h);
     *size = fabs(kinetic) + fabs(potential) + fabs(*h);
     return status;
@@ -35,7 +35,7 @@ typedef struct lag_energy_balance {
  * The balance at rates that the impulse problem has balanced, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add,
  * with b' P = -v+ J' P, as J v+ + b = 0.
  */
-static lag_status look(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
+static lag_status evaluate_balance(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
 {
     const size_t n = r->motion->model->nq;
     const double *qd = x + n;
@@ -54,7 +54,7 @@ static lag_status look(lag_refraction *r, double t, const double *x, const lag_s
 }
 
 /* The impulse to the place where a parabola through the balance ends: its root on the side to which g moves, or its least value. */
-static double aim(const lag_energy_balance *b)
+static double impulse_to_root(const lag_energy_balance *b)
 {
     const double under = b->speed * b->speed - 2.0 * b->rest * b->slope;
     if (under <= 0.0) {
@@ -64,7 +64,7 @@ static double aim(const lag_energy_balance *b)
 }
 
 /* Rates with an impulse `by` more along the gradient, or a part of it where there are no rates for all of it; *by: as much as that. */
-static lag_status push(lag_refraction *r, double t, double *x, double sense, double *by)
+static lag_status add_impulse(lag_refraction *r, double t, double *x, double sense, double *by)
 {
     const size_t n = r->motion->model->nq;
     const size_t size = lag_motion_size(r->motion->model);
@@ -91,7 +91,7 @@ lag_status lag_refraction_find(lag_refraction *r, double t, double *x, const lag
     lag_energy_balance b;
     *found = 0;
     for (int k = 0; k < MOST_STEPS; ++k) {
-        lag_status status = look(r, t, x, side, side->sense * u, &b);
+        lag_status status = evaluate_balance(r, t, x, side, side->sense * u, &b);
         if (status != LAG_OK || (!suffices && b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
             return status;
         }
@@ -99,12 +99,12 @@ lag_status lag_refraction_find(lag_refraction *r, double t, double *x, const lag
         const int beyond = b.speed > 0.0 && b.rest >= 0.0;
         low = beyond ? low : u;
         high = beyond ? u : high;
-        double by = aim(&b);
+        double by = impulse_to_root(&b);
         const int last = by == 0.0 || (b.speed > 0.0 && fabs(by) * b.slope <= NEAR * b.speed);
         if (!last && !(u + by > low && u + by < high)) {
             by = 0.5 * (low + high) - u;
         }
-        status = push(r, t, x, side->sense, &by);
+        status = add_impulse(r, t, x, side->sense, &by);
         if (status != LAG_OK || last) {
             *found = status == LAG_OK;
             return status;

@@ -41,7 +41,7 @@ void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
     timed->zero = memory;
 }
 
-static lag_status look(lag_timed *timed, double t)
+static lag_status evaluate(lag_timed *timed, double t)
 {
     lag_motion *motion = timed->motion;
     motion->at.t = t;
@@ -72,7 +72,7 @@ typedef struct distance {
 static double value_of(void *context, double t)
 {
     distance *one = context;
-    const lag_status status = look(one->timed, t);
+    const lag_status status = evaluate(one->timed, t);
     one->status = one->status == LAG_OK ? status : one->status;
     one->value = one->timed->distance[one->which];
     one->rate = one->timed->rate[one->which];
@@ -215,23 +215,23 @@ int lag_timed_due(const lag_timed *timed, double t)
     return timed->next <= lag_timed_behind(timed, t);
 }
 
-lag_status lag_timed_stand(lag_timed *timed, double t)
+lag_status lag_timed_set(lag_timed *timed, double t)
 {
     const size_t count = timed->motion->model->ntimed;
     if (count == 0) {
         return LAG_OK;
     }
-    const lag_status status = look(timed, t);
+    const lag_status status = evaluate(timed, t);
     memcpy(timed->motion->w + timed->first, timed->value, count * sizeof(double));
     return status;
 }
 
-lag_status lag_timed_enter(lag_timed *timed, double t)
+lag_status lag_timed_set_behind(lag_timed *timed, double t)
 {
-    return lag_timed_stand(timed, lag_timed_behind(timed, t));
+    return lag_timed_set(timed, lag_timed_behind(timed, t));
 }
 
-lag_status lag_timed_seek(lag_timed *timed, double t)
+lag_status lag_timed_find_next(lag_timed *timed, double t)
 {
     const lag_model *model = timed->motion->model;
     const double later = lag_timed_behind(timed, t);
@@ -240,7 +240,7 @@ lag_status lag_timed_seek(lag_timed *timed, double t)
     if (model->ntimed == 0) {
         return LAG_OK;
     }
-    lag_status status = look(timed, t);
+    lag_status status = evaluate(timed, t);
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
         distance one = {timed, i, LAG_OK, 0.0, 0.0};
         timed->zero[i] = timed->affine[i] != 0.0 && isfinite(timed->rate[i]) ? affine_zero(&one, t) : (double)NAN;
@@ -276,7 +276,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     double *w = timed->motion->w + timed->first;
     int lost = 0;
     memcpy(timed->before, w, model->ntimed * sizeof(double));
-    lag_status status = look(timed, later);
+    lag_status status = evaluate(timed, later);
     memcpy(w, timed->value, model->ntimed * sizeof(double));
     for (size_t i = 0; i < model->ndistance; ++i) {
         lost = lost || is_lost(timed, i, later);
@@ -286,7 +286,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     }
     memcpy(timed->old_distance, timed->distance, model->ndistance * sizeof(double));
     memcpy(timed->old_rate, timed->rate, model->ndistance * sizeof(double));
-    status = look(timed, later);
+    status = evaluate(timed, later);
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
         /* by a line that changes here, as that of a tent at its top, nothing was to come */
         const int goes_on = timed->distance[i] == timed->old_distance[i] && timed->rate[i] == timed->old_rate[i];
@@ -298,7 +298,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     return status;
 }
 
-int lag_timed_told(const lag_timed *timed)
+int lag_timed_is_reported(const lag_timed *timed)
 {
     const double *w = timed->motion->w + timed->first;
     int told = 0;

@@ -30,15 +30,15 @@ size_t lag_timed_memory(const lag_model *model);
 void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory);
 
 /* Entries are what they are at time t, */
-lag_status lag_timed_stand(lag_timed *timed, double t);
+lag_status lag_timed_set(lag_timed *timed, double t);
 /* or just behind it. */
-lag_status lag_timed_enter(lag_timed *timed, double t);
+lag_status lag_timed_set_behind(lag_timed *timed, double t);
 
 /* The first time behind t that is another one. */
 double lag_timed_behind(const lag_timed *timed, double t);
 
 /* Finds `next` after time t, with the present discretes. */
-lag_status lag_timed_seek(lag_timed *timed, double t);
+lag_status lag_timed_find_next(lag_timed *timed, double t);
 
 /* True if that is now, or later by round-off: lag_timed_change() carries it out. */
 int lag_timed_due(const lag_timed *timed, double t);
@@ -47,6 +47,6 @@ int lag_timed_due(const lag_timed *timed, double t);
 lag_status lag_timed_change(lag_timed *timed, double t);
 
 /* 1: lag_timed_change() changed what is told. */
-int lag_timed_told(const lag_timed *timed);
+int lag_timed_is_reported(const lag_timed *timed);
 
 #endif

@@ -10,12 +10,12 @@
 
 /* Guards of one kind: how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
 typedef struct kind {
-    lag_status (*look)(lag_zero_crossing *crossings);
+    lag_status (*evaluate)(lag_zero_crossing *crossings);
     double (*value)(const lag_zero_crossing *crossings, size_t k);
     double (*noise)(const lag_zero_crossing *crossings, size_t k);
 } kind;
 
-static lag_status look_at_relations(lag_zero_crossing *crossings)
+static lag_status evaluate_relations(lag_zero_crossing *crossings)
 {
     return crossings->motion->model->indicator(&crossings->motion->at, crossings->g);
 }
@@ -36,7 +36,7 @@ static int is_closed(const lag_zero_crossing *crossings, size_t k)
     return crossings->motion->w[crossings->places.contact + k] != 0.0;
 }
 
-static lag_status look_at_contacts(lag_zero_crossing *crossings)
+static lag_status evaluate_contacts(lag_zero_crossing *crossings)
 {
     return lag_contacts_evaluate(crossings->contacts);
 }
@@ -56,10 +56,10 @@ static double contact_noise(const lag_zero_crossing *crossings, size_t k)
     return is_closed(crossings, k) ? lag_contacts_force_noise(crossings->contacts, k) : lag_contacts_gap_noise(crossings->contacts, k);
 }
 
-static lag_status look_at_frictions(lag_zero_crossing *crossings)
+static lag_status evaluate_frictions(lag_zero_crossing *crossings)
 {
-    const lag_status status = lag_frictions_look(crossings->frictions);
-    return status == LAG_OK ? lag_reserve_look(crossings->reserve) : status;
+    const lag_status status = lag_frictions_evaluate(crossings->frictions);
+    return status == LAG_OK ? lag_reserve_evaluate(crossings->reserve) : status;
 }
 
 static double friction(const lag_zero_crossing *crossings, size_t k)
@@ -69,10 +69,10 @@ static double friction(const lag_zero_crossing *crossings, size_t k)
 
 static double friction_noise(const lag_zero_crossing *crossings, size_t k)
 {
-    return lag_frictions_band(crossings->frictions, k);
+    return lag_frictions_dead_band(crossings->frictions, k);
 }
 
-static lag_status look_at_corners(lag_zero_crossing *crossings)
+static lag_status evaluate_corners(lag_zero_crossing *crossings)
 {
     double solved = 0.0;
     return crossings->motion->model->corner(&crossings->motion->at, crossings->corners.far, &solved);
@@ -91,13 +91,13 @@ static double corner_noise(const lag_zero_crossing *crossings, size_t k)
 enum { RELATIONS, CONTACTS, FRICTIONS, CORNERS, KINDS };
 
 static const kind KIND[KINDS] = {
-    [RELATIONS] = {look_at_relations, relation, relation_noise},
-    [CONTACTS] = {look_at_contacts, contact, contact_noise},
-    [FRICTIONS] = {look_at_frictions, friction, friction_noise},
-    [CORNERS] = {look_at_corners, corner, corner_noise},
+    [RELATIONS] = {evaluate_relations, relation, relation_noise},
+    [CONTACTS] = {evaluate_contacts, contact, contact_noise},
+    [FRICTIONS] = {evaluate_frictions, friction, friction_noise},
+    [CORNERS] = {evaluate_corners, corner, corner_noise},
 };
 
-/* The number of guards of kind k. Every look asks this for every guard: no calls. */
+/* The number of guards of kind k. Every evaluation asks this for every guard: no calls. */
 static inline size_t count_of(const lag_zero_crossing *crossings, int k)
 {
     const lag_model *model = crossings->motion->model;
@@ -161,7 +161,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 size_t lag_zero_crossing_memory(const lag_model *model)
 {
     const size_t count = lag_guards(model) + model->ncorner;
-    return 5 * model->nindicator + 2 * model->ncorner + (7 + LAG_LOOKS) * count;
+    return 5 * model->nindicator + 2 * model->ncorner + (7 + LAG_PIECE_SAMPLES) * count;
 }
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -181,7 +181,7 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->top = lag_take(&memory, count);
     crossings->pieces.root = lag_take(&memory, count);
     crossings->pieces.found = lag_take(&memory, count);
-    for (size_t k = 0; k < LAG_LOOKS; ++k) {
+    for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
         crossings->pieces.seen[k] = lag_take(&memory, count);
     }
     crossings->pieces.when = lag_take(&memory, model->nindicator);
@@ -222,12 +222,12 @@ static lag_status evaluate(lag_zero_crossing *crossings, double t, const double 
     if (needs_forces(crossings)) {
         status = lag_motion_solve(crossings->motion, t, x);
     } else {
-        lag_motion_look(crossings->motion, t, x);
+        lag_motion_set_state(crossings->motion, t, x);
     }
     double *value = crossings->value;
     for (int k = 0; k < KINDS && status == LAG_OK; ++k) {
         const size_t count = count_of(crossings, k);
-        status = count > 0 ? KIND[k].look(crossings) : LAG_OK;
+        status = count > 0 ? KIND[k].evaluate(crossings) : LAG_OK;
         for (size_t i = 0; i < count && status == LAG_OK; ++i) {
             *value++ = KIND[k].value(crossings, i);
         }
@@ -260,7 +260,7 @@ static int is_unclear(const lag_zero_crossing *crossings, size_t i)
 }
 
 /* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */
-static int find_bands(lag_zero_crossing *crossings, double t, const double *x)
+static int find_dead_bands(lag_zero_crossing *crossings, double t, const double *x)
 {
     const size_t count = lag_zero_crossing_count(crossings);
     size_t i = 0;
@@ -294,11 +294,11 @@ static int has_left(const lag_zero_crossing *crossings, size_t i)
     return -value > crossings->depth[i] + band || ends;
 }
 
-lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x)
+lag_status lag_zero_crossing_detect(lag_zero_crossing *crossings, double t, const double *x)
 {
     const size_t count = lag_zero_crossing_count(crossings);
     lag_status status = evaluate(crossings, t, x);
-    if (status == LAG_OK && find_bands(crossings, t, x)) {
+    if (status == LAG_OK && find_dead_bands(crossings, t, x)) {
         status = evaluate(crossings, t, x);
     }
     int any = 0;

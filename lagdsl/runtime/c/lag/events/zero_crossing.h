@@ -22,7 +22,7 @@ typedef struct lag_corners {
 
 /* Values on pieces of a step, for those who look for the time of a change (run_scan.c). */
 typedef struct lag_pieces {
-    double *seen[LAG_LOOKS];       /* (nindicator + ncontact + nfriction + ncorner) values */
+    double *seen[LAG_PIECE_SAMPLES];       /* (nindicator + ncontact + nfriction + ncorner) values */
     double *root, *found;          /* the same */
     double *when;                  /* (nindicator) time of the last change that was found */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
@@ -39,7 +39,7 @@ typedef struct lag_zero_crossing {
     double *g;                     /* (nindicator) */
     lag_corners corners;
     lag_pieces pieces;
-    double *value;                 /* (nindicator + ncontact + nfriction + ncorner) of guards at the state looked at last; 1 where one is held */
+    double *value;                 /* (nindicator + ncontact + nfriction + ncorner) of guards at the state evaluated last; 1 where one is held */
     double *changed;               /* the same: 1: this one has left its mode there */
     double *depth;                 /* the same: how far below zero values were where the step began */
     double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
@@ -61,7 +61,7 @@ size_t lag_zero_crossing_memory(const lag_model *model);
 
 void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
 
-/* So many guards are looked at: relations, contacts, friction, corners. */
+/* So many guards are watched: relations, contacts, friction, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
 
 /* True if that value hardly gets behind zero, as that of a slip in a plane, which turns round there. */
@@ -80,7 +80,7 @@ double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which)
 lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const double *x);
 
 /* LAG_EVENT_PENDING if a guard has left its mode at x at time t, with the discretes of `motion`. */
-lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x);
+lag_status lag_zero_crossing_detect(lag_zero_crossing *crossings, double t, const double *x);
 
 /* Finds the relations that the rows of the mode hold from x at time t on. `point` (2 nq + nz) is for its own use. */
 void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point);

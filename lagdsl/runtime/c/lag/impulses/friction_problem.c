@@ -179,7 +179,7 @@ static void find_slope(scaled *s, size_t k, const double *y, double length, doub
     }
 }
 
-static void look_at_slip(scaled *s, size_t k)
+static void evaluate_slip(scaled *s, size_t k)
 {
     const size_t first = (size_t)s->at[k];
     const size_t count = (size_t)s->p->components[k];
@@ -199,7 +199,7 @@ static void look_at_slip(scaled *s, size_t k)
 }
 
 /* lam - proj(lam - gamma) and its slope; its largest entry. Rows of what acts or sticks are those of gamma. */
-static double look(scaled *s)
+static double evaluate_projection(scaled *s)
 {
     const lag_friction_problem *p = s->p;
     const size_t n = s->size;
@@ -217,7 +217,7 @@ static double look(scaled *s)
         }
     }
     for (size_t k = 0; k < p->frictions; ++k) {
-        look_at_slip(s, k);
+        evaluate_slip(s, k);
     }
     for (size_t i = 0; i < n; ++i) {
         most = fmax(most, fabs(s->rest[i]));
@@ -238,13 +238,13 @@ static double size_of(const scaled *s)
 static double improve(scaled *s)
 {
     const size_t n = s->size;
-    double least = look(s) / size_of(s);
+    double least = evaluate_projection(s) / size_of(s);
     memcpy(s->best, s->lam, n * sizeof(double));
     for (int k = 0; k < MOST_STEPS && least > ROUNDING; ++k) {
         const lag_svd svd = lag_svd_of(n, n, s->slope, s->work);
         lag_svd_solve(&svd, s->rest, LAG_KNOWN_ROWS, 0.0, s->change);
         lag_axpy(n, -1.0, s->change, s->lam);
-        const double left = look(s) / size_of(s);
+        const double left = evaluate_projection(s) / size_of(s);
         if (left < least) {
             least = left;
             memcpy(s->best, s->lam, n * sizeof(double));

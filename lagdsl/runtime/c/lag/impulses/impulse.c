@@ -65,20 +65,20 @@ static lag_status momenta(lag_impulse *impulse, const double *w, const double *q
     return status;
 }
 
-lag_status lag_impulse_keep(lag_impulse *impulse, double t, const double *x, const double *w)
+lag_status lag_impulse_keep_momenta(lag_impulse *impulse, double t, const double *x, const double *w)
 {
-    lag_motion_look(impulse->motion, t, x);
+    lag_motion_set_state(impulse->motion, t, x);
     return momenta(impulse, w, x + impulse->motion->model->nq, impulse->before);
 }
 
-lag_status lag_impulse_look(lag_impulse *impulse, double t, const double *x)
+lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x)
 {
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     memcpy(impulse->w + impulse->places.contact, impulse->holding, model->ncontact * sizeof(double));
     lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
     motion->at.w = impulse->w;
     status = status == LAG_OK ? model->mass_matrix(&motion->at, impulse->mass) : status;
@@ -216,11 +216,11 @@ static lag_status step(lag_impulse *impulse, double t, double *x)
         impulse->aim[i] = impulse->now[i] + times_mass(impulse, i, impulse->change, &sum);
     }
     lag_axpy(n, impulse->part, impulse->change, x + n);
-    lag_status status = lag_impulse_look(impulse, t, x);
+    lag_status status = lag_impulse_evaluate(impulse, t, x);
     for (int k = 0; k < MOST_HALVES && status == LAG_OK && overshoots(impulse, x + n); ++k) {
         impulse->part *= 0.5;
         lag_axpy(n, -impulse->part, impulse->change, x + n);
-        status = lag_impulse_look(impulse, t, x);
+        status = lag_impulse_evaluate(impulse, t, x);
         if (status == LAG_OK && k + 1 == MOST_HALVES) {
             status = judge(impulse, x + n);
         }
@@ -234,7 +234,7 @@ static lag_status retreat(lag_impulse *impulse, double t, double *x)
     const size_t n = impulse->motion->model->nq;
     lag_axpy(n, -0.25 * impulse->part, impulse->change, x + n);
     impulse->part *= 0.75;
-    return lag_impulse_look(impulse, t, x);
+    return lag_impulse_evaluate(impulse, t, x);
 }
 
 /* ---- the problem ---- */
@@ -253,7 +253,7 @@ static lag_status begin(lag_impulse *impulse, double t, double *x)
 {
     const size_t n = impulse->motion->model->nq;
     double *qd = x + n;
-    lag_status status = lag_impulse_look(impulse, t, x);
+    lag_status status = lag_impulse_evaluate(impulse, t, x);
     if (status != LAG_OK || are_finite(impulse)) {
         return status;
     }
@@ -262,7 +262,7 @@ static lag_status begin(lag_impulse *impulse, double t, double *x)
         for (size_t i = 0; i < n; ++i) {
             qd[i] *= 0.5;
         }
-        status = lag_impulse_look(impulse, t, x);
+        status = lag_impulse_evaluate(impulse, t, x);
     }
     if (status == LAG_OK && !are_finite(impulse)) { /* the rates are not to blame */
         memcpy(qd, impulse->point, n * sizeof(double));

@@ -26,7 +26,7 @@ typedef struct lag_impulse {
     lag_motion *motion;
     lag_places places;
     double *before;    /* (nq) momenta that the problem begins with */
-    double *now;       /* (nq) momenta at the rates looked at last, */
+    double *now;       /* (nq) momenta at the rates evaluated last, */
     double *mass;      /* (nq, nq) M, */
     double *jacobian;  /* (nc, nq) and the rows of the constraints with */
     double *residual;  /* (nc) what they lack: J qd + b */
@@ -50,12 +50,12 @@ size_t lag_impulse_memory(const lag_model *model);
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory);
 
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
-lag_status lag_impulse_keep(lag_impulse *impulse, double t, const double *x, const double *w);
+lag_status lag_impulse_keep_momenta(lag_impulse *impulse, double t, const double *x, const double *w);
 
 /* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open that are not `holding`. */
-lag_status lag_impulse_look(lag_impulse *impulse, double t, const double *x);
+lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x);
 
-/* 1: momenta that were kept and those that were looked at, at rates qd, differ by more than this part of what enters them. */
+/* 1: momenta that were kept and those evaluated, at rates qd, differ by more than this part of what enters them. */
 int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part);
 
 /*
@@ -70,7 +70,7 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
  * The rates in x at time t, which satisfy the lasting constraints, after a blow, whose impulses are rows->force. Closed contacts and friction
  * take part as its rows, not as constraints. LAG_NO_FORCES: no impulses satisfy the law.
  */
-lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_inequalities *rows);
+lag_status lag_impulse_impact(lag_impulse *impulse, double t, double *x, lag_inequalities *rows);
 
 /*
  * Accelerations qdd (nq) at x at time t, where `rows` act with rows->force beside the constraints that the discretes w (nw) have; speeds of rows are
@@ -78,7 +78,7 @@ lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_ine
  */
 lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows, double *qdd);
 
-/* Change of the rates (nq) for a unit impulse along `row` (nq), with what was looked at last. LAG_SINGULAR: some rates are not determined. */
+/* Change of the rates (nq) for a unit impulse along `row` (nq), with what was evaluated last. LAG_SINGULAR: some rates are not determined. */
 lag_status lag_impulse_respond(lag_impulse *impulse, const double *row, double *change);
 
 #endif

@@ -16,7 +16,7 @@ static double speed_at(const lag_impulse *impulse, const lag_inequalities *rows,
 }
 
 /* The impulses of the rows at impulse->rates, from the momenta of now; each gap parts with this part of its approach at least. */
-static lag_status blow(lag_impulse *impulse, double t, double *x, lag_inequalities *rows, const double *rebound)
+static lag_status solve_compression(lag_impulse *impulse, double t, double *x, lag_inequalities *rows, const double *rebound)
 {
     const size_t n = impulse->motion->model->nq;
     memcpy(impulse->before, impulse->now, n * sizeof(double));
@@ -81,28 +81,28 @@ static int equalize(lag_inequalities *rows)
 }
 
 /* Newton's law without friction, Poisson's with it. */
-static lag_status rebound(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
+static lag_status solve_restitution(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
 {
     if (rows->frictions == 0) {
-        return blow(impulse, t, x, rows, rows->restitution);
+        return solve_compression(impulse, t, x, rows, rows->restitution);
     }
-    const lag_status status = blow(impulse, t, x, rows, NULL);
+    const lag_status status = solve_compression(impulse, t, x, rows, NULL);
     return status == LAG_OK && lag_any(rows->normals, rows->restitution) ? expand(impulse, t, x, rows) : status;
 }
 
-lag_status lag_impulse_strike(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
+lag_status lag_impulse_impact(lag_impulse *impulse, double t, double *x, lag_inequalities *rows)
 {
     const size_t n = impulse->motion->model->nq;
     double size = 0.0;
-    lag_status status = lag_impulse_look(impulse, t, x);
+    lag_status status = lag_impulse_evaluate(impulse, t, x);
     lag_impulse_choose(impulse, rows);
     memcpy(impulse->point, x + n, n * sizeof(double));
-    status = status == LAG_OK ? rebound(impulse, t, x, rows) : status;
+    status = status == LAG_OK ? solve_restitution(impulse, t, x, rows) : status;
     if (status == LAG_OK && work_of(impulse, rows, x + n, &size) > LAG_SOLVED * size && equalize(rows)) {
         memcpy(x + n, impulse->point, n * sizeof(double));
         memcpy(rows->speed, rows->start, rows->size * sizeof(double));
-        status = lag_impulse_look(impulse, t, x);
-        status = status == LAG_OK ? rebound(impulse, t, x, rows) : status;
+        status = lag_impulse_evaluate(impulse, t, x);
+        status = status == LAG_OK ? solve_restitution(impulse, t, x, rows) : status;
     }
     return status;
 }
@@ -113,7 +113,7 @@ lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *
 {
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     motion->at.w = w;
     lag_status status = model->dynamics(&motion->at, impulse->mass, impulse->before, impulse->jacobian, impulse->residual);
     motion->at.w = motion->w;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
@@ -154,7 +154,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             check_bounds(model, start, &found);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_PROJECTION_FAILED;
         }
-        lag_motion_look(motion, t, x);
+        lag_motion_set_state(motion, t, x);
     }
     if (told != NULL) {
         *told = found;

@@ -2,7 +2,7 @@
 #ifndef LAG_INITIAL_EQUATIONS_H
 #define LAG_INITIAL_EQUATIONS_H
 
-#include "lag/initial/initialization_joint.h"
+#include "lag/initial/initial_equations_rows.h"
 
 #define LAG_JOINT_TARGET 1e-11
 

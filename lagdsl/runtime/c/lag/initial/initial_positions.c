@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
@@ -118,7 +118,7 @@ static void count_excess(const positions *p, double *point, double *memory)
 }
 
 /* The row that is farthest off is told. */
-static void tell(const positions *p, double *point, double *memory)
+static void record_worst(const positions *p, double *point, double *memory)
 {
     lag_initialization *b = p->b;
     double worst = -1.0;
@@ -258,6 +258,6 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
     }
     memcpy(x, b->q, n * sizeof(double));
     if (!(worst <= LAG_HOLDS)) {
-        tell(&p, point, memory);
+        record_worst(&p, point, memory);
     }
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "lag/equations/rank.h"
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -200,7 +200,7 @@ static void flag_dependent(walk *w, size_t which, size_t rank)
 }
 
 /* Ranks of all parts at `point`, which is on the constraints up to the residual; 0: a function is not finite there. */
-static int look(walk *w, double residual)
+static int find_ranks(walk *w, double residual)
 {
     lag_initialization *b = w->b;
     const size_t n = b->motion->model->nq;
@@ -251,7 +251,7 @@ static int take_step(walk *w, unsigned long long *seed, size_t which, double sca
     }
     lag_descend(&w->minimizer, &w->equations, &w->parts, LAG_EXACT, LAG_DESCENTS, w->point);
     *residual = lag_levenberg_marquardt_size(&w->minimizer, &w->equations);
-    return *residual <= LAG_HOLDS && look(w, *residual);
+    return *residual <= LAG_HOLDS && find_ranks(w, *residual);
 }
 
 void lag_initialization_find_rank(lag_initialization *b, const double *x)

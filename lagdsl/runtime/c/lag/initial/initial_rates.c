@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "lag/equations/rank.h"
-#include "lag/initial/initialization_rates.h"
+#include "lag/initial/initial_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -133,7 +133,7 @@ static void find_parts(lag_rates *r)
 /* ---- one part ---- */
 
 /* Records the condition that is violated, and its residual; fixed rates are counted behind all rows. */
-static void tell(lag_rates *r, size_t which, double residual)
+static void record_violated(lag_rates *r, size_t which, double residual)
 {
     lag_initialization *b = r->b;
     const size_t n = b->motion->model->nq;
@@ -183,7 +183,7 @@ static int satisfy(lag_rates *r, size_t which)
     if (worst <= (with_equations ? LAG_HOLDS : LAG_RANK) * (1.0 + largest)) {
         return 1;
     }
-    tell(r, (size_t)r->parts.row[first + place], worst);
+    record_violated(r, (size_t)r->parts.row[first + place], worst);
     return 0;
 }
 
@@ -270,7 +270,7 @@ static size_t append(const lag_rates *r, const double *column, size_t width, dou
 }
 
 /* The rates of a part, as if it were alone; 0: there are none. */
-static int settle(lag_rates *r, size_t which)
+static int solve_part(lag_rates *r, size_t which)
 {
     size_t first = 0;
     size_t row = 0;
@@ -283,7 +283,7 @@ static int settle(lag_rates *r, size_t which)
     for (size_t i = 0; r->its.columns == 0 && i < conditions; ++i) { /* rows that no rate moves */
         const size_t its = (size_t)r->parts.row[row + i];
         if (!(fabs(r->right[its]) <= LAG_RANK)) {
-            tell(r, its, fabs(r->right[its]));
+            record_violated(r, its, fabs(r->right[its]));
             return 0;
         }
     }
@@ -354,7 +354,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     find_parts(&r);
     int possible = 1;
     for (size_t which = 0; which < r.parts.count && possible; ++which) {
-        possible = settle(&r, which);
+        possible = solve_part(&r, which);
     }
     if (possible && b->motion->model->nc > 0) {
         lag_initialization_branch(&r);

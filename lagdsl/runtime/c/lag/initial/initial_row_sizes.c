@@ -1,7 +1,7 @@
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
@@ -63,7 +63,7 @@ static double usual(double *lengths)
 }
 
 /* Point k. */
-static void go_to(lag_initialization *b, size_t k, unsigned long long *seed, const double *q)
+static void set_point(lag_initialization *b, size_t k, unsigned long long *seed, const double *q)
 {
     if (k > 0) {
         lag_initialization_point(b, seed, k - 1, q, b->q);
@@ -72,7 +72,7 @@ static void go_to(lag_initialization *b, size_t k, unsigned long long *seed, con
     }
 }
 
-/* Lengths of the rows of J as it was looked at last, less the entries `less` (or null), which is look k; largest entries into the pattern. */
+/* Lengths of the rows of J as it was evaluated last, less the entries `less` (or null), which is number k; largest entries into the pattern. */
 static void measure(lag_initialization *b, size_t k, const double *less)
 {
     const lag_model *model = b->motion->model;
@@ -94,7 +94,7 @@ static void measure(lag_initialization *b, size_t k, const double *less)
     }
 }
 
-/* The entries of J as it was looked at last. */
+/* The entries of J as it was evaluated last. */
 static void keep(const lag_initialization *b, double *kept)
 {
     const lag_model *model = b->motion->model;
@@ -120,7 +120,7 @@ static void turn_discretes(lag_initialization *b, unsigned long long *seed)
 }
 
 /* Rows that are zero at all points: a discrete may be their switch. */
-static void look_at_branches(lag_initialization *b, const double *q)
+static void measure_branches(lag_initialization *b, const double *q)
 {
     const lag_model *model = b->motion->model;
     unsigned long long seed = 20021;
@@ -172,7 +172,7 @@ static void measure_changes(lag_initialization *b, const double *q)
         off[i] = p[i] * (1.0 + (lag_initialization_draw(&signs) > 0.0 ? ERROR : -ERROR));
     }
     for (size_t k = 0; k < SIZED_AT; ++k) {
-        go_to(b, k, &seed, q);
+        set_point(b, k, &seed, q);
         lag_initialization_velocities(b);
         keep(b, before);
         for (size_t j = 0; j < model->nq; ++j) {
@@ -240,7 +240,7 @@ void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
     int any = 0;
     lag_fill(lag_entries_count(model), 0.0, b->pattern);
     for (size_t k = 0; k < SIZED_AT; ++k) {
-        go_to(b, k, &seed, q);
+        set_point(b, k, &seed, q);
         lag_initialization_velocities(b);
         measure(b, k, NULL);
     }
@@ -250,7 +250,7 @@ void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
         any = any || length[i] == 0.0;
     }
     if (any && model->nw > 0) {
-        look_at_branches(b, q);
+        measure_branches(b, q);
         for (size_t i = 0; i < model->nc; ++i) {
             b->row_sizes[i] = length[i] > 0.0 ? b->row_sizes[i] : usual(sizes_of(b, i));
             length[i] = length[i] > 0.0 ? length[i] : usual(lengths_of(b, i));

@@ -255,7 +255,7 @@ void lag_nearest_configuration_along(lag_nearest_configuration *s, double *point
 }
 
 /* Flags in `also` the parts that bend by much at a place, with the weights there are. */
-static void look_at_bends(lag_nearest_configuration *s, const double *place)
+static void find_bent_parts(lag_nearest_configuration *s, const double *place)
 {
     bend(s, place);
     for (size_t which = 0; which < s->parts->count; ++which) {
@@ -291,8 +291,8 @@ int lag_nearest_configuration_bends(lag_nearest_configuration *s)
         place += columns * columns;
     }
     lag_fill(parts->n, 0.0, s->bend.point);
-    look_at_bends(s, s->bend.point);
-    look_at_bends(s, s->best.point);
+    find_bent_parts(s, s->bend.point);
+    find_bent_parts(s, s->best.point);
     for (size_t which = 0; which < parts->count; ++which) {
         s->moving[which] = s->path.also[which] != 0.0 && s->best.distances[which] > 0.0;
     }

@@ -250,7 +250,7 @@ static void choose(lag_nearest_configuration *s, int with_best, lag_found *resul
 }
 
 /* Nearer points of parts that bend. */
-static void look_beyond(lag_nearest_configuration *s)
+static void search_bent_parts(lag_nearest_configuration *s)
 {
     const size_t n = s->parts->n;
     if (!lag_nearest_configuration_bends(s)) {
@@ -323,7 +323,7 @@ double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_
         mix(s, s->chosen, result, &s->best);
     }
     if (feasible == parts->count) {
-        look_beyond(s);
+        search_bent_parts(s);
     }
     for (size_t i = 0; i < parts->count; ++i) {
         worst = fmax(worst, s->best.sizes[i]);

@@ -4,37 +4,37 @@
 
 /* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
 static const double DIFFERENCE = 0.03;
-/* The error of a parabola through three looks, as a part of the third. */
+/* The error of a parabola through three samples, as a part of the third. */
 static const double THIRD = 0.01;
 /* Lengths of pieces change by at most these factors. */
 static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0;
-/* A minimum that is so much nearer to zero than what was seen is looked at. */
+/* A minimum that is so much nearer to zero than the values so far gets a sample. */
 static const double NEARER = 0.3;
 /* So many times its error a minimum may be lower than it seems. */
 static const double LOWER = 2.0;
-/* So far from an end, as a part of the distance to the next look; below this part of the next value something has just happened. */
+/* So far from an end, as a part of the distance to the next sample; below this part of the next value something has just happened. */
 static const double BESIDE = 0.25, JUST = 1e-6;
-/* A minimum nearer to the beginning than this part of the distance to the next look is not told from one before it. */
+/* A minimum nearer to the beginning than this part of the distance to the next sample is not told from one before it. */
 static const double BEGINNING = 0.01;
 
-double lag_look_error(const double *values, double *parabola)
+double lag_piece_error(const double *values, double *parabola)
 {
-    double d[LAG_LOOKS];
+    double d[LAG_PIECE_SAMPLES];
     double third = 0.0;
-    for (int k = 0; k < LAG_LOOKS; ++k) {
+    for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
         d[k] = values[k];
     }
-    for (int order = 1; order < LAG_LOOKS; ++order) {
-        for (int k = LAG_LAST_LOOK; k >= order; --k) {
-            d[k] = (d[k] - d[k - 1]) / (LAG_LOOK_PLACES[k] - LAG_LOOK_PLACES[k - order]);
+    for (int order = 1; order < LAG_PIECE_SAMPLES; ++order) {
+        for (int k = LAG_LAST_SAMPLE; k >= order; --k) {
+            d[k] = (d[k] - d[k - 1]) / (LAG_SAMPLE_PLACES[k] - LAG_SAMPLE_PLACES[k - order]);
         }
-        third = order == LAG_LAST_LOOK - 1 ? fmax(fabs(d[LAG_LAST_LOOK]), fabs(d[LAG_LAST_LOOK - 1])) : third;
+        third = order == LAG_LAST_SAMPLE - 1 ? fmax(fabs(d[LAG_LAST_SAMPLE]), fabs(d[LAG_LAST_SAMPLE - 1])) : third;
     }
-    *parabola = DIFFERENCE * fabs(d[LAG_LAST_LOOK]) + THIRD * third;
-    return DIFFERENCE * fabs(d[LAG_LAST_LOOK]);
+    *parabola = DIFFERENCE * fabs(d[LAG_LAST_SAMPLE]) + THIRD * third;
+    return DIFFERENCE * fabs(d[LAG_LAST_SAMPLE]);
 }
 
-double lag_look_length(double w, double doubt)
+double lag_piece_length(double w, double doubt)
 {
     const double factor = doubt > 0.0 ? SAFETY * pow(LAG_KNOWN_PART / doubt, 0.25) : MOST_FACTOR;
     return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));

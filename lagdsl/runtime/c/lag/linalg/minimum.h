@@ -5,10 +5,10 @@
 #ifndef LAG_MINIMUM_H
 #define LAG_MINIMUM_H
 
-enum { LAG_LOOKS = 5, LAG_LAST_LOOK = LAG_LOOKS - 1 };
+enum { LAG_PIECE_SAMPLES = 5, LAG_LAST_SAMPLE = LAG_PIECE_SAMPLES - 1 };
 
 /* Places of samples in a piece, as parts of it: no two distances are alike, so that no periodic function seems constant. */
-static const double LAG_LOOK_PLACES[LAG_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
+static const double LAG_SAMPLE_PLACES[LAG_PIECE_SAMPLES] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
 /* Values are known where the difference of the polynomials is at most this part of the largest of them. */
 static const double LAG_KNOWN_PART = 0.1;
 /* With each sample near a minimum it is known better, by this factor at most. */
@@ -26,10 +26,10 @@ static inline void lag_triple_put(lag_triple *at, int k, double u, double v)
 }
 
 /* Difference of the polynomials through values at the places of a piece; *parabola: error of parabolas through three of them. */
-double lag_look_error(const double *values, double *parabola);
+double lag_piece_error(const double *values, double *parabola);
 
 /* The length of the next piece after one of length w whose values are known up to this part of them: it goes with the fourth power. */
-double lag_look_length(double w, double doubt);
+double lag_piece_length(double w, double doubt);
 
 /*
  * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the

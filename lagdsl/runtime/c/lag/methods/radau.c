@@ -237,7 +237,7 @@ static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h,
 }
 
 /* The step is done. */
-static void go_on(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
+static void accept_step(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
 {
     s->h = next;
     s->last.error = fmax(error, 1e-2);
@@ -277,7 +277,7 @@ static lag_status step(lag_stepper *s, double limit)
             accept(s, &at, h, t_new);
             lag_radau_keep(s, &at, &solved);
             const double next = next_length(&at, h, factor);
-            go_on(s, &at, &solved, h, h < proposed && !rejected ? fmax(next, proposed) : next, error);
+            accept_step(s, &at, &solved, h, h < proposed && !rejected ? fmax(next, proposed) : next, error);
             return LAG_OK;
         }
         if (h <= s->h_least) {

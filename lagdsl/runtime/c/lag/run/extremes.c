@@ -37,7 +37,7 @@ void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *
     extremes->searched = 0;
 }
 
-void lag_extremes_see(lag_extremes *extremes, size_t i, double value)
+void lag_extremes_include(lag_extremes *extremes, size_t i, double value)
 {
     if (value < extremes->low[i]) {
         extremes->low[i] = value;
@@ -50,7 +50,7 @@ void lag_extremes_see(lag_extremes *extremes, size_t i, double value)
 void lag_extremes_row(lag_extremes *extremes, const double *values)
 {
     for (size_t i = 0; i < extremes->count; ++i) {
-        lag_extremes_see(extremes, i, values[i]);
+        lag_extremes_include(extremes, i, values[i]);
     }
 }
 
@@ -75,7 +75,7 @@ static void count_turns(lag_extremes *extremes, const double *x)
 }
 
 /* True if the cubics show that some number exceeds its range so far. */
-static int gets_beyond(const lag_extremes *extremes, const lag_stepper *s)
+static int exceeds_range(const lag_extremes *extremes, const lag_stepper *s)
 {
     const double h = s->t - s->t_before;
     for (size_t i = 0; i < extremes->size; ++i) {
@@ -93,15 +93,15 @@ static int gets_beyond(const lag_extremes *extremes, const lag_stepper *s)
 }
 
 /* The vertex of the parabola through three values at equal distances, if it lies between them. */
-static void see_vertex(lag_extremes *extremes, size_t i, double a, double b, double c)
+static void include_vertex(lag_extremes *extremes, size_t i, double a, double b, double c)
 {
     const double bend = a - 2.0 * b + c;
     if (bend != 0.0 && fabs(a - c) <= 2.0 * fabs(bend)) {
-        lag_extremes_see(extremes, i, b - 0.125 * (a - c) * (a - c) / bend);
+        lag_extremes_include(extremes, i, b - 0.125 * (a - c) * (a - c) / bend);
     }
 }
 
-static lag_status look_inside(lag_extremes *extremes, lag_stepper *s, double t)
+static lag_status include_samples(lag_extremes *extremes, lag_stepper *s, double t)
 {
     const size_t n = extremes->size;
     double *x = extremes->sample;
@@ -113,7 +113,7 @@ static lag_status look_inside(lag_extremes *extremes, lag_stepper *s, double t)
     }
     for (size_t i = 0; i < n; ++i) {
         for (size_t k = 1; k < LAG_SAMPLES; ++k) {
-            see_vertex(extremes, i, x[(k - 1) * n + i], x[k * n + i], x[(k + 1) * n + i]);
+            include_vertex(extremes, i, x[(k - 1) * n + i], x[k * n + i], x[(k + 1) * n + i]);
         }
     }
     return LAG_OK;
@@ -124,15 +124,15 @@ lag_status lag_extremes_step(lag_extremes *extremes, lag_run *run, double t)
     lag_stepper *s = &run->stepper;
     const int whole = t == s->t;
     lag_status status = LAG_OK;
-    if (t > s->t_before && gets_beyond(extremes, s)) {
-        status = look_inside(extremes, s, t);
+    if (t > s->t_before && exceeds_range(extremes, s)) {
+        status = include_samples(extremes, s, t);
     }
     if (t > s->t_before && run->motion.model->ny > 0 && status == LAG_OK) {
         lag_extremes_outputs(extremes, run, t);
     }
     if (whole && status == LAG_OK) {
         for (size_t i = 0; i < extremes->size; ++i) {
-            lag_extremes_see(extremes, i, s->x[i]);
+            lag_extremes_include(extremes, i, s->x[i]);
         }
         count_turns(extremes, s->x);
     }

@@ -40,7 +40,7 @@ void lag_extremes_pass(lag_extremes *extremes, struct lag_run *run, unsigned pla
 lag_status lag_extremes_step(lag_extremes *extremes, struct lag_run *run, double t);
 
 /* For its own files: a value of number i was seen; outputs within the last step, as far as time t. */
-void lag_extremes_see(lag_extremes *extremes, size_t i, double value);
+void lag_extremes_include(lag_extremes *extremes, size_t i, double value);
 void lag_extremes_outputs(lag_extremes *extremes, struct lag_run *run, double t);
 
 #endif

@@ -68,12 +68,12 @@ static int is_counted(const lag_run *run, size_t i)
 }
 
 /* Outputs within the last step, or at its end, up to which turns are counted. */
-static void see_outputs(lag_extremes *extremes, const lag_run *run, const double *y, int at_end)
+static void include_outputs(lag_extremes *extremes, const lag_run *run, const double *y, int at_end)
 {
     const size_t ny = run->motion.model->ny;
     for (size_t i = 0; i < ny; ++i) {
         if (at_end || !is_counted(run, i)) {
-            lag_extremes_see(extremes, extremes->count - ny + i, y[i]);
+            lag_extremes_include(extremes, extremes->count - ny + i, y[i]);
         }
     }
 }
@@ -87,7 +87,7 @@ static void find_outputs_inside(lag_extremes *extremes, lag_run *run, double t, 
     } else {
         lag_fill(ny, (double)NAN, y);
     }
-    see_outputs(extremes, run, y, 0);
+    include_outputs(extremes, run, y, 0);
 }
 
 void lag_extremes_pass(lag_extremes *extremes, lag_run *run, unsigned place, double t)
@@ -137,7 +137,7 @@ static void pass_on(lag_extremes *extremes, size_t ny)
 }
 
 /* True if outputs along the last step show that some may exceed its range so far, or hide what is between them. */
-static int outputs_get_beyond(const lag_extremes *extremes, const lag_run *run)
+static int outputs_exceed_range(const lag_extremes *extremes, const lag_run *run)
 {
     const size_t ny = run->motion.model->ny;
     double y[SCREEN + 1];
@@ -257,9 +257,9 @@ void lag_extremes_outputs(lag_extremes *extremes, lag_run *run, double t)
     if (t == s->t) { /* the end is no approximation */
         double *end = extremes->passed + LAG_PASSED_END * ny;
         lag_run_unwind(run, end);
-        see_outputs(extremes, run, end, 1);
+        include_outputs(extremes, run, end, 1);
     }
-    const int beyond = outputs_get_beyond(extremes, run);
+    const int beyond = outputs_exceed_range(extremes, run);
     const int last = LAG_SAMPLES - (t == s->t); /* outputs at the ends are known */
     memcpy(extremes->outputs, extremes->passed, ny * sizeof(double));
     memcpy(extremes->outputs + LAG_SAMPLES * ny, extremes->passed + LAG_PASSED_END * ny, ny * sizeof(double));

@@ -64,7 +64,7 @@ static void observe(lag_run *run, double t, const double *x, int after_event, do
             lag_fill(model->ny, (double)NAN, values);
         }
     } else {
-        lag_motion_look(motion, t, x);
+        lag_motion_set_state(motion, t, x);
     }
     if (model->energies == NULL || model->energies(&motion->at, energy, parts, parts + 1, parts + 2) != LAG_OK) {
         *energy = (double)NAN;
@@ -72,7 +72,7 @@ static void observe(lag_run *run, double t, const double *x, int after_event, do
     find_residuals(run, energy + 1);
 }
 
-static lag_status make_room(lag_results *results)
+static lag_status empty_when_full(lag_results *results)
 {
     if (results->row < results->most_rows && results->note < results->most_notes) {
         return LAG_OK;
@@ -87,7 +87,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     const lag_model *model = run->motion.model;
     const size_t size = lag_motion_size(model);
     const size_t variables = run->instants.places.contact;
-    const lag_status status = make_room(results);
+    const lag_status status = empty_when_full(results);
     double *row = results->rows + results->row * width_of(model, variables);
     if (status != LAG_OK) {
         return status;
@@ -130,14 +130,14 @@ lag_status lag_results_end(lag_results *results, lag_run *run, double t, const d
 
 static lag_status note(lag_results *results, const lag_event_notice *notice)
 {
-    const lag_status status = make_room(results);
+    const lag_status status = empty_when_full(results);
     if (status == LAG_OK) {
         results->notes[results->note++] = (lag_note){notice->t, notice->what, notice->which};
     }
     return status;
 }
 
-lag_status lag_results_tell(lag_results *results, lag_run *run, const lag_event_notice *notice)
+lag_status lag_results_record_event(lag_results *results, lag_run *run, const lag_event_notice *notice)
 {
     const double t = notice->t;
     lag_status status = LAG_OK;

@@ -47,6 +47,6 @@ lag_status lag_results_end(lag_results *results, struct lag_run *run, double t, 
 lag_status lag_results_step(lag_results *results, struct lag_run *run, double t);
 
 /* Records an event: a row or a note. */
-lag_status lag_results_tell(lag_results *results, struct lag_run *run, const lag_event_notice *notice);
+lag_status lag_results_record_event(lag_results *results, struct lag_run *run, const lag_event_notice *notice);
 
 #endif

@@ -18,7 +18,7 @@ size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_look_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
+           lag_rank_estimate_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
            2 * lag_guards(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
@@ -52,14 +52,14 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     run->watch.held = run->watch.scale + ni;
 }
 
-static lag_status tell(void *context, const lag_event_notice *notice)
+static lag_status report_event(void *context, const lag_event_notice *notice)
 {
     lag_run *run = context;
     lag_event_notice told = *notice;
     const lag_run_callbacks *callbacks = &run->options.callbacks;
     lag_status status = LAG_OK;
     if (run->options.results != NULL) {
-        status = lag_results_tell(run->options.results, run, notice);
+        status = lag_results_record_event(run->options.results, run, notice);
     }
     told.row = run->counts.row;
     return status == LAG_OK && callbacks->tell != NULL ? callbacks->tell(callbacks->context, run, &told) : status;
@@ -72,7 +72,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
     lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
     run->instants.noise.tolerance = options->tolerance;
-    run->instants.iteration.listener.tell = tell;
+    run->instants.iteration.listener.tell = report_event;
     run->instants.iteration.listener.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
         : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
@@ -83,12 +83,12 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent)
 {
     const lag_model *model = run->motion.model;
     const double *lasting = run->options.lasting.rows;
-    run->ranks.look.most = lasting != NULL ? run->options.lasting.general : model->rank;
+    run->ranks.estimate.most = lasting != NULL ? run->options.lasting.general : model->rank;
     for (size_t i = 0; i < model->nc; ++i) {
         const int lasts = lasting == NULL || lasting[i] != 0.0;
         const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
         run->ranks.lasting[i] = lasts && !lost;
-        run->ranks.look.most -= lasts && lost && run->ranks.look.most > 0;
+        run->ranks.estimate.most -= lasts && lost && run->ranks.estimate.most > 0;
     }
 }
 
@@ -132,10 +132,10 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->sizes.rows = lag_take(&memory, model->nc);
     run->motion.sizes = run->sizes.natural;
     run->motion.row_sizes = run->sizes.rows;
-    lag_look_place(&run->ranks.look, model, run->sizes.natural, run->sizes.rows, lag_take(&memory, lag_look_memory(model)));
+    lag_rank_estimate_place(&run->ranks.estimate, model, run->sizes.natural, run->sizes.rows, lag_take(&memory, lag_rank_estimate_memory(model)));
     run->ranks.lasting = lag_take(&memory, model->nc);
     run->ranks.dependent = lag_take_flags(&memory, model->nc);
-    run->ranks.look.lasting = run->ranks.lasting;
+    run->ranks.estimate.lasting = run->ranks.lasting;
     run->block.initial = run->block.memory + run->block.numbers;
     if (lag_run_crosses(model, options)) {
         lag_singular_place(&run->ranks.singular, run, run->block.initial + (options->start != NULL ? lag_initial_memory(model) : 0));
@@ -199,7 +199,7 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
         return LAG_BAD_STATE_DATA;
     }
     motion->model = model;
-    run->ranks.look.model = model; /* the one before need not live any longer */
+    run->ranks.estimate.model = model; /* the one before need not live any longer */
     motion->at.context = model->context;
     motion->at.workspace = workspace;
     return motion->at.p != NULL ? lag_motion_prepare(motion) : LAG_OK;

@@ -20,7 +20,7 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
         memcpy(run->sizes.cap, options->sizes.cap, size * sizeof(double));
     }
     if (model->nc > 0 && options->sizes.row_sizes == NULL) {
-        lag_motion_look(&run->motion, t, x);
+        lag_motion_set_state(&run->motion, t, x);
         status = lag_projection_look(&run->projection, 1);
     }
     for (size_t i = 0; i < model->nc; ++i) {
@@ -83,7 +83,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     s->h = h;
     run->half.open = 0;
     run->half.left = 0.0;
-    run->ranks.look.rank = 0;
+    run->ranks.estimate.rank = 0;
     return status == LAG_OK && !run->sizes.found ? find_sizes(run, t, s->x) : status;
 }
 

@@ -7,9 +7,9 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LOOKS = LAG_LAST_LOOK, TURNS = 8, PATTERNS = 3 };
-/* Looks at a step, as parts of it, behind its beginning; no two distances are alike. */
-static const double PLACES[LOOKS] = {0.2071, 0.4583, 0.7361, 1.0};
+enum { SAMPLES = LAG_LAST_SAMPLE, TURNS = 8, PATTERNS = 3 };
+/* Samples of a step, as parts of it, behind its beginning; no two distances are alike. */
+static const double PLACES[SAMPLES] = {0.2071, 0.4583, 0.7361, 1.0};
 /* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
 static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
@@ -25,13 +25,13 @@ static int is_careful(const lag_run *run)
     return run->motion.model->ncorner > 0 && method->error_order > 0 && method != &lag_collocation;
 }
 
-static double lookahead(const lag_run *run)
+static double probe_step(const lag_run *run)
 {
     return TOGETHER * lag_scan_tolerance(run);
 }
 
 /* Distances at x at time t. */
-static lag_status look(lag_run *run, double t, const double *x, double *far)
+static lag_status evaluate_distances(lag_run *run, double t, const double *x, double *far)
 {
     lag_motion *motion = &run->motion;
     double solved = 0.0;
@@ -39,12 +39,12 @@ static lag_status look(lag_run *run, double t, const double *x, double *far)
     if (run->crossings.corners.solved) {
         status = lag_motion_solve(motion, t, x);
     } else {
-        lag_motion_look(motion, t, x);
+        lag_motion_set_state(motion, t, x);
     }
     status = status == LAG_OK ? motion->model->corner(&motion->at, far, &solved) : status;
     if (status == LAG_OK && solved != 0.0 && !run->crossings.corners.solved) {
         run->crossings.corners.solved = 1;
-        return look(run, t, x, far);
+        return evaluate_distances(run, t, x, far);
     }
     return status;
 }
@@ -65,10 +65,10 @@ static void between(lag_run *run, double s)
 static lag_status sample(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_status status = look(run, s->t_before, s->x_before, run->crossings.pieces.seen[0]);
-    for (int k = 0; k < LOOKS && status == LAG_OK; ++k) {
+    lag_status status = evaluate_distances(run, s->t_before, s->x_before, run->crossings.pieces.seen[0]);
+    for (int k = 0; k < SAMPLES && status == LAG_OK; ++k) {
         between(run, PLACES[k]);
-        status = look(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == LOOKS - 1 ? s->x : run->point, run->crossings.pieces.seen[k + 1]);
+        status = evaluate_distances(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == SAMPLES - 1 ? s->x : run->point, run->crossings.pieces.seen[k + 1]);
     }
     return status;
 }
@@ -78,7 +78,7 @@ static double range_of(const lag_run *run, size_t i)
 {
     double least = run->crossings.pieces.seen[0][i];
     double most = least;
-    for (int k = 1; k <= LOOKS; ++k) {
+    for (int k = 1; k <= SAMPLES; ++k) {
         least = fmin(least, run->crossings.pieces.seen[k][i]);
         most = fmax(most, run->crossings.pieces.seen[k][i]);
     }
@@ -90,7 +90,7 @@ static int is_near(const lag_run *run, size_t i)
 {
     double nearest = fabs(run->crossings.pieces.seen[0][i]);
     int changes = 0;
-    for (int k = 1; k <= LOOKS; ++k) {
+    for (int k = 1; k <= SAMPLES; ++k) {
         nearest = fmin(nearest, fabs(run->crossings.pieces.seen[k][i]));
         changes = changes || (run->crossings.pieces.seen[k][i] < 0.0) != (run->crossings.pieces.seen[0][i] < 0.0);
     }
@@ -111,7 +111,7 @@ static lag_status leave_out(lag_run *run)
             const double by = (i >> pattern & 1u) != 0 ? -s->tolerance[i] : s->tolerance[i];
             run->point[i] = s->x_before[i] + (pattern + 1 < PATTERNS ? by : s->tolerance[i]);
         }
-        status = status == LAG_OK ? look(run, s->t_before, run->point, crossings->corners.far) : status;
+        status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, crossings->corners.far) : status;
         for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
             crossings->corners.side[i] = range_of(run, i) <= fabs(crossings->corners.far[i] - crossings->pieces.seen[0][i]) ? 0.0 : crossings->corners.side[i];
         }
@@ -120,20 +120,20 @@ static lag_status leave_out(lag_run *run)
 }
 
 /* Distances where the motion goes from x with rates f in a time. */
-static lag_status look_ahead(lag_run *run, double t, const double *x, const double *f, double after, double *far)
+static lag_status probe_distances(lag_run *run, double t, const double *x, const double *f, double after, double *far)
 {
     for (size_t i = 0; i < run->stepper.ode->size; ++i) {
         run->point[i] = x[i] + after * f[i];
     }
-    return look(run, t + after, run->point, far);
+    return evaluate_distances(run, t + after, run->point, far);
 }
 
 /* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
-static lag_status face(lag_run *run)
+static lag_status find_sides(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
     lag_corners *corners = &run->crossings.corners;
-    const lag_status status = look_ahead(run, s->t_before, s->x_before, s->f_before, lookahead(run), corners->far);
+    const lag_status status = probe_distances(run, s->t_before, s->x_before, s->f_before, probe_step(run), corners->far);
     for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
         const double here = run->crossings.pieces.seen[0][i];
         const int is_beside = fabs(here) <= BESIDE * range_of(run, i) && corners->far[i] != 0.0;
@@ -160,7 +160,7 @@ lag_status lag_run_face_corners(lag_run *run)
     }
     if (near && status == LAG_OK && lag_any(count, run->crossings.corners.side)) {
         run->crossings.corners.count = count;
-        status = face(run);
+        status = find_sides(run);
     }
     return status;
 }
@@ -173,28 +173,28 @@ static int only_corners(const lag_run *run)
 }
 
 /* LAG_EVENT_PENDING: relations or contacts have changed at t, within the last step. */
-static lag_status look_at_jumps(lag_run *run, double t)
+static lag_status detect_jumps(lag_run *run, double t)
 {
     const lag_model *model = run->motion.model;
-    const lag_status status = lag_scan_look(run, t);
+    const lag_status status = lag_scan_detect(run, t);
     const int any = lag_any(lag_guards(model), run->crossings.changed);
     return status == LAG_EVENT_PENDING && !any ? LAG_OK : status;
 }
 
 /*
  * A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. A relation that has a corner
- * itself, as `abs(x - a) < b`, may have changed before that without a look that has seen it; one that jumps there may have changed back.
+ * itself, as `abs(x - a) < b`, may have changed before that without a sample that shows it; one that jumps there may have changed back.
  */
 static lag_status with_relations(lag_run *run, double *own, double *corner)
 {
     const double at = *own;
-    const double before = at - lookahead(run);
-    const double behind = fmin(run->stepper.t, at + BEHIND * lookahead(run));
+    const double before = at - probe_step(run);
+    const double behind = fmin(run->stepper.t, at + BEHIND * probe_step(run));
     double last = behind;
-    lag_status status = look_at_jumps(run, last);
+    lag_status status = detect_jumps(run, last);
     if (status == LAG_OK) {
         last = before;
-        status = look_at_jumps(run, last);
+        status = detect_jumps(run, last);
     }
     *own = *corner = (double)INFINITY;
     if (status == LAG_EVENT_PENDING) {
@@ -205,7 +205,7 @@ static lag_status with_relations(lag_run *run, double *own, double *corner)
     }
     if (*own < (double)INFINITY && *own >= before) {
         *own = behind;
-        status = lag_scan_look(run, behind);
+        status = lag_scan_detect(run, behind);
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -224,7 +224,7 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
         if (status != LAG_EVENT_PENDING || !only_corners(run)) {
             break;
         }
-        if (*own - run->stepper.t_before > lookahead(run)) {
+        if (*own - run->stepper.t_before > probe_step(run)) {
             return with_relations(run, own, corner);
         }
         for (size_t i = 0; i < crossings->corners.count; ++i) { /* it has just been passed */
@@ -234,7 +234,7 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-/* As far before it as the step that ends there looks ahead, so that the run passes it (lag_run_pass_corner). */
+/* Before it by the probe step of the step that ends there, so that the run passes it (lag_run_pass_corner). */
 double lag_run_before_corner(const lag_run *run, double corner)
 {
     return corner - TOGETHER * lag_scan_tolerance_at(corner, corner - run->stepper.t_before);
@@ -242,7 +242,7 @@ double lag_run_before_corner(const lag_run *run, double corner)
 
 int lag_run_is_at_end(const lag_run *run, double corner)
 {
-    return corner >= run->stepper.t - 2.0 * lookahead(run);
+    return corner >= run->stepper.t - 2.0 * probe_step(run);
 }
 
 int lag_run_meets_corner(lag_run *run)
@@ -253,8 +253,8 @@ int lag_run_meets_corner(lag_run *run)
     if (!is_careful(run)) {
         return 0;
     }
-    lag_status status = look(run, s->t, s->x, crossings->pieces.seen[0]);
-    status = status == LAG_OK ? look_ahead(run, s->t, s->x, s->f, PASSED * lookahead(run), crossings->corners.far) : status;
+    lag_status status = evaluate_distances(run, s->t, s->x, crossings->pieces.seen[0]);
+    status = status == LAG_OK ? probe_distances(run, s->t, s->x, s->f, PASSED * probe_step(run), crossings->corners.far) : status;
     if (status == LAG_OK) {
         for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
             meets = meets || (crossings->corners.far[i] < 0.0) != (crossings->pieces.seen[0][i] < 0.0);
@@ -266,7 +266,7 @@ int lag_run_meets_corner(lag_run *run)
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = s->t + PASSED * lookahead(run);
+    const double t = s->t + PASSED * probe_step(run);
     run->crossings.corners.count = 0;
     if (!(t < limit)) {
         return;
@@ -274,7 +274,7 @@ void lag_run_pass_corner(lag_run *run, double limit)
     for (size_t i = 0; i < s->ode->size; ++i) {
         run->point[i] = s->x[i] + (t - s->t) * s->f[i];
     }
-    if (lag_zero_crossing_count(&run->crossings) > 0 && lag_zero_crossing_look(&run->crossings, t, run->point) != LAG_OK) {
+    if (lag_zero_crossing_count(&run->crossings) > 0 && lag_zero_crossing_detect(&run->crossings, t, run->point) != LAG_OK) {
         return; /* something happens on the way */
     }
     memcpy(s->x, run->point, s->ode->size * sizeof(double));

@@ -13,7 +13,7 @@ void lag_run_lose(lag_run *run, double t, const double *x)
 
 lag_status lag_run_watch(lag_run *run, double t, const double *x)
 {
-    const lag_status status = lag_watch_look(&run->watch, t, x);
+    const lag_status status = lag_watch_check(&run->watch, t, x);
     if (status == LAG_VIOLATED) {
         lag_watch_count(&run->watch);
         lag_run_lose(run, t, x);
@@ -135,7 +135,7 @@ static void explain_violated(lag_run *run, lag_fault *fault)
 }
 
 /* Moves the fault to the state at which the accelerations failed. */
-static void go_to_trouble(const lag_run *run, lag_fault *fault)
+static void use_failed_state(const lag_run *run, lag_fault *fault)
 {
     const lag_stepper *s = &run->stepper;
     if (s->trouble != LAG_OK && s->trouble_time >= s->t) {
@@ -155,13 +155,13 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
     switch (status) {
     case LAG_SINGULAR:
         fault->which = run->motion.coordinate;
-        go_to_trouble(run, fault);
+        use_failed_state(run, fault);
         break;
     case LAG_MOMENTUM_UNREACHABLE:
         fault->which = run->motion.coordinate;
         break;
     case LAG_NOT_FINITE:
-        go_to_trouble(run, fault);
+        use_failed_state(run, fault);
         explain_not_finite(run, fault);
         break;
     case LAG_STEP_TOO_SMALL:

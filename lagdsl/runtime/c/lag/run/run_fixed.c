@@ -30,11 +30,11 @@ static lag_status step_once(lag_run *run, double h, double end, lag_fixed_step *
     run->projection.iterations = 2;
     (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
     run->projection.iterations = iterations;
-    return run->motion.model->event != NULL ? lag_zero_crossing_look(&run->crossings, s->t, s->x) : LAG_OK;
+    return run->motion.model->event != NULL ? lag_zero_crossing_detect(&run->crossings, s->t, s->x) : LAG_OK;
 }
 
 /* From where the run is to `end` in pieces that end where something happens. */
-static lag_status go_in_pieces(lag_run *run, double h, double end, lag_fixed_step *step)
+static lag_status run_in_pieces(lag_run *run, double h, double end, lag_fixed_step *step)
 {
     const lag_method *chosen = run->options.method;
     const lag_method *method = run->stepper.method;
@@ -74,7 +74,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
             s->t = s->t_before;
             memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
         }
-        status = go_in_pieces(run, h, end, step);
+        status = run_in_pieces(run, h, end, step);
     }
     lag_instants_after(&run->instants, s->t, h);
     status = status == LAG_OK ? lag_run_ticks(run) : status;

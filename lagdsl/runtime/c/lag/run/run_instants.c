@@ -14,9 +14,9 @@ static int has_instants(const lag_run *run)
     return run->motion.model->event != NULL;
 }
 
-static lag_status tell(lag_run *run, lag_event_kind what)
+static lag_status report(lag_run *run, lag_event_kind what)
 {
-    return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
+    return lag_event_iteration_report(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
 }
 
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
@@ -29,12 +29,12 @@ static int is_doubtful(const lag_run *run, size_t i)
 }
 
 /* Notes relations that may turn by the method's error. */
-static void doubt(lag_run *run, const double *changed)
+static void note_doubtful(lag_run *run, const double *changed)
 {
     lag_zero_crossing *crossings = &run->crossings;
     const lag_stepper *s = &run->stepper;
     const size_t count = run->motion.model->nindicator;
-    const int known = lag_any(count, changed) && lag_noise_look(crossings->noise, s->t, s->x) == LAG_OK; /* rounding errors are: it was located */
+    const int known = lag_any(count, changed) && lag_noise_update(crossings->noise, s->t, s->x) == LAG_OK; /* rounding errors are: it was located */
     for (size_t i = 0; i < count; ++i) {
         crossings->doubted[i] = known && changed[i] != 0.0 && is_doubtful(run, i) ? fmin(crossings->doubted[i], s->t) : crossings->doubted[i];
     }
@@ -45,9 +45,9 @@ static lag_status begin(lag_run *run, const double *changed)
 {
     ++run->counts.events;
     if (changed != NULL) {
-        doubt(run, changed);
+        note_doubtful(run, changed);
     }
-    return tell(run, LAG_BEFORE);
+    return report(run, LAG_BEFORE);
 }
 
 /* An event that came to a good end is told. */
@@ -56,12 +56,12 @@ static lag_status end(lag_run *run, lag_status status)
     if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
     }
-    const lag_status told = tell(run, LAG_AFTER);
+    const lag_status told = report(run, LAG_AFTER);
     return told == LAG_OK ? status : told;
 }
 
 /* The same for one that has turned the relations: as they lie now, they have not changed. */
-static lag_status over(lag_run *run, lag_status status)
+static lag_status end_with_relations(lag_run *run, lag_status status)
 {
     const double *before = run->instants.w_before + run->crossings.places.relation;
     const double *truth = run->motion.w + run->crossings.places.relation;
@@ -87,14 +87,14 @@ lag_status lag_run_enter(lag_run *run)
 }
 
 /* Of the relations that have changed at the end of a row of inputs, those that turn by the inputs from then on. */
-static lag_status reach_next_row(lag_run *run, double *changed)
+static lag_status keep_turning(lag_run *run, double *changed)
 {
     const double until = run->motion.until;
     if (run->stepper.t < until) {
         return LAG_OK;
     }
     run->motion.until = (double)INFINITY;
-    const lag_status status = lag_event_iteration_reach(&run->instants.iteration, run->stepper.t, run->stepper.x, changed);
+    const lag_status status = lag_event_iteration_keep_turning(&run->instants.iteration, run->stepper.t, run->stepper.x, changed);
     run->motion.until = until;
     return status;
 }
@@ -110,13 +110,13 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
     }
     memmove(run->crossings.changed, changed, count * sizeof(double));
     const int any = lag_any(count, changed); /* without, other things than relations and contacts have changed */
-    lag_status status = reach_next_row(run, run->crossings.changed);
+    lag_status status = keep_turning(run, run->crossings.changed);
     if (status == LAG_OK && !ticks && any && !lag_any(count, run->crossings.changed)) {
         return LAG_OK;
     }
     status = status == LAG_OK ? begin(run, run->crossings.changed) : status;
     if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, 1, ticks));
+        status = end_with_relations(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, 1, ticks));
     }
     return status;
 }
@@ -143,7 +143,7 @@ static lag_status find_turned(lag_run *run, int *any)
     const lag_stepper *s = &run->stepper;
     lag_zero_crossing *crossings = &run->crossings;
     double *contacts = crossings->changed + model->nindicator;
-    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_look(crossings, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
+    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_detect(crossings, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
         contacts[i] *= run->motion.w[crossings->places.contact + i];
     }
@@ -165,7 +165,7 @@ lag_status lag_run_ticks(lag_run *run)
         run->half.left = 0.0;
         return lag_run_event_and_ticks(run, h, run->half.waiting);
     }
-    lag_status status = lag_instants_quietly(&run->instants, s->t, s->x, &quiet);
+    lag_status status = lag_instants_change_unreported(&run->instants, s->t, s->x, &quiet);
     if (status == LAG_OK && quiet) {
         status = find_turned(run, &turned);
     }
@@ -173,13 +173,13 @@ lag_status lag_run_ticks(lag_run *run)
         return status;
     }
     if (quiet && !turned) {
-        return lag_timed_seek(&run->instants.timed, s->t);
+        return lag_timed_find_next(&run->instants.timed, s->t);
     }
     if (turned) {
         lag_instants_take_back(&run->instants, s->x);
     }
     status = begin(run, NULL);
-    return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, s->t, s->x)) : status;
+    return status == LAG_OK ? end_with_relations(run, lag_instants_tick(&run->instants, s->t, s->x)) : status;
 }
 
 /* Relations, conditions and values that `pre` reads that are other with the inputs of now; closed contacts that pull. */
@@ -193,7 +193,7 @@ static lag_status find_changed(lag_run *run, int *any)
  * Inputs that jump now and prescribe a speed: rates follow the momenta with the inputs before, contacts open or strike; 1 in *blown then. It
  * is tried first, as the row before is told with the rates before.
  */
-static lag_status blow(lag_run *run, int *blown)
+static lag_status apply_input_jump(lag_run *run, int *blown)
 {
     lag_motion *motion = &run->motion;
     lag_stepper *s = &run->stepper;
@@ -238,7 +238,7 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     run->motion.until = blown ? (double)INFINITY : s->t; /* the row before has the inputs before */
     status = begin(run, run->half.pending);
     run->motion.until = (double)INFINITY;
-    return status == LAG_OK ? over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->half.pending, 0, due)) : status;
+    return status == LAG_OK ? end_with_relations(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->half.pending, 0, due)) : status;
 }
 
 lag_status lag_run_jump(lag_run *run)
@@ -246,7 +246,7 @@ lag_status lag_run_jump(lag_run *run)
     int blown = 0;
     int any = 0;
     run->motion.until = (double)INFINITY;
-    lag_status status = blow(run, &blown);
+    lag_status status = apply_input_jump(run, &blown);
     if (status == LAG_OK && has_instants(run)) {
         status = follow_inputs(run, blown, &any);
     }

@@ -7,7 +7,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LAST = LAG_LAST_LOOK, AGAIN = 16 };
+enum { LAST = LAG_LAST_SAMPLE, AGAIN = 16 };
 /* The first piece is this part of a step. */
 static const double FIRST = 0.25;
 /* A piece is no shorter than this part of its step. */
@@ -18,21 +18,21 @@ static const double BEGINNING = 0.01;
 static const double LAST_STRETCH = 1.2;
 /* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
 static const double CUT = 0.01;
-/* Behind a change pieces are no longer than so many times the time since the last change of the same relation: looks do not step over two. */
+/* Behind a change pieces are no longer than so many times the time since the last change of the same relation: samples do not step over two. */
 static const double INTERVALS = 3.0;
-/* Changes that follow each other within this part of the experiment crowd: nothing is gained by looking at each of them. */
+/* Changes that follow each other within this part of the experiment crowd: nothing is gained by a search for each of them. */
 static const double CROWDED = 1e-6;
 /* Values below so many times their round-off have no shape. */
 static const double SHAPELESS = 1e3;
 
 typedef struct piece {
     double a, b;
-    int looks; /* the last one */
+    int samples; /* the last one */
 } piece;
 
 static double place_of(const piece *in, int k)
 {
-    return k == LAST ? in->b : in->a + (in->b - in->a) * LAG_LOOK_PLACES[k];
+    return k == LAST ? in->b : in->a + (in->b - in->a) * LAG_SAMPLE_PLACES[k];
 }
 
 static size_t count_of(const lag_run *run)
@@ -49,24 +49,24 @@ static void remember(lag_run *run, int k)
     }
 }
 
-/* ---- what comes and goes between looks ---- */
+/* ---- what comes and goes between samples ---- */
 
-/* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between looks k - 2 and k. */
-static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
+/* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between samples k - 2 and k. */
+static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
     lag_triple at;
     double u = 0.0;
     double height = 0.0;
     const int just = k == 2 && in->a == run->stepper.t_before;
     for (int j = 0; j < 3; ++j) {
-        lag_triple_put(&at, j, LAG_LOOK_PLACES[k - 2 + j], run->crossings.pieces.seen[k - 2 + j][i]);
+        lag_triple_put(&at, j, LAG_SAMPLE_PLACES[k - 2 + j], run->crossings.pieces.seen[k - 2 + j][i]);
     }
     for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
         if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
             return LAG_OK;
         }
-        const lag_status status = lag_scan_look(run, *t);
+        const lag_status status = lag_scan_detect(run, *t);
         const double value = run->crossings.value[i];
         if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
             return status;
@@ -77,14 +77,14 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
     return LAG_OK;
 }
 
-/* Finds a value that changes and changes back between two looks: LAG_EVENT_PENDING if it has changed at *b and not yet at *a. */
-static lag_status look_between(lag_run *run, const piece *in, double *a, double *b)
+/* Finds a value that changes and changes back between two samples: LAG_EVENT_PENDING if it has changed at *b and not yet at *a. */
+static lag_status check_minima(lag_run *run, const piece *in, double *a, double *b)
 {
     double there = 0.0;
-    for (int k = 2; k <= in->looks; ++k) {
+    for (int k = 2; k <= in->samples; ++k) {
         for (size_t i = 0; i < count_of(run); ++i) {
             const int changes = run->crossings.pieces.seen[k][i] < 0.0;
-            const lag_status status = changes ? LAG_OK : look_at_minimum(run, in, k, i, run->crossings.pieces.found[i], &there);
+            const lag_status status = changes ? LAG_OK : check_minimum(run, in, k, i, run->crossings.pieces.found[i], &there);
             if (status != LAG_OK) {
                 *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
                 *b = there;
@@ -100,20 +100,20 @@ static lag_status look_between(lag_run *run, const piece *in, double *a, double 
 static double largest_value(const lag_run *run, const piece *in, size_t i)
 {
     double most = 0.0;
-    for (int k = 0; k <= in->looks; ++k) {
+    for (int k = 0; k <= in->samples; ++k) {
         most = fmax(most, fabs(run->crossings.pieces.seen[k][i]));
     }
     return most;
 }
 
-/* Error of value i: the difference of the polynomials. Writes the error of parabolas through three looks into `found`. */
+/* Error of value i: the difference of the polynomials. Writes the error of parabolas through three samples into `found`. */
 static double difference_of(lag_run *run, size_t i)
 {
-    double values[LAG_LOOKS];
-    for (int k = 0; k < LAG_LOOKS; ++k) {
+    double values[LAG_PIECE_SAMPLES];
+    for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
         values[k] = run->crossings.pieces.seen[k][i];
     }
-    return lag_look_error(values, &run->crossings.pieces.found[i]);
+    return lag_piece_error(values, &run->crossings.pieces.found[i]);
 }
 
 /* Round-off of value i, found where it is not known yet. */
@@ -130,7 +130,7 @@ static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
     const double most = largest_value(run, in, i);
     run->crossings.pieces.found[i] = LAG_KNOWN_PART * most;
-    const double difference = in->looks == LAST ? difference_of(run, i) : 0.0;
+    const double difference = in->samples == LAST ? difference_of(run, i) : 0.0;
     if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
     }
@@ -146,16 +146,16 @@ static double largest_doubt(lag_run *run, const piece *in)
     return most;
 }
 
-/* Looks at a piece, up to the first at which something has changed; LAG_EVENT_PENDING: at *b, and not yet at *a. */
-static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
+/* Samples a piece, up to the first at which something has changed; LAG_EVENT_PENDING: at *b, and not yet at *a. */
+static lag_status sample_piece(lag_run *run, piece *in, double *a, double *b)
 {
     lag_status status = LAG_OK;
     for (int k = 1; k <= LAST && status == LAG_OK; ++k) {
         *a = place_of(in, k - 1);
         *b = place_of(in, k);
-        status = lag_scan_look(run, *b);
+        status = lag_scan_detect(run, *b);
         remember(run, k);
-        in->looks = k;
+        in->samples = k;
     }
     return status;
 }
@@ -169,19 +169,19 @@ typedef struct scan {
 static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 {
     const double w = in->b - in->a;
-    const int whole = in->looks == LAST;
-    if (!whole && place_of(in, in->looks) - in->a > run->crossings.pieces.span && w > 1.5 * on->shortest) {
-        on->reach = place_of(in, in->looks) - in->a; /* nothing is known of so short a time: it is looked at as a piece */
+    const int whole = in->samples == LAST;
+    if (!whole && place_of(in, in->samples) - in->a > run->crossings.pieces.span && w > 1.5 * on->shortest) {
+        on->reach = place_of(in, in->samples) - in->a; /* nothing is known of so short a time: it is sampled as a piece */
         return 0;
     }
     const double doubt = largest_doubt(run, in);
     if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
-        on->reach = fmax(on->shortest, fmin(0.7 * w, lag_look_length(w, doubt)));
+        on->reach = fmax(on->shortest, fmin(0.7 * w, lag_piece_length(w, doubt)));
         run->crossings.pieces.span = fmin(run->crossings.pieces.span, on->reach);
         return 0;
     }
     if (whole && status == LAG_OK) {
-        const double next = lag_look_length(w, doubt);
+        const double next = lag_piece_length(w, doubt);
         const int cut = w < (1.0 - CUT) * on->reach;
         on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
         run->crossings.pieces.span = fmax(run->crossings.pieces.span, w);
@@ -190,26 +190,26 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 }
 
 /*
- * The first change in a piece that was looked at with `status`. A change that is undone before another one that was found shows only in looks
- * at the part before that: values may have their minima between the same looks, and before the first look there is none.
+ * The first change in a piece that was sampled with `status`. A change that is undone before another one that was found shows only in samples
+ * at the part before that: values may have their minima between the same samples, and before the first sample there is none.
  */
 static lag_status find_first(lag_run *run, piece *in, lag_status status, double *a, double *b)
 {
     for (int again = 0; again < AGAIN; ++again) {
-        const lag_status between = look_between(run, in, a, b);
+        const lag_status between = check_minima(run, in, a, b);
         status = between == LAG_OK ? status : between;
-        if (status != LAG_EVENT_PENDING || (between == LAG_OK && (in->looks > 1 || again > 0))) {
+        if (status != LAG_EVENT_PENDING || (between == LAG_OK && (in->samples > 1 || again > 0))) {
             break;
         }
         in->b = *b;
-        status = look_at_piece(run, in, a, b);
+        status = sample_piece(run, in, a, b);
         (void)largest_doubt(run, in);
     }
     return status;
 }
 
 /* A value that changes within round-off of time behind the end changes at the end. */
-static lag_status look_at_end(lag_run *run, const piece *in)
+static lag_status find_zeros_at_end(lag_run *run, const piece *in)
 {
     const double h = in->b - place_of(in, LAST - 1);
     const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
@@ -228,7 +228,7 @@ static void join_at_end(lag_run *run, const piece *in)
 {
     double *found = run->crossings.pieces.root;
     memcpy(found, run->crossings.changed, count_of(run) * sizeof(double));
-    (void)look_at_end(run, in);
+    (void)find_zeros_at_end(run, in);
     for (size_t i = 0; i < count_of(run); ++i) {
         run->crossings.changed[i] = run->crossings.changed[i] != 0.0 || found[i] != 0.0;
     }
@@ -244,7 +244,7 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         double a = 0.0;
         double b = 0.0;
         in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
-        lag_status status = look_at_piece(run, &in, &a, &b);
+        lag_status status = sample_piece(run, &in, &a, &b);
         const int accepted = (status == LAG_OK || status == LAG_EVENT_PENDING) && accept(run, on, &in, status);
         status = accepted ? find_first(run, &in, status, &a, &b) : status;
         if (status != LAG_OK && status != LAG_EVENT_PENDING) {
@@ -252,14 +252,14 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         }
         stretch = accepted ? LAST_STRETCH : 1.0;
         if (accepted && status == LAG_EVENT_PENDING) {
-            (void)lag_scan_look(run, b);
+            (void)lag_scan_detect(run, b);
             *t = lag_scan_earliest(run, a, b);
-            if (in.b == s->t && in.looks == LAST && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
+            if (in.b == s->t && in.samples == LAST && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
                 join_at_end(run, &in);
             }
             return status;
         }
-        if (accepted && in.b == s->t && look_at_end(run, &in) == LAG_EVENT_PENDING) {
+        if (accepted && in.b == s->t && find_zeros_at_end(run, &in) == LAG_EVENT_PENDING) {
             *t = s->t;
             return LAG_EVENT_PENDING;
         }

@@ -32,7 +32,7 @@ static lag_status restart(lag_run *run, const lag_method *method, double span)
 }
 
 /* Back onto the constraints after a step, exactly where they may hold a relation at its zero. LAG_PROJECTION_FAILED: it was too long. */
-static lag_status settle(lag_run *run)
+static lag_status project(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int moved = 0;
@@ -48,19 +48,19 @@ static lag_status settle(lag_run *run)
 }
 
 /* The present state is what the next one is compared with. */
-static lag_status see(lag_run *run)
+static lag_status set_rank_estimate(lag_run *run)
 {
-    run->ranks.look.rank = 0;
-    lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
+    run->ranks.estimate.rank = 0;
+    lag_motion_set_state(&run->motion, run->stepper.t, run->stepper.x);
     const lag_status status = lag_projection_look(&run->projection, 1);
-    return status == LAG_OK ? lag_look_at(&run->ranks.look, run->projection.jacobian) : status;
+    return status == LAG_OK ? lag_rank_estimate_update(&run->ranks.estimate, run->projection.jacobian) : status;
 }
 
 /* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
-static lag_status look_around(lag_run *run, double *shorter)
+static lag_status check_rank(lag_run *run, double *shorter)
 {
     lag_stepper *s = &run->stepper;
-    lag_status status = lag_look_at(&run->ranks.look, run->projection.jacobian);
+    lag_status status = lag_rank_estimate_update(&run->ranks.estimate, run->projection.jacobian);
     if (status != LAG_ATTENTION) {
         return status;
     }
@@ -71,12 +71,12 @@ static lag_status look_around(lag_run *run, double *shorter)
     } else if (status == LAG_ATTENTION) {
         status = LAG_STEP_TOO_SMALL;
     }
-    const lag_status seen = see(run);
+    const lag_status seen = set_rank_estimate(run);
     return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
 }
 
 /* Handles a known singular position ahead before the step. */
-static lag_status look_ahead(lag_run *run, double limit, int *done)
+static lag_status cross_singular(lag_run *run, double limit, int *done)
 {
     lag_stepper *s = &run->stepper;
     lag_status status = s->method == &lag_collocation ? restart(run, run->ranks.behind, limit - s->t) : LAG_OK;
@@ -84,7 +84,7 @@ static lag_status look_ahead(lag_run *run, double limit, int *done)
         status = lag_singular_ahead(&run->ranks.singular, limit, done);
     }
     if (status == LAG_OK && *done) {
-        status = see(run);
+        status = set_rank_estimate(run);
         status = status == LAG_ATTENTION ? LAG_OK : status;
     }
     return status;
@@ -98,7 +98,7 @@ static lag_status step_once(lag_run *run, double limit)
         const int crosses = lag_run_crosses(run->motion.model, &run->options);
         double shorter = 0.0;
         int done = 0;
-        lag_status status = crosses ? look_ahead(run, limit, &done) : LAG_OK;
+        lag_status status = crosses ? cross_singular(run, limit, &done) : LAG_OK;
         if (status != LAG_OK || done) {
             return status;
         }
@@ -107,7 +107,7 @@ static lag_status step_once(lag_run *run, double limit)
             return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
         }
         const double h = s->t - s->t_before;
-        status = settle(run);
+        status = project(run);
         if (status == LAG_PROJECTION_FAILED && SHORTER * h > s->h_least) {
             lag_stepper_undo(s, SHORTER * h);
             continue;
@@ -116,7 +116,7 @@ static lag_status step_once(lag_run *run, double limit)
             lag_run_lose(run, s->t, s->x);
         }
         if (status == LAG_OK && crosses) {
-            status = look_around(run, &shorter);
+            status = check_rank(run, &shorter);
         }
         if (status == LAG_TOO_LONG) {
             continue;
@@ -157,7 +157,7 @@ static lag_status follow(lag_run *run, double stop)
 }
 
 /* A step from time t that cannot be made use of is taken back, if there was one. */
-static lag_status give_back(lag_run *run, double t, lag_status status)
+static lag_status undo_step(lag_run *run, double t, lag_status status)
 {
     if (run->stepper.t > t) {
         lag_stepper_undo(&run->stepper, 0.5 * (run->stepper.t - t));
@@ -190,7 +190,7 @@ static lag_status change_at_end(lag_run *run, const double *located, double *own
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
     lag_noise_find(crossings->noise, s->t, s->x);
-    const lag_status status = lag_zero_crossing_look(crossings, s->t, s->x);
+    const lag_status status = lag_zero_crossing_detect(crossings, s->t, s->x);
     for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
         const double noise = lag_zero_crossing_noise(crossings, i);
         const double value = crossings->value[i];
@@ -259,7 +259,7 @@ static int left_to_ticks(const lag_run *run, double stop)
 }
 
 /* Carries out the events at the end of a step, and clocks before `stop`. */
-static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
+static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int *happened)
 {
     const double t = run->stepper.t;
     const double h = scale_of(run, half);
@@ -308,7 +308,7 @@ lag_status lag_run_step(lag_run *run, double stop)
         status = lag_run_watch(run, s->t, s->x);
     }
     if (status != LAG_OK) {
-        return give_back(run, t, status);
+        return undo_step(run, t, status);
     }
     half->own = own < (double)INFINITY;
     half->open = 1;
@@ -329,12 +329,12 @@ lag_status lag_run_finish(lag_run *run, double stop)
         status = lag_run_back(run, half->t);
     }
     if (status != LAG_OK) {
-        return give_back(run, s->t_before, status);
+        return undo_step(run, s->t_before, status);
     }
-    status = happen(run, stop, half, &happened);
+    status = carry_out(run, stop, half, &happened);
     if (status == LAG_OK && happened) {
         s->h = fmin(half->next, s->h_most);
-        run->ranks.look.rank = 0;
+        run->ranks.estimate.rank = 0;
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
@@ -360,13 +360,13 @@ lag_status lag_run_restart(lag_run *run, double stop)
     run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);
     if (status == LAG_OK && lag_instants_next(&run->instants) > s->t) {
-        status = lag_timed_seek(&run->instants.timed, s->t);
+        status = lag_timed_find_next(&run->instants.timed, s->t);
     }
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
     }
     if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
-        status = see(run);
+        status = set_rank_estimate(run);
         if (status == LAG_OK || status == LAG_ATTENTION) {
             lag_singular_begin(&run->ranks.singular, status == LAG_ATTENTION);
             status = LAG_OK;

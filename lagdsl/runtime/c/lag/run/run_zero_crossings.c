@@ -18,10 +18,10 @@ static const double ALIKE = 1e-6;
 /* A value that is so many times as far from zero just before its root as on a straight line jumps there. */
 static const double STEEP = 16.0;
 
-lag_status lag_scan_look(lag_run *run, double t)
+lag_status lag_scan_detect(lag_run *run, double t)
 {
     const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
-    return status == LAG_OK ? lag_zero_crossing_look(&run->crossings, t, run->point) : status;
+    return status == LAG_OK ? lag_zero_crossing_detect(&run->crossings, t, run->point) : status;
 }
 
 typedef struct change {
@@ -32,7 +32,7 @@ typedef struct change {
 static double value_of(void *context, double t)
 {
     const change *one = context;
-    const lag_status status = lag_scan_look(one->run, t);
+    const lag_status status = lag_scan_detect(one->run, t);
     return status == LAG_OK || status == LAG_EVENT_PENDING ? one->run->crossings.value[one->which] : (double)NAN;
 }
 
@@ -113,7 +113,7 @@ static double value_on_constraints(change *one, double t)
     int moved = 0;
     lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
     status = status == LAG_OK ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
-    status = status == LAG_OK ? lag_zero_crossing_look(&run->crossings, t, run->point) : status;
+    status = status == LAG_OK ? lag_zero_crossing_detect(&run->crossings, t, run->point) : status;
     return status == LAG_OK || status == LAG_EVENT_PENDING ? run->crossings.value[one->which] : (double)NAN;
 }
 

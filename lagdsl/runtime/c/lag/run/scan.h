@@ -32,7 +32,7 @@ static inline double lag_scan_tolerance(const lag_run *run)
 }
 
 /* LAG_EVENT_PENDING if a guard has left its mode at a time within the last step. */
-lag_status lag_scan_look(lag_run *run, double t);
+lag_status lag_scan_detect(lag_run *run, double t);
 
 /* The first root of what has changed at b, and not at a; with it changes what does so at the same time but for round-off. */
 double lag_scan_earliest(lag_run *run, double a, double b);

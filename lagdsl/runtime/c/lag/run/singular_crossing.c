@@ -48,7 +48,7 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 
 /* ---- looks ---- */
 
-/* J as it was looked at last. */
+/* J as it was evaluated last. */
 static const double *jacobian_of(const lag_singular *s)
 {
     return s->run->motion.written.rows[1];
@@ -57,13 +57,13 @@ static const double *jacobian_of(const lag_singular *s)
 static int jacobian_at(lag_singular *s, double t, const double *x)
 {
     lag_motion *motion = &s->run->motion;
-    lag_motion_look(motion, t, x);
+    lag_motion_set_state(motion, t, x);
     return lag_projection_look(&s->run->projection, 1) == LAG_OK && lag_entries_finite(motion->model, jacobian_of(s));
 }
 
 double lag_singular_margin(lag_singular *s, double t, const double *x)
 {
-    return jacobian_at(s, t, x) ? lag_look_margin(&s->run->ranks.look, jacobian_of(s)) : 0.0;
+    return jacobian_at(s, t, x) ? lag_rank_estimate_margin(&s->run->ranks.estimate, jacobian_of(s)) : 0.0;
 }
 
 static int is_independent(const lag_run *run, size_t row)
@@ -141,8 +141,8 @@ static double lost_at(lag_singular *s)
         const double last = fmin(first + part * step, stepper->t);
         memcpy(s->state, stepper->x, stepper->ode->size * sizeof(double));
         const int known = last == stepper->t || lag_stepper_dense(stepper, last, s->state) == LAG_OK;
-        if (known && jacobian_at(s, last, s->state) && !lag_look_turned(&s->run->ranks.look, jacobian_of(s))) {
-            (void)lag_look_at(&s->run->ranks.look, jacobian_of(s));
+        if (known && jacobian_at(s, last, s->state) && !lag_rank_estimate_has_turned(&s->run->ranks.estimate, jacobian_of(s))) {
+            (void)lag_rank_estimate_update(&s->run->ranks.estimate, jacobian_of(s));
             first = last;
         } else if (part > ldexp(1.0, -HALVINGS)) {
             part *= 0.5;
@@ -171,7 +171,7 @@ static lag_status take(lag_singular *s, double length, double limit)
     const size_t n = run->motion.model->nq;
     const size_t size = stepper->ode->size;
     run->ranks.behind = stepper->method;
-    run->ranks.look.rank = 0;
+    run->ranks.estimate.rank = 0;
     stepper->method = &lag_collocation;
     stepper->work[0] = (double)n;
     stepper->work[1] = length;
@@ -217,8 +217,8 @@ lag_status lag_singular_after(lag_singular *s, double *shorter)
     const double behind = lag_singular_margin(s, stepper->t, stepper->x);
     const double before = lag_singular_margin(s, stepper->t_before, stepper->x_before);
     int moved = 0;
-    run->ranks.look.rank = 0;
-    (void)lag_look_at(&run->ranks.look, jacobian_of(s)); /* of the state before */
+    run->ranks.estimate.rank = 0;
+    (void)lag_rank_estimate_update(&run->ranks.estimate, jacobian_of(s)); /* of the state before */
     *shorter = SHORTER * step;
     if (fmin(before, behind) < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {

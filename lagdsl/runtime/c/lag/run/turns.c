@@ -49,15 +49,15 @@ void lag_turns_clear(lag_turns *turns)
     }
 }
 
-static lag_status look(lag_run *run, double t, const double *x)
+static lag_status evaluate(lag_run *run, double t, const double *x)
 {
     lag_turns *turns = &run->turns;
-    lag_motion_look(&run->motion, t, x);
+    lag_motion_set_state(&run->motion, t, x);
     return run->motion.model->turn(&run->motion.at, turns->now, turns->pace, turns->size, turns->entry);
 }
 
 /* The parts of a quaternion on the side on which it was; their rates, too. */
-static void face(size_t first, const double *before, const double *entry, double *parts, double *rates)
+static void align_quaternion(size_t first, const double *before, const double *entry, double *parts, double *rates)
 {
     double along = 0.0;
     for (size_t k = 0; k < QUATERNION; ++k) {
@@ -86,7 +86,7 @@ static int is_continued(lag_turns *turns, size_t n, double h, double whole)
     int certain = 1;
     for (size_t i = 0; i < n; ++i) {
         if (turns->size[i] == 0.0) {
-            face(i, turns->value, NULL, turns->now, turns->pace);
+            align_quaternion(i, turns->value, NULL, turns->now, turns->pace);
             for (size_t end = i + QUATERNION; i < end; ++i) {
                 certain = certain && !(h * fmax(fabs(turns->rate[i]), fabs(turns->pace[i])) > SMALL);
             }
@@ -121,13 +121,13 @@ static void flag_counted(lag_turns *turns, size_t n)
 }
 
 /* The model at a time on the way to (t, x). */
-static lag_status look_at(lag_run *run, double time, double t, const double *x)
+static lag_status evaluate_at(lag_run *run, double time, double t, const double *x)
 {
     if (time == t) {
-        return look(run, t, x);
+        return evaluate(run, t, x);
     }
     const lag_status status = lag_stepper_dense(&run->stepper, time, run->turns.inside);
-    return status == LAG_OK ? look(run, time, run->turns.inside) : status;
+    return status == LAG_OK ? evaluate(run, time, run->turns.inside) : status;
 }
 
 lag_status lag_run_count_turns(lag_run *run, double t, const double *x)
@@ -140,7 +140,7 @@ lag_status lag_run_count_turns(lag_run *run, double t, const double *x)
     }
     const double begin = *turns->at;
     if (!(t > begin)) { /* the first state, another one, or what an event made of it */
-        const lag_status status = look(run, t, x);
+        const lag_status status = evaluate(run, t, x);
         if (status == LAG_OK) {
             (void)(isfinite(begin) && is_continued(turns, n, 0.0, 0.0));
             take(turns, n, t);
@@ -155,7 +155,7 @@ lag_status lag_run_count_turns(lag_run *run, double t, const double *x)
         int certain = 0;
         for (int k = 0; k <= MOST_HALVES && !certain; ++k, piece *= 0.5) {
             const double to = from + piece < t - 1e-3 * piece ? from + piece : t;
-            const lag_status status = look_at(run, to, t, x);
+            const lag_status status = evaluate_at(run, to, t, x);
             if (status != LAG_OK) {
                 return status;
             }
@@ -187,7 +187,7 @@ void lag_run_unwind(const lag_run *run, double *outputs)
     const lag_turns *turns = &run->turns;
     for (size_t i = 0; turns->at != NULL && isfinite(*turns->at) && i < run->motion.model->nturn; ++i) {
         if (turns->size[i] == 0.0) {
-            face(i, turns->value, turns->entry, outputs, NULL);
+            align_quaternion(i, turns->value, turns->entry, outputs, NULL);
             i += QUATERNION - 1;
         } else {
             double *output = outputs + (size_t)turns->entry[i];

@@ -28,7 +28,7 @@ void lag_watch_count(lag_watch *watch)
     (void)invariants(watch, 1);
 }
 
-lag_status lag_watch_look(lag_watch *watch, double t, const double *x)
+lag_status lag_watch_check(lag_watch *watch, double t, const double *x)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {

@@ -16,9 +16,9 @@ typedef struct lag_watch {
 size_t lag_watch_memory(const lag_model *model);
 
 /* Looks at the state x at time t. LAG_VIOLATED: the state does not count. */
-lag_status lag_watch_look(lag_watch *watch, double t, const double *x);
+lag_status lag_watch_check(lag_watch *watch, double t, const double *x);
 
-/* Lets the state that was looked at last count all the same: nothing follows. */
+/* Lets the state that was evaluated last count all the same: nothing follows. */
 void lag_watch_count(lag_watch *watch);
 
 #endif

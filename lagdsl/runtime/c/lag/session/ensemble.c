@@ -95,7 +95,7 @@ static int is_stopped(const lag_ensemble *ensemble)
 }
 
 /* On to `stop` in pieces. LAG_TOO_LONG: as many steps as allowed, or no more are wanted. */
-static lag_status go(const lag_ensemble *ensemble, lag_run *run, double stop, size_t *steps)
+static lag_status advance(const lag_ensemble *ensemble, lag_run *run, double stop, size_t *steps)
 {
     lag_status status = LAG_TOO_LONG;
     while (status == LAG_TOO_LONG && *steps < ensemble->most_steps && !is_stopped(ensemble)) {
@@ -113,13 +113,13 @@ static lag_status move(const lag_ensemble *ensemble, lag_run *run, const double 
     size_t steps = 0;
     lag_status status = lag_run_begin(run, ensemble->t, x);
     for (size_t k = 0; status == LAG_OK && k < ensemble->breaks; ++k) {
-        status = go(ensemble, run, ensemble->at[k], &steps);
+        status = advance(ensemble, run, ensemble->at[k], &steps);
         if (status == LAG_OK) {
             status = lag_run_jump(run);
         }
     }
     if (status == LAG_OK) {
-        status = go(ensemble, run, ensemble->stop, &steps);
+        status = advance(ensemble, run, ensemble->stop, &steps);
     }
     if (status == LAG_OK || status == LAG_STOPPED) {
         const lag_status end = lag_run_end(run);

@@ -125,8 +125,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->motion.until);
     RECORD(run->projection.count);
     RECORD(run->accuracy.relative);
-    RECORD(run->ranks.look.most);
-    RECORD(run->ranks.look.rank);
+    RECORD(run->ranks.estimate.most);
+    RECORD(run->ranks.estimate.rank);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
     RECORD(run->watch.begun);

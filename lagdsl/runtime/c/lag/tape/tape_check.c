@@ -246,7 +246,7 @@ static int function_runs(view *at)
 }
 
 /* Signature and row of a function. */
-static void look_at(view *at, const lag_tape_parts *parts, size_t function)
+static void find_signature(view *at, const lag_tape_parts *parts, size_t function)
 {
     const uint32_t *size = parts->size;
     at->own = lag_tape_signature_of(parts, function);
@@ -272,7 +272,7 @@ int lag_tape_runs(const lag_tape_parts *parts)
         if (first > count || own > count - first || (i == 0 && own == 0)) {
             return 0;
         }
-        look_at(&at, parts, i);
+        find_signature(&at, parts, i);
         at.word = words + first;
         at.end = at.word + own;
         if (own > 0 && !function_runs(&at)) {

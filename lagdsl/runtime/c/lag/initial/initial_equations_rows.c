@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initialization_joint.h"
+#include "lag/initial/initial_equations_rows.h"
 #include "lag/linalg/arena.h"
 
 /* An entry that is smaller, as a part of its row, is none: derivatives are differences. */
@@ -196,7 +196,7 @@ void lag_joint_evaluate(void *context, const double *y, double *residual, double
 /* ---- what depends on what ---- */
 
 /* Lengths of rows, and the entries that they have. */
-static void look(lag_joint *joint, const double *jacobian)
+static void find_lengths(lag_joint *joint, const double *jacobian)
 {
     for (size_t i = 0; i < joint->all_rows; ++i) {
         double sum = 0.0;
@@ -234,7 +234,7 @@ void lag_joint_measure(lag_joint *joint, double *jacobian)
             y[k] = point == 0 ? 0.0 : 0.4 * lag_initialization_draw(&seed);
         }
         differentiate(joint, y, jacobian);
-        look(joint, jacobian);
+        find_lengths(joint, jacobian);
         for (size_t i = 0; i < joint->all_rows; ++i) { /* that of the start, where there is one */
             joint->here[i] = joint->here[i] > 0.0 ? joint->here[i] : joint->one[i];
         }

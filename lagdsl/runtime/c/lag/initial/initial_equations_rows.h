@@ -1,8 +1,8 @@
 /* Initial equations, with what they tie together: positions, rates, states and parameters are solved at once. */
-#ifndef LAG_INITIALIZATION_JOINT_H
-#define LAG_INITIALIZATION_JOINT_H
+#ifndef LAG_INITIAL_EQUATIONS_ROWS_H
+#define LAG_INITIAL_EQUATIONS_ROWS_H
 
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 
 /*
  * Unknowns are numbered as in (q, qd, z), then come the free parameters; rows are those of position level, then all constraints as rates

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initialization_rates.h"
+#include "lag/initial/initial_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"

@@ -1,8 +1,8 @@
 /* Declarations that the two files for the rates of a start share. */
-#ifndef LAG_INITIALIZATION_RATES_H
-#define LAG_INITIALIZATION_RATES_H
+#ifndef LAG_INITIAL_RATES_H
+#define LAG_INITIAL_RATES_H
 
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 
 /* Rates that conditions or M tie, as if they were alone. */
 typedef struct lag_rates_part {

@@ -1,6 +1,6 @@
 #include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
-#include "lag/initial/initialization.h"
+#include "lag/initial/initial_problem.h"
 
 #include <float.h>
 #include <math.h>
@@ -131,14 +131,14 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
 size_t lag_initialization_look_memory(const lag_model *model)
 {
     const size_t dense = model->nc * model->nq + lag_svd_memory(model->nc, model->nq);
-    return model->nc + lag_larger(lag_look_memory(model), dense);
+    return model->nc + lag_larger(lag_rank_estimate_memory(model), dense);
 }
 
 int lag_initialization_is_regular(lag_initialization *b, double *memory)
 {
     const lag_model *model = b->motion->model;
     double *lasting = lag_take(&memory, model->nc);
-    lag_look look;
+    lag_rank_estimate estimate;
     lag_fill(model->nc, 1.0, lasting);
     for (size_t i = 0; i < model->ncontact; ++i) {
         lasting[model->contact_rows[i]] = 0.0;
@@ -146,9 +146,9 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory)
     for (size_t i = 0; i < model->nslip; ++i) {
         lasting[model->friction_rows[i]] = 0.0;
     }
-    lag_look_place(&look, model, b->sizes, b->row_sizes, memory);
-    look.lasting = lasting;
-    return lag_look_at(&look, b->jacobian) == LAG_OK;
+    lag_rank_estimate_place(&estimate, model, b->sizes, b->row_sizes, memory);
+    estimate.lasting = lasting;
+    return lag_rank_estimate_update(&estimate, b->jacobian) == LAG_OK;
 }
 
 /* Flags (nc) of rows of J that are not zero. Returns how many of these are independent in general; nc + 1: some may depend on those that are zero. */
@@ -177,12 +177,12 @@ size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *
     const lag_model *model = b->motion->model;
     double *there = lag_take(&memory, model->nc);
     const size_t count = find_rows(b, there);
-    lag_look look;
+    lag_rank_estimate estimate;
     if (count == 0 || (as_compiled && count <= model->nc)) {
-        lag_look_place(&look, model, b->sizes, b->row_sizes, memory);
-        look.lasting = there;
-        look.most = count;
-        if (lag_look_at(&look, b->jacobian) == LAG_OK) {
+        lag_rank_estimate_place(&estimate, model, b->sizes, b->row_sizes, memory);
+        estimate.lasting = there;
+        estimate.most = count;
+        if (lag_rank_estimate_update(&estimate, b->jacobian) == LAG_OK) {
             return count;
         }
     }
@@ -363,7 +363,7 @@ lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, 
     b->start = start;
     b->t = t;
     lag_fill(n + model->nc, 0.0, b->still);
-    lag_motion_look(motion, t, x); /* and the inputs of the motion, which stay */
+    lag_motion_set_state(motion, t, x); /* and the inputs of the motion, which stay */
     memcpy(b->starts.x, x, lag_motion_size(model) * sizeof(double));
     lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->aside.u);
     if (status != LAG_OK) {

@@ -1,6 +1,6 @@
 /* Declarations that the files behind lag/initial.h share: start values with their weights, constraints in natural sizes. */
-#ifndef LAG_INITIALIZATION_H
-#define LAG_INITIALIZATION_H
+#ifndef LAG_INITIAL_PROBLEM_H
+#define LAG_INITIAL_PROBLEM_H
 
 #include "lag/initial.h"
 #include "lag/initial/nearest_configuration.h"
@@ -36,7 +36,7 @@ typedef struct lag_initialization {
     double *row;                 /* (rows) which they are */
     lag_start_values starts;
     double *sizes, *row_sizes;   /* (2 nq + nz) (nc) natural ones */
-    double *phi, *jacobian;      /* (nc) (nc, nq) as they were looked at last */
+    double *phi, *jacobian;      /* (nc) (nc, nq) as they were evaluated last */
     double *q, *qd, *z;          /* (nq) (nq) (nz) where the functions are asked */
     lag_set_aside aside;
     double *still;               /* (nq + nc) zeros */
@@ -91,10 +91,10 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
 /* A number of normal distribution, about. */
 double lag_initialization_draw(unsigned long long *seed);
 
-/* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was looked at last. */
+/* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was evaluated last. */
 int lag_initialization_is_regular(lag_initialization *b, double *memory);
 
-/* Independent rows of J as it was looked at last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
+/* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
 size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
 size_t lag_initialization_look_memory(const lag_model *model);
 
