@@ -40,7 +40,7 @@ def invariant_zeros(a: Floats, b: Floats, c: Floats, d: Floats) -> Complexes:
     found = eig(moved, seen, right=False)
     finite = np.asarray(found[np.isfinite(found)], dtype=np.complex128)
     finite = finite[np.argsort(np.abs(finite))]
-    finite[: _multiplicity_of_zero(np.linalg.solve(seen, moved))] = 0.0
+    finite[: _multiplicity_of_zero(np.asarray(np.linalg.solve(seen, moved), dtype=np.float64))] = 0.0
     return finite[np.lexsort((-finite.imag, finite.real, np.abs(finite).round(12)))]
 
 
