@@ -55,7 +55,7 @@ static double inner(const lag_stepper *s, const double *a, const double *b)
     return sum;
 }
 
-/* What products with the Jacobian at the present state need: itself, or the rates there. */
+/* Prepares products with the Jacobian at the present state: by itself, or by the rates there. */
 static lag_status prepare(const lag_stiffness *stiffness, lag_stepper *s)
 {
     if (s->ode->size <= PRODUCTS) {
