@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.by_name import calls_of_terms
-from lagdsl.api.inputs import signals_of
+from lagdsl.api.inputs.values import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.api.one_state import calls_at_one_state
 from lagdsl.api.stepped import Stepped
@@ -26,8 +26,8 @@ from lagdsl.settings.aliases import by_own_names
 if TYPE_CHECKING:
     import xarray
 
+    from lagdsl.api.inputs.runs import GivenOfRuns
     from lagdsl.api.motions import Motions
-    from lagdsl.api.run_inputs import GivenOfRuns
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.runtime.engines.broadcast import BatchEngine
@@ -219,8 +219,8 @@ class Model(Stepped):
         numbers is one table. A sequence of mappings or of files has all inputs of each run. `columns` are the names to
         keep, `threads` the number of cores to use. Raises KeyError and ValueError for arguments that do not fit.
         """
+        from lagdsl.api.inputs.runs import inputs_of_runs
         from lagdsl.api.motions import simulate_many, values_of_runs
-        from lagdsl.api.run_inputs import inputs_of_runs
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.inputs.runs import InputsOfRuns
 from lagdsl.api.names import keys_of, number
-from lagdsl.api.run_inputs import InputsOfRuns
 from lagdsl.backends.python.support.names import real_numbers
 from lagdsl.diagnostics.suggest import did_you_mean, listing
 from lagdsl.flat.model import FlatModel

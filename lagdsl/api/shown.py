@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lagdsl.api.by_name import ByName
-from lagdsl.api.inputs import signals_of
+from lagdsl.api.inputs.values import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.diagnostics import Sink
 

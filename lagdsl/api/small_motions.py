@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.api.inputs import inputs_at
+from lagdsl.api.inputs.values import inputs_at
 from lagdsl.api.names import Given, Value, entries
 from lagdsl.api.shown import Shown
 from lagdsl.api.unknowns import with_starts

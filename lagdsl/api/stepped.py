@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from lagdsl.api.inputs import signals_of
+from lagdsl.api.inputs.values import signals_of
 from lagdsl.api.names import Value, number
 from lagdsl.api.small_motions import SmallMotions
 from lagdsl.api.unknowns import with_starts

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.api.input_axes import input_axes
+from lagdsl.api.inputs.axes import input_axes
+from lagdsl.api.inputs.runs import GivenOfRuns
 from lagdsl.api.names import keys_of, number, spread
-from lagdsl.api.run_inputs import GivenOfRuns
 from lagdsl.api.texts import require_units
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value

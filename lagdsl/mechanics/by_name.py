@@ -9,7 +9,7 @@ from dataclasses import replace
 from lagdsl.mechanics.equation_terms import equation_terms
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.frame_kinematics import frame_kinematics
-from lagdsl.mechanics.regressor import regressor
+from lagdsl.mechanics.regression.regressor import regressor
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function, Program
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from lagdsl.api.inputs import signals_of
+from lagdsl.api.inputs.runs import GivenOfRuns, inputs_of_runs, known_inputs, signals_of_runs
+from lagdsl.api.inputs.values import signals_of
 from lagdsl.api.names import number
-from lagdsl.api.run_inputs import GivenOfRuns, inputs_of_runs, known_inputs, signals_of_runs
 from lagdsl.api.texts import require_units
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel

@@ -16,10 +16,10 @@ from lagdsl.flat.model import PointMass, RigidBody
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.equations import Equations
-from lagdsl.mechanics.friction_columns import friction_columns
 from lagdsl.mechanics.kinematics.vectors import Vector, cross
 from lagdsl.mechanics.lagrange.inertia import about_origin
 from lagdsl.mechanics.lagrange.inertial_elements import place_of, tensor_of
+from lagdsl.mechanics.regression.friction_columns import friction_columns
 from lagdsl.program.program import Block, Slot
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import LENGTH, MASS

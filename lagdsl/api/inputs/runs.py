@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.api.inputs import signals_of
+from lagdsl.api.inputs.values import signals_of
 from lagdsl.api.names import number
 from lagdsl.diagnostics.unknown import unknown_among
 from lagdsl.flat.model import FlatModel

@@ -1,0 +1,1 @@
+"""The equations of motion as a matrix times what is linear in them: inertias, damping, friction."""
