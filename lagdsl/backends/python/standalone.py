@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -67,8 +68,12 @@ def lengths(program: Program) -> tuple[int, ...]:
 def support(path: Path, dropped: Sequence[str] = ()) -> str:
     """A file as part of a module: without its imports, and without lines that begin as `dropped`, its docstring as a
     comment."""
-    _, docstring, code = path.read_text(encoding="utf-8").split('"""', 2)
-    kept = [line for line in code.splitlines() if not line.startswith(("import ", "from ", *dropped))]
+    text = path.read_text(encoding="utf-8")
+    imports = [node for node in ast.parse(text).body if isinstance(node, ast.Import | ast.ImportFrom)]
+    imported = {number for node in imports for number in range(node.lineno, (node.end_lineno or node.lineno) + 1)}
+    lines = [line for number, line in enumerate(text.splitlines(), start=1) if number not in imported]
+    _, docstring, code = "\n".join(lines).split('"""', 2)
+    kept = [line for line in code.splitlines() if not line.startswith(tuple(dropped))]
     comment = "\n".join(f"# {line}".rstrip() for line in docstring.strip().splitlines())
     return f"# {'-' * 117}\n{comment}\n\n{_squeezed(kept)}"
 
