@@ -37,7 +37,7 @@ static void bounces_end_at_the_limit_of_their_series(void)
     }
 }
 
-/* What is left is too long to be left out before the next bounce, and then it is not: left e^2/(1 - e), told at e + e^2/(1 - e), the same time. */
+/* The rest is too long to be left out before the next bounce, and then it is not: left e^2/(1 - e), told at e + e^2/(1 - e), the same time. */
 static void the_limit_is_the_same_wherever_bounces_are_left_out(void)
 {
     for (int later = 0; later < 4; ++later) {

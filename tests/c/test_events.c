@@ -109,7 +109,7 @@ static int until_crowded(double first, double ratio, int relations, int most)
 
 /*
  * Intervals of 1/2 of the one before have a sum: they crowd once 2^-k < 1e-6, k = 20, behind the first that is shorter. Equal ones have none, as
- * long as they are no moments. Those of contacts end otherwise. A hundred at one time, or a thousand moments, are too many in any case.
+ * long as they are no moments. Series of contacts end otherwise. A hundred at one time, or a thousand moments, are too many in any case.
  */
 static void events_that_have_a_limit_crowd(void)
 {

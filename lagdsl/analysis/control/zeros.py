@@ -45,7 +45,7 @@ def invariant_zeros(a: Floats, b: Floats, c: Floats, d: Floats) -> Complexes:
 
 
 def _multiplicity_of_zero(a: Floats) -> int:
-    """How often zero is an eigenvalue of A (n, n): a double one is lost in eigenvalues of the size of the root of
+    """The multiplicity of the eigenvalue zero of A (n, n): a double one is lost in eigenvalues of the size of the root of
     round-off. Null spaces are split off in turn. Source: Golub and Van Loan, Matrix Computations, 4th ed., section 7.6.
     """
     count = 0
