@@ -45,8 +45,10 @@ def invariant_zeros(a: Floats, b: Floats, c: Floats, d: Floats) -> Complexes:
 
 
 def _multiplicity_of_zero(a: Floats) -> int:
-    """The multiplicity of the eigenvalue zero of A (n, n): a double one is lost in eigenvalues of the size of the root of
-    round-off. Null spaces are split off in turn. Source: Golub and Van Loan, Matrix Computations, 4th ed., section 7.6.
+    """The multiplicity of the eigenvalue zero of A (n, n). A double one is lost in eigenvalues of the size of the root
+    of round-off; null spaces that are split off in turn count it.
+
+    Source: Golub and Van Loan, Matrix Computations, 4th ed., section 7.6.
     """
     count = 0
     size = float(np.linalg.norm(a, 2))
