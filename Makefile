@@ -65,48 +65,48 @@ c-check: c-runtime c-shells  ## tests of the C runtime and of the shells of FMUs
 
 # The tests in Python link these objects, too. The runtime needs no package: it is compiled and tested while they are installed.
 runtime-objects:
-	$(MAKE) --directory=lagdsl/runtime/c objects
+	$(MAKE) --directory=lagdsl/engines/runtime/c objects
 
 shell-objects: runtime-objects $(READY)
-	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) objects
+	$(MAKE) --directory=lagdsl/exchange/fmi/c PYTHON=$(abspath $(BIN)/python) objects
 
 c-runtime: runtime-objects
-	$(MAKE) --directory=lagdsl/runtime/c sanitized
+	$(MAKE) --directory=lagdsl/engines/runtime/c sanitized
 
 c-shells: c-runtime shell-objects
-	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized
+	$(MAKE) --directory=lagdsl/exchange/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized
 
 c-test: c-check  ## the same, with warnings of every compiler there is, the sanitizer of threads and ten thousand runs under valgrind
-	$(MAKE) --directory=lagdsl/runtime/c test
-	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) test
+	$(MAKE) --directory=lagdsl/engines/runtime/c test
+	$(MAKE) --directory=lagdsl/exchange/fmi/c PYTHON=$(abspath $(BIN)/python) test
 
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
-	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest $(SPREAD) tests/fmi
+	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest $(SPREAD) tests/exchange/fmi
 
 update: $(READY)  ## regenerate what is generated: automaton of the grammar, grammars of editors, unit table, functions in C, list of the library, expectations of the corpus
-	$(BIN)/python -m lagdsl.syntax.generate
-	$(BIN)/python -m lagdsl.units.generate
-	$(BIN)/python -m lagdsl.runtime.generate
-	$(BIN)/python -m lagdsl.highlight.generate
-	$(BIN)/python -m lagdsl.lsp.snippets editors/vscode/snippets/lag.json
-	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/docs tests/units tests/semantics
+	$(BIN)/python -m lagdsl.language.syntax.generate
+	$(BIN)/python -m lagdsl.foundation.units.generate
+	$(BIN)/python -m lagdsl.engines.runtime.generate
+	$(BIN)/python -m lagdsl.language.highlight.generate
+	$(BIN)/python -m lagdsl.interfaces.lsp.snippets editors/vscode/snippets/lag.json
+	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/foundation/diagnostics tests/docs tests/foundation/units tests/language/semantics
 
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
-	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.building.platforms); do \
+	@set -e; for platform in $$($(BIN)/python -m lagdsl.engines.runtime.building.platforms); do \
 	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
-PAGE := lagdsl/page/web
+PAGE := lagdsl/documents/page/web
 
 page: $(READY)  ## what living pages carry, from the TypeScript and C sources: needs node
 	cd $(PAGE) && npm ci --silent && npx tsc --noEmit && node build.mjs
-	$(BIN)/python -m lagdsl.runtime.build_wasm $(PAGE)/dist
+	$(BIN)/python -m lagdsl.engines.runtime.build_wasm $(PAGE)/dist
 
 extension:  ## the extension for VS Code, editors/vscode/lagdsl.vsix: needs node
 	cd editors/vscode && npm ci --silent && npm run package
 
 page-check: $(READY)  ## pages of all models in a real browser: needs node and Chromium
 	$(PIP) playwright
-	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/page
+	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/documents/page
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed; living pages need Chromium
 	$(PIP) playwright

@@ -1,7 +1,7 @@
 """The build hook: the C runtime as a shared library and as object files of FMUs, in wheels for one platform and in the
 tree of editable installs.
 
-`LAGDSL_PLATFORM` names a platform of `lagdsl/runtime/building/platforms.py`, for which ziglang compiles. Without
+`LAGDSL_PLATFORM` names a platform of `runtime/building/platforms.py`, for which ziglang compiles. Without
 it the library is for this machine, by its C compiler or, where there is none, by ziglang. The objects of FMUs are
 always those of ziglang, for machines among these platforms.
 """
@@ -19,11 +19,11 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 _ROOT = Path(__file__).resolve().parent
 sys.path.insert(0, str(_ROOT))
 
-from lagdsl.fmi.package.installed_objects import make_installed_objects  # noqa: E402
-from lagdsl.resources import fmi_objects_folder, runtime_library_folder  # noqa: E402
-from lagdsl.runtime.building.build_library import build_library, up_to_date, wheel_tag  # noqa: E402
-from lagdsl.runtime.building.compiler import machine_compiler  # noqa: E402
-from lagdsl.runtime.building.platforms import PLATFORMS, library_name, platform_of, this_machine  # noqa: E402
+from lagdsl.engines.runtime.building.build_library import build_library, up_to_date, wheel_tag  # noqa: E402
+from lagdsl.engines.runtime.building.compiler import machine_compiler  # noqa: E402
+from lagdsl.engines.runtime.building.platforms import PLATFORMS, library_name, platform_of, this_machine  # noqa: E402
+from lagdsl.exchange.fmi.package.installed_objects import make_installed_objects  # noqa: E402
+from lagdsl.foundation.resources import fmi_objects_folder, runtime_library_folder  # noqa: E402
 
 
 class RuntimeLibraryHook(BuildHookInterface[Any]):
@@ -52,10 +52,10 @@ class RuntimeLibraryHook(BuildHookInterface[Any]):
         objects = runtime_library_folder() / "objects"  # of an editable install: what is the same is not compiled again
         kept = objects if name is None and objects.is_dir() else None
         library = build_library(Path(self._made.name), name, kept)
-        build_data["force_include"][str(library)] = f"lagdsl/runtime/lib/{file_name}"
+        build_data["force_include"][str(library)] = f"lagdsl/engines/runtime/lib/{file_name}"
         own = name is None and fmi_objects_folder().is_dir()
         for path in _make_objects(fmi_objects_folder() if own else Path(self._made.name) / "objects"):
-            build_data["force_include"][str(path)] = f"lagdsl/fmi/lib/{path.name}"
+            build_data["force_include"][str(path)] = f"lagdsl/exchange/fmi/lib/{path.name}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
         """The wheel has its copy."""

@@ -8,9 +8,9 @@ import numpy as np
 import ours
 import serial
 
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.cores import cores
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.cores import cores
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 
 MANY = 20_000
 

@@ -11,13 +11,13 @@ from unittest.mock import patch
 
 from measure import children_cpu_seconds
 
-from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.pipeline import Compilation, compile_flat, flatten_file, read
-from lagdsl.runtime.engines.auto_engine import AutoEngine
-from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.runtime.engines.selection import engine_of
-from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.simulate import simulate
+from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
+from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.motion.pipeline import Compilation, compile_flat, flatten_file, read
+from lagdsl.motion.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.simulate import simulate
 
 MODELS = Path(__file__).parents[1] / "models"
 # Runs shorter than this are made several times, and the least counts [s].

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import peers
 
-from lagdsl.fmi.package.sources import require_fmpy
-from lagdsl.runtime.building.cache import cache_folder
+from lagdsl.engines.runtime.building.cache import cache_folder
+from lagdsl.exchange.fmi.package.sources import require_fmpy
 
 NATIVE = Path(__file__).parent / "native"
-RUNTIME = Path(__file__).parents[1] / "lagdsl" / "runtime" / "c"
+RUNTIME = Path(__file__).parents[1] / "lagdsl" / "engines" / "runtime" / "c"
 FOLDER = cache_folder() / "benchmarks"
 ROUNDS, RUNS = 400, 5
 _SHARED = ("-fPIC", "-shared")

@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 
-from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.arrange import arrange
-from lagdsl.mechanics.equations import form_equations
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
-from lagdsl.semantics.classes.library import read_source
-from lagdsl.semantics.flatten import flatten
-from lagdsl.syntax.parser import parse
+from lagdsl.derivation.mechanics.arrange import arrange
+from lagdsl.derivation.mechanics.equations import form_equations
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.language.semantics.classes.library import read_source
+from lagdsl.language.semantics.flatten import flatten
+from lagdsl.language.syntax.parser import parse
 
 MODEL = Path(__file__).parents[1] / "models" / "cart_double_pendulum.lag"
 

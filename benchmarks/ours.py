@@ -10,14 +10,14 @@ from pathlib import Path
 
 from measure import children_cpu_seconds, in_fresh_process
 
-from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
-from lagdsl.diagnostics import Sink
-from lagdsl.eliminate.count import flops
-from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
-from lagdsl.pipeline import compile_flat, flatten_file
-from lagdsl.program.program import Program
-from lagdsl.runtime.building.build import build
-from lagdsl.semantics.classes.library import read_source
+from lagdsl.algebra.eliminate.count import flops
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.backends.c.emit import model_symbol, part_symbol, sources
+from lagdsl.engines.runtime.building.build import build
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.language.flat.fixed_parameters import fix_parameters, matching_values
+from lagdsl.language.semantics.classes.library import read_source
+from lagdsl.motion.pipeline import compile_flat, flatten_file
 
 MODELS = Path(__file__).with_name("models")
 

@@ -10,13 +10,13 @@ from unittest.mock import patch
 from growth import exponent
 from measure import cpu_seconds, first_call_cpu_seconds, process_cpu_seconds
 
-from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.arrange import arrange
-from lagdsl.mechanics.equations import form_equations
-from lagdsl.program.program import Program
-from lagdsl.semantics.classes.library import read_source
-from lagdsl.semantics.flatten import flatten
-from lagdsl.syntax.parser import parse
+from lagdsl.derivation.mechanics.arrange import arrange
+from lagdsl.derivation.mechanics.equations import form_equations
+from lagdsl.derivation.program.program import Program
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.language.semantics.classes.library import read_source
+from lagdsl.language.semantics.flatten import flatten
+from lagdsl.language.syntax.parser import parse
 
 MODELS = Path(__file__).parents[1] / "models"
 SIZES = (10, 20, 40, 80)

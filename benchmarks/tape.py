@@ -13,20 +13,20 @@ import numpy as np
 import ours
 from measure import cpu_seconds, in_fresh_process
 
-from lagdsl.backends.tape.emit import tape
-from lagdsl.backends.tape.listing import instructions
-from lagdsl.diagnostics import Sink
-from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.pipeline import compile_flat, flatten_file, read
-from lagdsl.program.functions import STATE
-from lagdsl.program.program import Program
-from lagdsl.runtime.engines.buffers import Buffers, aligned
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.native_model import NativeModel
-from lagdsl.runtime.engines.tape_engine import TapeEngine
-from lagdsl.runtime.engines.tape_model import load_tape
-from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.structures import Arguments
+from lagdsl.algebra.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.backends.tape.emit import tape
+from lagdsl.engines.backends.tape.listing import instructions
+from lagdsl.engines.runtime.engines.buffers import Buffers, aligned
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.native_model import NativeModel
+from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
+from lagdsl.engines.runtime.engines.tape_model import load_tape
+from lagdsl.engines.runtime.library import runtime_library
+from lagdsl.engines.runtime.structures import Arguments
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.motion.pipeline import compile_flat, flatten_file, read
 
 MODELS = ("double_pendulum", "four_bar", "panda")
 BUILT = (("panda", None), ("planar_chain", 100), ("spatial_chain", 100))

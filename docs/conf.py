@@ -12,7 +12,7 @@ from sphinx.application import Sphinx  # noqa: E402
 from sphinx.util.inspect import TypeAliasForwardRef  # noqa: E402
 
 import lagdsl  # noqa: E402
-from lagdsl.highlight.pygments_lexer import LagLexer  # noqa: E402
+from lagdsl.language.highlight.pygments_lexer import LagLexer  # noqa: E402
 
 project = "lagdsl"
 author = "the authors of lagdsl"

@@ -7,42 +7,42 @@ lists what is wrong with a text. Names are loaded when they are first used, so t
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from lagdsl.version import __version__ as __version__
+from lagdsl.foundation.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from lagdsl.api.check import check
-    from lagdsl.api.compile import compile
-    from lagdsl.api.import_robot import import_robot
-    from lagdsl.api.model import Model
-    from lagdsl.api.trajectory import Trajectory
-    from lagdsl.diagnostics import CallRefused, CompilationFailed, Diagnostic, UnknownName
-    from lagdsl.sessions.many import Sessions
-    from lagdsl.sessions.session import Session
-    from lagdsl.signals.hold import Hold
-    from lagdsl.signals.trajectory import Event
-    from lagdsl.simulate.control import control
-    from lagdsl.simulate.failure import SimulationFailed
-    from lagdsl.simulate.present import Present
+    from lagdsl.foundation.diagnostics import CallRefused, CompilationFailed, Diagnostic, UnknownName
+    from lagdsl.interfaces.api.check import check
+    from lagdsl.interfaces.api.compile import compile
+    from lagdsl.interfaces.api.import_robot import import_robot
+    from lagdsl.interfaces.api.model import Model
+    from lagdsl.interfaces.api.trajectory import Trajectory
+    from lagdsl.motion.sessions.many import Sessions
+    from lagdsl.motion.sessions.session import Session
+    from lagdsl.motion.signals.hold import Hold
+    from lagdsl.motion.signals.trajectory import Event
+    from lagdsl.motion.simulate.control import control
+    from lagdsl.motion.simulate.failure import SimulationFailed
+    from lagdsl.motion.simulate.present import Present
 
 _HOMES = {
-    "CallRefused": "lagdsl.diagnostics",
-    "CompilationFailed": "lagdsl.diagnostics",
-    "Diagnostic": "lagdsl.diagnostics",
-    "Event": "lagdsl.signals.trajectory",
-    "Hold": "lagdsl.signals.hold",
-    "Model": "lagdsl.api.model",
-    "Present": "lagdsl.simulate.present",
-    "Session": "lagdsl.sessions.session",
-    "Sessions": "lagdsl.sessions.many",
-    "SimulationFailed": "lagdsl.simulate.failure",
-    "Trajectory": "lagdsl.api.trajectory",
-    "UnknownName": "lagdsl.diagnostics",
-    "check": "lagdsl.api.check",
-    "compile": "lagdsl.api.compile",
-    "control": "lagdsl.simulate.control",
-    "import_robot": "lagdsl.api.import_robot",
-    "load_ipython_extension": "lagdsl.notebook.extension",
-    "unload_ipython_extension": "lagdsl.notebook.extension",
+    "CallRefused": "lagdsl.foundation.diagnostics",
+    "CompilationFailed": "lagdsl.foundation.diagnostics",
+    "Diagnostic": "lagdsl.foundation.diagnostics",
+    "Event": "lagdsl.motion.signals.trajectory",
+    "Hold": "lagdsl.motion.signals.hold",
+    "Model": "lagdsl.interfaces.api.model",
+    "Present": "lagdsl.motion.simulate.present",
+    "Session": "lagdsl.motion.sessions.session",
+    "Sessions": "lagdsl.motion.sessions.many",
+    "SimulationFailed": "lagdsl.motion.simulate.failure",
+    "Trajectory": "lagdsl.interfaces.api.trajectory",
+    "UnknownName": "lagdsl.foundation.diagnostics",
+    "check": "lagdsl.interfaces.api.check",
+    "compile": "lagdsl.interfaces.api.compile",
+    "control": "lagdsl.motion.simulate.control",
+    "import_robot": "lagdsl.interfaces.api.import_robot",
+    "load_ipython_extension": "lagdsl.interfaces.notebook.extension",
+    "unload_ipython_extension": "lagdsl.interfaces.notebook.extension",
 }
 
 __all__ = [

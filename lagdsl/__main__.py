@@ -5,13 +5,13 @@ import signal
 import sys
 from typing import NoReturn
 
-from lagdsl.cli.status import INTERRUPTED
+from lagdsl.interfaces.cli.status import INTERRUPTED
 
 
 def main() -> NoReturn:
     """Run `lag`. An interrupt while its modules are loaded ends it as one while it works does."""
     try:
-        from lagdsl.cli.main import main as lag
+        from lagdsl.interfaces.cli.main import main as lag
 
         lag()
     except KeyboardInterrupt:

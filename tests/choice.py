@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import pytest
 
 if TYPE_CHECKING:
-    from lagdsl.runtime.engines.engine import EngineName
+    from lagdsl.engines.runtime.engines.engine import EngineName
 
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
 ALL = EXPLORE or bool(os.environ.get("LAGDSL_ALL"))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import compile_flat, flatten_file, read
-from lagdsl.program.program import Program
+from lagdsl.derivation.program.program import Program
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.motion.pipeline import compile_flat, flatten_file, read
 
 
 def program_of(source: str | Path, structural: Mapping[str, float] | None = None) -> Program:

@@ -14,7 +14,7 @@ from costs import Costs
 from hypothesis import settings
 from shared_folder import make_shared_folder
 
-from lagdsl.fmi.package import toolchain
+from lagdsl.exchange.fmi.package import toolchain
 
 # The same examples in every run, so that a failure belongs to the change at hand; LAGDSL_EXPLORE=1 looks for new ones.
 settings.register_profile("same", deadline=None, derandomize=True, max_examples=examples(100))
@@ -69,7 +69,8 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
     """In a fresh checkout one process imports everything first: several would all compile the same bytecode.
     The others begin together when it is done."""
     run = os.environ.get("PYTEST_XDIST_TESTRUNUID")
-    if run is None or (ROOT / "tests" / "verify" / "__pycache__").exists():  # bytecode of an earlier run is there
+    # With bytecode of an earlier run nobody waits.
+    if run is None or (ROOT / "tests" / "exchange" / "verify" / "__pycache__").exists():
         return (yield)
     with Path(tempfile.gettempdir(), f"lagdsl-tests-{run}").open("w", encoding="utf-8") as lock:
         try:

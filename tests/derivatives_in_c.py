@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 from named_models import compiled
 
-from lagdsl.backends.c.emit import engine_sources, model_symbol
-from lagdsl.graph.operation import Group
-from lagdsl.pipeline import with_names
-from lagdsl.program.program import Program
-from lagdsl.resources import c_folder, runtime_library_folder
-from lagdsl.runtime.building.compiler import FLAGS, find_compiler, run_compiler
-from lagdsl.runtime.building.platforms import library_name, this_machine
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
-from lagdsl.runtime.library import runtime_library
-from lagdsl.simulate.initialize import initial_state
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.backends.c.emit import engine_sources, model_symbol
+from lagdsl.engines.runtime.building.compiler import FLAGS, find_compiler, run_compiler
+from lagdsl.engines.runtime.building.platforms import library_name, this_machine
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.engines.runtime.library import runtime_library
+from lagdsl.foundation.resources import c_folder, runtime_library_folder
+from lagdsl.motion.pipeline import with_names
+from lagdsl.motion.simulate.initialize import initial_state
 
 TIME = 0.3
 GROUPS = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P)
@@ -46,7 +46,7 @@ def program_of(path: Path) -> tuple[Program, dict[Group, np.ndarray]]:
 @cache
 def library(path: Path) -> Any:
     program, _ = program_of(path)
-    probe = (Path(__file__).parent / "runtime" / "derivatives_probe.c").read_text(encoding="utf-8")
+    probe = (Path(__file__).parent / "engines" / "runtime" / "derivatives_probe.c").read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         loaded = ctypes.CDLL(str(_linked({**engine_sources(program), "probe.c": probe}, Path(folder))))
     loaded.probe.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 6]

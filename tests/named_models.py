@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import Compilation, compile_flat, flatten_file, read
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.motion.pipeline import Compilation, compile_flat, flatten_file, read
 
 
 def compiled(source: str | Path) -> Compilation:

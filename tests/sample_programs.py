@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from lagdsl.graph import Graph, Group, Op
-from lagdsl.graph.differentiate import Tangent, jacobian
-from lagdsl.program.functions import DIRECTIONS, SIGNATURES, SOLVED_DIRECTIONS
-from lagdsl.program.program import Block, Function, Layout, Program, Slot
+from lagdsl.algebra.graph import Graph, Group, Op
+from lagdsl.algebra.graph.differentiate import Tangent, jacobian
+from lagdsl.derivation.program.functions import DIRECTIONS, SIGNATURES, SOLVED_DIRECTIONS
+from lagdsl.derivation.program.program import Block, Function, Layout, Program, Slot
 
 _VARIABLE = {
     Group.DIRECTION_Q: Group.Q,

@@ -12,10 +12,10 @@ from pathlib import Path
 
 from sphinx.application import Sphinx
 
-from lagdsl.diagnostics.catalog import ROWS
-from lagdsl.manual.component_page import component_page
-from lagdsl.manual.library import class_names, library_class, package_names, package_title
-from lagdsl.manual.models import model_names, model_title
+from lagdsl.foundation.diagnostics.catalog import ROWS
+from lagdsl.language.manual.component_page import component_page
+from lagdsl.language.manual.library import class_names, library_class, package_names, package_title
+from lagdsl.language.manual.models import model_names, model_title
 
 FAMILIES = {
     "1": "Syntax",

@@ -8,11 +8,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import flatten_file
-from lagdsl.plot.picture.film import write_picture
-from lagdsl.plot.picture.wishes import Wishes
-from lagdsl.source import SourceFile
+from lagdsl.documents.plot.picture.film import write_picture
+from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.source import SourceFile
+from lagdsl.motion.pipeline import flatten_file
 
 PAGES = Path(__file__).parents[1] / "problems"
 FOLDER = Path(__file__).parents[1] / "images" / "problems"

@@ -11,7 +11,7 @@ from hybrid_core import hybrid_core
 import lagdsl
 
 ROOT = Path(lagdsl.__file__).parent
-RUNTIME, SHELL = ROOT / "runtime" / "c" / "lag", ROOT / "fmi" / "c" / "lag"
+RUNTIME, SHELL = ROOT / "engines/runtime/c/lag", ROOT / "exchange/fmi/c/lag"
 CONSTANT = re.compile(r"^static const double [A-Za-z_]", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", re.DOTALL | re.MULTILINE)
 STRUCT = re.compile(r"\b(?:struct|union)\s*(\w*)\s*\{")

@@ -37,7 +37,7 @@ def test_no_modules_import_each_other(root: Path) -> None:
 
 
 def _c(root: Path) -> tuple[Path, Path]:
-    return root / "lagdsl" / "runtime" / "c" / "lag", root / "lagdsl" / "fmi" / "c" / "lag"
+    return root / "lagdsl" / "engines" / "runtime" / "c" / "lag", root / "lagdsl" / "exchange" / "fmi" / "c" / "lag"
 
 
 def test_no_c_files_include_each_other(root: Path) -> None:

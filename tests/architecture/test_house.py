@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import lagdsl
-from lagdsl.cli.main import lag
+from lagdsl.interfaces.cli.main import lag
 
 HEAVY = {"scipy", "sympy", "rich", "matplotlib", "pandas", "pyarrow", "pint", "mpmath"}
 GENERATED = {"vocabulary.py"}
@@ -79,7 +79,7 @@ def _loaded(*arguments: str) -> set[str]:
         "import sys, json, atexit; "
         "atexit.register(lambda: print(json.dumps(sorted(sys.modules)), file=sys.stderr)); "
         f"sys.argv = {['lag', *arguments]!r}; "
-        + ("from lagdsl.cli.main import main; main()" if arguments else "import lagdsl")
+        + ("from lagdsl.interfaces.cli.main import main; main()" if arguments else "import lagdsl")
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
@@ -91,7 +91,7 @@ def _packages(modules: set[str]) -> set[str]:
 
 
 def _floors(modules: set[str]) -> set[str]:
-    return {name.split(".")[1] for name in modules if name.startswith("lagdsl.")}
+    return {name.split(".")[2] for name in modules if name.startswith("lagdsl.") and name.count(".") > 1}
 
 
 def test_importing_the_package_costs_nothing() -> None:
@@ -110,7 +110,7 @@ def test_a_run_loads_neither_scenes_nor_searches(root: Path) -> None:
     loaded = _loaded("run", str(root / "models" / "double_pendulum.lag"))
     assert not _packages(loaded) & HEAVY
     assert _floors(loaded) == CHECKED | RUN
-    assert not loaded & {"lagdsl.plot.picture.recording", "lagdsl.structure.contradictions"}
+    assert not loaded & {"lagdsl.documents.plot.picture.recording", "lagdsl.derivation.structure.contradictions"}
 
 
 def test_formatting_does_not_even_load_numpy(root: Path) -> None:

@@ -9,7 +9,7 @@ from hybrid_core import hybrid_core
 
 import lagdsl
 
-RUNTIME = Path(lagdsl.__file__).parent / "runtime" / "c" / "lag"
+RUNTIME = Path(lagdsl.__file__).parent / "engines/runtime/c/lag"
 HEAD = re.compile(r"\s*/\*\s*(?:\*\s*)?Tests (.*?)\*/", re.DOTALL)
 NAMED = re.compile(r"\b\w+/\w+\.c\b")
 

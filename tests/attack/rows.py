@@ -18,7 +18,7 @@ import pytest
 from choice import EXPLORE, spread
 
 import lagdsl
-from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.engine import EngineName
 
 KNOWN: tuple[str, ...] = get_args(EngineName)
 FIRST = "tape" if "tape" in KNOWN else "c"

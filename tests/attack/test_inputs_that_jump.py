@@ -9,7 +9,7 @@ import pytest
 from attack.rows import Attack, check, model, rows
 
 import lagdsl
-from lagdsl.diagnostics import CompilationFailed
+from lagdsl.foundation.diagnostics import CompilationFailed
 
 STARTED = ((0.0, 1.0, 1.0, 2.0), (0.0, 0.0, 1.0, 1.0))
 LOWERED = ((0.0, 1.0, 1.0, 2.0), (0.0, 0.0, -1.0, -1.0))

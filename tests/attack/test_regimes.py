@@ -11,7 +11,7 @@ from attack.regimes import BOB, FEW, LATCH, REGIMES, STARTS, STEP, STRIKERS, G, 
 from choice import paired, spread
 
 import lagdsl
-from lagdsl.api.model import Model
+from lagdsl.interfaces.api.model import Model
 
 RESTITUTION = 0.6
 

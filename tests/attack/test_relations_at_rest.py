@@ -11,7 +11,7 @@ from attack.rows import Attack, Later, check, model, rows
 from scipy.integrate import solve_ivp
 
 import lagdsl
-from lagdsl.diagnostics.sink import Sink
+from lagdsl.foundation.diagnostics.sink import Sink
 
 UNTIL = "locked = true; n = pre(n) + 1; elsewhen time > {opened} then locked = false; end when;"
 LOCK = """discrete Boolean locked(start = false); discrete Integer n(start = 0);

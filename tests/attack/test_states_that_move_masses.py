@@ -9,7 +9,7 @@ from attack.rows import Attack, check, model, rows
 from choice import spread
 
 import lagdsl
-from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.failure import SimulationFailed
 
 FOLLOWING = [
     Attack(

@@ -11,9 +11,9 @@ import pytest
 from click.testing import CliRunner
 
 import lagdsl
-from lagdsl.cli.main import lag
-from lagdsl.program.functions import BY_NAME
-from lagdsl.runtime.building.compiler import machine_compiler
+from lagdsl.derivation.program.functions import BY_NAME
+from lagdsl.engines.runtime.building.compiler import machine_compiler
+from lagdsl.interfaces.cli.main import lag
 
 ROOT = Path(__file__).parents[2]
 

@@ -11,10 +11,10 @@ import click
 import pytest
 
 import lagdsl
-from lagdsl.cli.main import lag
-from lagdsl.diagnostics.catalog import ROWS
-from lagdsl.manual.library import class_names
-from lagdsl.resources import library_folder
+from lagdsl.foundation.diagnostics.catalog import ROWS
+from lagdsl.foundation.resources import library_folder
+from lagdsl.interfaces.cli.main import lag
+from lagdsl.language.manual.library import class_names
 
 ROOT = Path(__file__).parents[2]
 CODE = re.compile(r"^```[a-z]*[^\n]*\n(.*?)^```|`([^`\n]+)`", re.DOTALL | re.MULTILINE)
@@ -111,7 +111,8 @@ def test_listed_components_exist() -> None:
 
 
 def test_targets_of_make_exist() -> None:
-    makefiles = [ROOT / "Makefile", ROOT / "lagdsl/runtime/c/Makefile", ROOT / "lagdsl/runtime/c/example/Makefile"]
+    c = ROOT / "lagdsl/engines/runtime/c"
+    makefiles = [ROOT / "Makefile", c / "Makefile", c / "example/Makefile"]
     texts = [path.read_text(encoding="utf-8") for path in makefiles if path.exists()]
     targets = {name for text in texts for name in re.findall(r"^([\w.-]+):", text, re.MULTILINE)}
     named = {
@@ -122,15 +123,17 @@ def test_targets_of_make_exist() -> None:
 
 
 def test_floors_of_the_architecture_are_the_packages() -> None:
-    rows = re.findall(r"^\| (`[^|]+) \|", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"), re.MULTILINE)
+    rows = re.findall(r"^\|([^|]*\|[^|]*)\|", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"), re.MULTILINE)
     named = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
-    floors = {
-        path.stem for path in (ROOT / "lagdsl").iterdir() if path.suffix in ("", ".py") and path.name[0] not in "_."
-    }
+    wings = [path for path in (ROOT / "lagdsl").iterdir() if path.is_dir() and path.name[0] not in "_."]
+    floors = {path.stem for wing in wings for path in wing.iterdir() if path.suffix in ("", ".py")}
     rooms = {
-        p.name for folder in ("semantics", "runtime/c/lag") for p in (ROOT / "lagdsl" / folder).iterdir() if p.is_dir()
+        p.name
+        for folder in ("language/semantics", "engines/runtime/c/lag")
+        for p in (ROOT / "lagdsl" / folder).iterdir()
+        if p.is_dir()
     }
-    assert sorted((floors | rooms) - named - {"__pycache__"}) == []
+    assert sorted(({wing.name for wing in wings} | floors | rooms) - named - {"__pycache__", "__init__"}) == []
 
 
 def test_codes_of_diagnostics_exist() -> None:
@@ -160,7 +163,7 @@ def directives(folder: str, pattern: str) -> list[str]:
 
 def test_every_command_stands_on_one_page() -> None:
     assert directives("command_line", r"^   :prog: lag (\w+)$") == sorted(commands())
-    modules = directives("command_line", r"^\.\. click:: lagdsl\.cli\.commands\.(\w+?)_?:command$")
+    modules = directives("command_line", r"^\.\. click:: lagdsl\.interfaces\.cli\.commands\.(\w+?)_?:command$")
     assert modules == sorted(commands())
 
 

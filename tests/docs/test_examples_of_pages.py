@@ -2,7 +2,7 @@
 
 Blocks of a page run in their order, in one folder with `models/` beside it. A block whose first line says `file=NAME`
 is written there; one that says `fragment` does not stand alone and is left out. LAGDSL_UPDATE=1 writes the output of
-commands into the pages. Pages about FMUs and about small motions have tests of their own (tests/fmi, tests/cli).
+commands into the pages. Pages about FMUs and about small motions have tests of their own.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import pytest
 from click.testing import CliRunner
 
 import lagdsl
-from lagdsl.cli.main import lag
+from lagdsl.interfaces.cli.main import lag
 
 ROOT = Path(__file__).parents[2]
 ELSEWHERE = {"reference/fmi.md", "howto/export_fmu.md", "howto/cosimulate.md", "explanation/oscillations.md"}

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import lagdsl
-from lagdsl.program.functions import FUNCTIONS
+from lagdsl.derivation.program.functions import FUNCTIONS
 
 ROOT = Path(__file__).parents[2]
 
@@ -175,7 +175,7 @@ PHRASES = (
 
 @pytest.mark.parametrize("phrase", PHRASES)
 def test_messages_are_plain(phrase: str) -> None:
-    from lagdsl.diagnostics.catalog import ROWS
+    from lagdsl.foundation.diagnostics.catalog import ROWS
 
     assert [code for code, row in ROWS.items() if phrase in repr(row)] == []
 

@@ -61,5 +61,5 @@ def test_wedging_ends_the_motion_at_its_instant(run: str, text: str) -> None:
 
 @pytest.mark.parametrize("situation", [*SITUATIONS, WEDGING], ids=lambda each: each.name)
 def test_the_page_names_the_file_that_decides(situation: Situation) -> None:
-    assert (ROOT / "lagdsl" / "runtime" / "c" / "lag" / situation.decides).is_file()
+    assert (ROOT / "lagdsl" / "engines" / "runtime" / "c" / "lag" / situation.decides).is_file()
     assert f"`{situation.decides}`" in PAGE

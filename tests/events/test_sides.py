@@ -9,8 +9,8 @@ import pytest
 from attack.rows import model
 
 import lagdsl
-from lagdsl.graph.evaluate import evaluate
-from lagdsl.graph.operation import Group
+from lagdsl.algebra.graph.evaluate import evaluate
+from lagdsl.algebra.graph.operation import Group
 
 MOVING = model(
     "coordinate Real x(start = 1); input Real u; state Real z(start = 0); kinetic 1/2*der(x)^2; force u on x;",

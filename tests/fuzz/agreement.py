@@ -17,9 +17,9 @@ import pytest
 from numpy.typing import NDArray
 
 import lagdsl
-from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.signals.trajectory import Trajectory
-from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.failure import SimulationFailed
 
 Floats = NDArray[np.float64]
 Verdict = Literal["same", "grazing", "differs", "hang", "nan"]

@@ -18,7 +18,7 @@ from stepping.friction_motion import friction_motion
 from stepping.motion import Motion, motion
 
 import lagdsl
-from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.engine import EngineName
 
 Floats = NDArray[np.float64]
 Kind = Literal["impact", "closed", "opened", "tick"]

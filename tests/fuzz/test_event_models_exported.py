@@ -16,7 +16,7 @@ from fuzz.event_models import STOP, event_model
 from fuzz.harder_models import harder_model
 
 import lagdsl
-from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.failure import SimulationFailed
 
 COUNT = 300 if EXPLORE else 24 if ALL else 1
 SECONDS = 30

@@ -10,7 +10,7 @@ from models.references import REFERENCES
 from models.references.integrate import G_N
 
 import lagdsl
-from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.engine import EngineName
 
 SHAFTS = """model Shafts
   import Lag.{package}.*;

@@ -10,17 +10,17 @@ from typing import Any
 
 import numpy as np
 
-from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.flat.model import FlatModel
-from lagdsl.graph.operation import Group
-from lagdsl.pipeline import Compilation, compile_flat, flatten_file, read
-from lagdsl.program.program import Program
-from lagdsl.runtime.engines.engine import Engine
-from lagdsl.source import SourceFile
-from lagdsl.textbook.derive import derive
-from lagdsl.textbook.lower import lower
-from lagdsl.verify import states
-from lagdsl.verify.states import Arrays
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.program import Program
+from lagdsl.derivation.textbook.derive import derive
+from lagdsl.derivation.textbook.lower import lower
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.exchange.verify import states
+from lagdsl.exchange.verify.states import Arrays
+from lagdsl.foundation.diagnostics import Diagnostic, Sink
+from lagdsl.foundation.source import SourceFile
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import Compilation, compile_flat, flatten_file, read
 
 ROOT = Path(__file__).parents[2]
 MODELS = sorted(
@@ -73,14 +73,14 @@ def textbook(name: str) -> Program:
 
 @cache
 def numpy_engine(name: str) -> Engine:
-    from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+    from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 
     return NumpyEngine(compiled(name).graph)
 
 
 @cache
 def c_engine(name: str) -> Engine:
-    from lagdsl.runtime.engines.c_engine import CEngine
+    from lagdsl.engines.runtime.engines.c_engine import CEngine
 
     return CEngine(compiled(name).graph)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.graph.operation import Group
-from lagdsl.program.functions import STATE
-from lagdsl.program.program import Program
-from lagdsl.verify.states import (
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.program.program import Program
+from lagdsl.exchange.verify.states import (
     Arrays,
     about,
     is_regular,

@@ -10,7 +10,7 @@ import pytest
 from choice import ALL, chosen
 
 import lagdsl
-from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.engine import EngineName
 from models.corpus import path_of
 from models.references import REFERENCES
 from models.references.integrate import G_N

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 from choice import ALL, chosen
 
-from lagdsl.graph.operation import Op
-from lagdsl.program.functions import STATE
-from lagdsl.program.program import Program
-from lagdsl.runtime.engines.broadcast import BatchEngine
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.algebra.graph.operation import Op
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 from models.corpus import MODELS, Arrays, compiled, textbook
 from models.kinds import OF_EACH_KIND, over
 from models.many_states import left_in_equations, many_states

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.diagnostics import Diagnostic, Severity
+from lagdsl.foundation.diagnostics import Diagnostic, Severity
 
 PENDULUM = """\
 model Pendulum

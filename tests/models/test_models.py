@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from choice import ALL
 
-from lagdsl.diagnostics import Sink
-from lagdsl.flat.text import flat_text
-from lagdsl.graph.operation import Group
-from lagdsl.program.functions import ALONG_MANY, SIGNATURES
-from lagdsl.program.program import Program
-from lagdsl.runtime.engines.engine import Engine
-from lagdsl.syntax.parser import parse
-from lagdsl.syntax.printer import format_text
-from lagdsl.verify.states import Arrays, independent_rows, saddle_point, values, values_with_size
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.functions import ALONG_MANY, SIGNATURES
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.exchange.verify.states import Arrays, independent_rows, saddle_point, values, values_with_size
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.language.flat.text import flat_text
+from lagdsl.language.syntax.parser import parse
+from lagdsl.language.syntax.printer import format_text
 from models.corpus import (
     MODELS,
     STATES,
@@ -110,7 +110,7 @@ def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
 
     Terms that cancel in one of them only have left their rounding errors: the size is that of either.
     """
-    from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+    from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 
     states, graph, symbolic = random_states(name), compiled(name).graph, textbook(name)
     _assert_solved(name, numpy_engine(name), states, symbolic, graph)

@@ -10,8 +10,8 @@ from choice import ALL, chosen
 from click.testing import CliRunner
 
 import lagdsl
-from lagdsl.cli.main import lag
-from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.interfaces.cli.main import lag
 from models.corpus import MODELS, compiled, expectations, path_of
 from models.kinds import OF_EACH_KIND, RARE, SOME, over
 from models.references import REFERENCES, pendulums

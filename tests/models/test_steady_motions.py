@@ -9,10 +9,10 @@ import pytest
 from scipy.optimize import brentq
 
 import lagdsl
-from lagdsl.analysis.modes import modes_at
-from lagdsl.analysis.point import System, point_of
-from lagdsl.diagnostics import Sink
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.motion.analysis.modes import modes_at
+from lagdsl.motion.analysis.point import System, point_of
 from models.corpus import compiled, path_of
 from models.references.components_with_friction import _stribeck
 from models.references.integrate import G_N

@@ -11,12 +11,12 @@ import os
 import numpy as np
 import pytest
 
-from lagdsl.backends.c.emit import engine_sources
-from lagdsl.program.functions import ALONG_MANY
-from lagdsl.runtime.building.build import build
-from lagdsl.runtime.building.compiler import ALIKE
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.derivation.program.functions import ALONG_MANY
+from lagdsl.engines.backends.c.emit import engine_sources
+from lagdsl.engines.runtime.building.build import build
+from lagdsl.engines.runtime.building.compiler import ALIKE
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
 from models.corpus import MODELS, compiled, random_states
 
 SOME = ("double_pendulum", "four_bar", "newtons_cradle", "clutch", "pick_and_place", "chain", "valve_train")

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from lagdsl.runtime.building.build_library import wheel_tag
-from lagdsl.runtime.building.linking import zig_program
-from lagdsl.runtime.building.platforms import PLATFORMS, library_name, this_machine
+from lagdsl.engines.runtime.building.build_library import wheel_tag
+from lagdsl.engines.runtime.building.linking import zig_program
+from lagdsl.engines.runtime.building.platforms import PLATFORMS, library_name, this_machine
 
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
@@ -24,12 +24,12 @@ CARRIED = {
     "models/four_bar.lag": "lagdsl/_data/models/four_bar.lag",
     "models/library/dc_motor.lag": "lagdsl/_data/models/library/dc_motor.lag",
     "LICENSE": "lagdsl/_data/LICENSE",
-    "lagdsl/syntax/grammar.jsonl": "lagdsl/syntax/grammar.jsonl",
-    "lagdsl/runtime/c/lag/model.h": "lagdsl/runtime/c/lag/model.h",
-    "lagdsl/runtime/c/lag/equations/dynamics.c": "lagdsl/runtime/c/lag/equations/dynamics.c",
-    "lagdsl/fmi/c/lag/instance/instance.h": "lagdsl/fmi/c/lag/instance/instance.h",
-    "lagdsl/fmi/c/lag/fmi2/fmi2.c": "lagdsl/fmi/c/lag/fmi2/fmi2.c",
-    "lagdsl/fmi/c/lag/fmi3/fmi3.c": "lagdsl/fmi/c/lag/fmi3/fmi3.c",
+    "lagdsl/language/syntax/grammar.jsonl": "lagdsl/language/syntax/grammar.jsonl",
+    "lagdsl/engines/runtime/c/lag/model.h": "lagdsl/engines/runtime/c/lag/model.h",
+    "lagdsl/engines/runtime/c/lag/equations/dynamics.c": "lagdsl/engines/runtime/c/lag/equations/dynamics.c",
+    "lagdsl/exchange/fmi/c/lag/instance/instance.h": "lagdsl/exchange/fmi/c/lag/instance/instance.h",
+    "lagdsl/exchange/fmi/c/lag/fmi2/fmi2.c": "lagdsl/exchange/fmi/c/lag/fmi2/fmi2.c",
+    "lagdsl/exchange/fmi/c/lag/fmi3/fmi3.c": "lagdsl/exchange/fmi/c/lag/fmi3/fmi3.c",
 }
 
 
@@ -43,7 +43,10 @@ def packages(root: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
     with tarfile.open(sdist) as archive:
         _extract(archive, folder / "unpacked")
     (source,) = (folder / "unpacked").iterdir()
-    for compiled in ("lagdsl/runtime/lib/objects", "lagdsl/fmi/lib"):  # by their content: what differs is compiled
+    for compiled in (
+        "lagdsl/engines/runtime/lib/objects",
+        "lagdsl/exchange/fmi/lib",
+    ):  # by their content: what differs is compiled
         if (root / compiled).is_dir():
             shutil.copytree(root / compiled, source / compiled)
     _run([sys.executable, "-c", build.format("wheel"), str(folder)], source)
@@ -92,10 +95,10 @@ def test_the_wheel_carries_what_runs(packages: tuple[Path, Path], root: Path) ->
 
 
 def test_the_wheel_is_for_one_platform_and_carries_the_runtime(packages: tuple[Path, Path]) -> None:
-    library = f"lagdsl/runtime/lib/{library_name(this_machine().partition('-')[0])}"
+    library = f"lagdsl/engines/runtime/lib/{library_name(this_machine().partition('-')[0])}"
     assert packages[1].name.endswith(f"-{wheel_tag()}.whl")
     with zipfile.ZipFile(packages[1]) as archive:
-        assert [name for name in archive.namelist() if name.startswith("lagdsl/runtime/lib/")] == [library]
+        assert [name for name in archive.namelist() if name.startswith("lagdsl/engines/runtime/lib/")] == [library]
         (wheel,) = (name for name in archive.namelist() if name.endswith(".dist-info/WHEEL"))
         assert "Root-Is-Purelib: false" in archive.read(wheel).decode()
     with tarfile.open(packages[0]) as archive:
@@ -107,9 +110,9 @@ def test_without_any_compiler_an_installed_package_has_its_runtime(site: Path, r
     (tmp_path / "none").mkdir()
     lame = "import sys; sys.modules['ziglang'] = None\n"
     environment = {"PYTHONPATH": str(site), "PATH": str(tmp_path / "none"), "HOME": "/nonexistent"}
-    load = "from lagdsl.runtime.library import runtime_library; print(len(runtime_library().methods))"
+    load = "from lagdsl.engines.runtime.library import runtime_library; print(len(runtime_library().methods))"
     assert _run([sys.executable, "-c", lame + load], tmp_path, **environment).strip() == "5"
-    run = "from lagdsl.cli.main import main; main(sys.argv[1:])"
+    run = "from lagdsl.interfaces.cli.main import main; main(sys.argv[1:])"
     model = str(root / "models" / "pendulum.lag")
     out = _run([sys.executable, "-c", lame + run, "run", model, "-o", "/dev/stdout"], tmp_path, **environment)
     assert out.startswith("time,theta,der(theta)")
@@ -132,7 +135,7 @@ def test_the_wheel_runs_a_model(site: Path, root: Path, tmp_path: Path) -> None:
     model.write_text((root / "models" / "pendulum.lag").read_text())
     environment = {"PYTHONPATH": str(site), "PATH": os.environ["PATH"], "HOME": str(tmp_path)}
     paths = "print(lagdsl.__file__, r.grammar_file().is_file(), r.library_folder().is_dir())"
-    code = f"import lagdsl; from lagdsl import resources as r; {paths}"
+    code = f"import lagdsl; from lagdsl.foundation import resources as r; {paths}"
     where = _run([sys.executable, "-c", code], tmp_path, **environment).split()
     assert str(site) in where[0]
     assert where[1:] == ["True", "True"]

@@ -18,19 +18,19 @@ import pytest
 from choice import ALL
 from models.corpus import compiled
 
-from lagdsl.backends.start import start_of
-from lagdsl.backends.tape.emit import tape
-from lagdsl.numerics.rank import Floats
-from lagdsl.resources import c_folder
-from lagdsl.runtime.build_wasm import build_wasm
-from lagdsl.runtime.building.build_library import build_library
-from lagdsl.runtime.building.linking import zig_program
-from lagdsl.runtime.building.platforms import library_name, platform_of, this_machine
-from lagdsl.runtime.engines.buffers import aligned
-from lagdsl.runtime.engines.tape_engine import TapeEngine
-from lagdsl.runtime.library import runtime_library
-from lagdsl.simulate.initialize import initial_state
-from lagdsl.structure.names import contact_rows
+from lagdsl.derivation.structure.names import contact_rows
+from lagdsl.engines.backends.start import start_of
+from lagdsl.engines.backends.tape.emit import tape
+from lagdsl.engines.runtime.build_wasm import build_wasm
+from lagdsl.engines.runtime.building.build_library import build_library
+from lagdsl.engines.runtime.building.linking import zig_program
+from lagdsl.engines.runtime.building.platforms import library_name, platform_of, this_machine
+from lagdsl.engines.runtime.engines.buffers import aligned
+from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
+from lagdsl.engines.runtime.library import runtime_library
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.resources import c_folder
+from lagdsl.motion.simulate.initialize import initial_state
 
 HERE = Path(__file__).parent
 # Smooth, contact with impacts, closed loops, sampled control, friction and clutches.

@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import replace
 from math import asin, atan, degrees, radians, sin, tan
 
-from lagdsl.diagnostics import Sink
-from lagdsl.flat.model import Closure, FlatModel
-from lagdsl.pipeline import Compilation, compile_flat, flatten_unit, parse_file
-from lagdsl.source import SourceFile, Span
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.source import SourceFile, Span
+from lagdsl.language.flat.model import Closure, FlatModel
+from lagdsl.motion.pipeline import Compilation, compile_flat, flatten_unit, parse_file
 
 BENNETT_TWIST = radians(30.0), asin(2.0 * sin(radians(30.0)) * 0.45)
 BENNETT_LENGTH = 0.5, 0.5 * sin(BENNETT_TWIST[1]) / sin(BENNETT_TWIST[0])

@@ -15,8 +15,8 @@ import pytest
 from choice import spread
 
 import lagdsl
-from lagdsl.api.model import Model
-from lagdsl.signals.trajectory import Trajectory
+from lagdsl.interfaces.api.model import Model
+from lagdsl.motion.signals.trajectory import Trajectory
 
 CLOSE = 1e-8
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)

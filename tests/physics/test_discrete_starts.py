@@ -12,9 +12,9 @@ from choice import chosen, engines
 from fmi.texts import export_text
 
 import lagdsl
-from lagdsl.diagnostics import CompilationFailed
-from lagdsl.record import record
-from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.foundation.diagnostics import CompilationFailed
+from lagdsl.foundation.record import record
+from lagdsl.motion.simulate.failure import SimulationFailed
 
 ENGINES = engines(("tape", "c", "numpy"))
 

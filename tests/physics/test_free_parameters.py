@@ -9,7 +9,7 @@ import pytest
 from choice import engines
 
 import lagdsl
-from lagdsl.diagnostics import CompilationFailed
+from lagdsl.foundation.diagnostics import CompilationFailed
 
 ENGINES = engines(("tape", "c", "numpy"))
 G = 9.80665

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import lagdsl
-from lagdsl.signals.trajectory import Trajectory
+from lagdsl.motion.signals.trajectory import Trajectory
 
 G = 9.81
 

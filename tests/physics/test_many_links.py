@@ -14,9 +14,9 @@ from choice import ALL, chosen, engines
 from compiled_programs import program_of
 from models.many_states import onto_constraints
 
-from lagdsl.graph.operation import Group
-from lagdsl.program.functions import STATE
-from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.engines.runtime.engines.selection import engine_of
 
 Extended = np.longdouble
 STATES = 20

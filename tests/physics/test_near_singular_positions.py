@@ -17,11 +17,11 @@ from choice import ALL, chosen
 from compiled_programs import program_of
 from models.many_states import left_in_equations
 
-from lagdsl.graph.operation import Group
-from lagdsl.program.functions import STATE
-from lagdsl.program.program import Program
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 
 MODELS = Path(__file__).parents[2] / "models"
 DISTANCES = 10.0 ** -np.arange(1.0, 9.0)

@@ -9,8 +9,8 @@ from choice import chosen
 from derived_programs import derive
 
 import lagdsl
-from lagdsl.diagnostics import Sink
-from lagdsl.structure.structure import analyze, constraint_space, structure_text
+from lagdsl.derivation.structure.structure import analyze, constraint_space, structure_text
+from lagdsl.foundation.diagnostics import Sink
 
 AROUND = ("A", "B", "C", "D")
 

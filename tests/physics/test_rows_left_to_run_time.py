@@ -12,12 +12,12 @@ from compiled_programs import program_of
 from models.many_states import left_in_equations, onto_constraints
 from models.test_elimination import without_dense, without_elimination
 
-from lagdsl.backends.python.emit import module
-from lagdsl.graph.operation import Group
-from lagdsl.program.functions import STATE
-from lagdsl.runtime.engines.c_engine import CEngine
-from lagdsl.runtime.engines.numpy_engine import NumpyEngine
-from lagdsl.structure import redundant_multipliers
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.structure import redundant_multipliers
+from lagdsl.engines.backends.python.emit import module
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
 
 
 def test_every_engine_and_the_exported_module_agree(monkeypatch: pytest.MonkeyPatch) -> None:

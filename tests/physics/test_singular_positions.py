@@ -15,11 +15,11 @@ import pytest
 from choice import engines
 
 import lagdsl
-from lagdsl.runtime.engines.selection import engine_of
-from lagdsl.runtime.run import Run
-from lagdsl.runtime.structures import Status
-from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.placed import placed
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.structures import Status
+from lagdsl.motion.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.placed import placed
 
 PARALLELOGRAM = """model Parallelogram
   coordinate Angle A(start = 60 deg, fixed = true, der(start = 2 rad/s)), B(start = -60 deg), C(start = 55 deg);

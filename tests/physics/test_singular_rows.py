@@ -17,8 +17,8 @@ from fmpy import simulate_fmu
 from scipy.integrate import solve_ivp
 
 import lagdsl
-from lagdsl.runtime.engines.selection import engine_of
-from lagdsl.simulate.placed import placed
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.motion.simulate.placed import placed
 
 A02 = Path(__file__).parents[2] / "benchmarks" / "models" / "iftomm_a02.lag"
 GRAVITY = 9.81

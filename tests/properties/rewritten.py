@@ -6,11 +6,11 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import read
-from lagdsl.syntax import nodes
-from lagdsl.syntax.parser import parse
-from lagdsl.units.vocabulary import UNITS
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.units.vocabulary import UNITS
+from lagdsl.language.syntax import nodes
+from lagdsl.language.syntax.parser import parse
+from lagdsl.motion.pipeline import read
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,9 @@ from choice import EXPLORE
 from properties.test_same_motion import NAMES, ROOT
 
 import lagdsl
-import lagdsl.api.compile
-from lagdsl.flat.events import Reset
-from lagdsl.flat.expression import (
+import lagdsl.interfaces.api.compile
+from lagdsl.language.flat.events import Reset
+from lagdsl.language.flat.expression import (
     AdmissibleMotion,
     Binary,
     Derivative,
@@ -29,9 +29,9 @@ from lagdsl.flat.expression import (
     Number,
     Variable,
 )
-from lagdsl.flat.model import EnergyTerm, FlatModel, FrameTorque, GeneralizedForce, Load, PointForce
-from lagdsl.flat.traversal import records, substituted
-from lagdsl.pipeline import compile_flat
+from lagdsl.language.flat.model import EnergyTerm, FlatModel, FrameTorque, GeneralizedForce, Load, PointForce
+from lagdsl.language.flat.traversal import records, substituted
+from lagdsl.motion.pipeline import compile_flat
 
 CLAUSES_OF_MULTIPLIERS = {"clutch"}
 # Balls that touch at the start: their gaps are round-off, which an angle in other units has elsewhere.
@@ -186,7 +186,8 @@ def assert_moves_alike(
     model = lagdsl.compile(path)
     original = model.simulate(tolerance=TOLERANCE)
     with monkeypatch.context() as patch:
-        patch.setattr(lagdsl.api.compile, "compile_flat", lambda flat, *more: compile_flat(change(flat), *more))
+        changed = lambda flat, *more: compile_flat(change(flat), *more)  # noqa: E731
+        patch.setattr(lagdsl.interfaces.api.compile, "compile_flat", changed)
         motion = lagdsl.compile(path).simulate(tolerance=TOLERANCE)
     assert [(e.name, e.kind) for e in motion.events] == [(e.name, e.kind) for e in original.events]
     for column in model.coordinates:

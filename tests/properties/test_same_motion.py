@@ -30,7 +30,7 @@ from properties.rewritten import (
 )
 
 import lagdsl
-from lagdsl.api.trajectory import Trajectory
+from lagdsl.interfaces.api.trajectory import Trajectory
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(

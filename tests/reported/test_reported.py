@@ -21,17 +21,17 @@ from fmi.exported import export_quickly
 from fmi.texts import export_text
 
 import lagdsl
-from lagdsl.cli.main import lag
-from lagdsl.diagnostics import Sink
-from lagdsl.fmi.variables.ports import Ports
-from lagdsl.pipeline import flatten_file
-from lagdsl.plot.picture.faces import Faces
-from lagdsl.plot.picture.recording import record_motion
-from lagdsl.plot.picture.shapes import parts_of
-from lagdsl.plot.picture.stage import stage_of
-from lagdsl.plot.picture.wishes import Wishes
-from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.source import SourceFile
+from lagdsl.documents.plot.picture.faces import Faces
+from lagdsl.documents.plot.picture.recording import record_motion
+from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.stage import stage_of
+from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.exchange.fmi.variables.ports import Ports
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.source import SourceFile
+from lagdsl.interfaces.cli.main import lag
+from lagdsl.motion.pipeline import flatten_file
 
 TEXTS = Path(__file__).parent / "texts"
 

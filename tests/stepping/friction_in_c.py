@@ -9,9 +9,9 @@ from functools import cache
 import numpy as np
 from stepping.friction_problems import Floats, RandomProblem
 
-from lagdsl.resources import runtime_library_folder
-from lagdsl.runtime.building.platforms import library_name, this_machine
-from lagdsl.runtime.library import runtime_library
+from lagdsl.engines.runtime.building.platforms import library_name, this_machine
+from lagdsl.engines.runtime.library import runtime_library
+from lagdsl.foundation.resources import runtime_library_folder
 
 _DOUBLES = POINTER(c_double)
 

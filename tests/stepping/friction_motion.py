@@ -20,7 +20,7 @@ from stepping.friction_rows import FrictionSystem, Mode
 from stepping.motion import Motion
 from stepping.state import State
 
-from lagdsl.program.program import Program
+from lagdsl.derivation.program.program import Program
 
 _LOOKS = 8  # at each step
 _STEPS = 20  # at least, of a run

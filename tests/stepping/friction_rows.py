@@ -9,7 +9,7 @@ import numpy as np
 from stepping.friction_modes import CLOSED, MINUS, PLUS, STICK, Floats, Friction, Problem
 from stepping.state import State, System
 
-from lagdsl.program.program import Program
+from lagdsl.derivation.program.program import Program
 
 Mode = dict[int, int]  # by row of the constraints; rows that are in no contact and no friction are bilateral
 

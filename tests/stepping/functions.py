@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.graph.operation import ELEMENTARY_NAMES, Group, Op
-from lagdsl.program.program import Program
+from lagdsl.algebra.graph.operation import ELEMENTARY_NAMES, Group, Op
+from lagdsl.derivation.program.program import Program
 
 Floats = NDArray[np.float64]
 

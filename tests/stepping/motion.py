@@ -1,7 +1,7 @@
 """A motion with events, mode by mode, by SciPy: an independent formulation of what the runtime does.
 
 Functions of the program mean what the graph says; everything else - integration, location, clauses, impacts, contacts -
-is here, and nothing of it comes from `lagdsl.simulate` or `lagdsl.runtime`.
+is here, and nothing of it comes from `lagdsl.motion.simulate` or `lagdsl.engines.runtime`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from stepping.balance import Balance, Floats
 from stepping.events import Happening, Instant, Memory, balanced
 from stepping.state import State, System
 
-from lagdsl.program.program import Program
+from lagdsl.derivation.program.program import Program
 
 _LOOKS = 8  # at each step
 _STEPS = 100  # at least, of a run

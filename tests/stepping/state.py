@@ -8,7 +8,7 @@ import numpy as np
 from stepping.balance import Balance, Floats, tied
 from stepping.functions import Functions, Point
 
-from lagdsl.program.program import Program
+from lagdsl.derivation.program.program import Program
 
 FROZEN = (
     "dynamics",

@@ -1,0 +1,1 @@
+"""Expressions as a graph, and linear systems in them."""

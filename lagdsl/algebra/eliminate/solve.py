@@ -1,0 +1,141 @@
+"""An acceleration form solved: candidate orders are tried, the one with the fewest operations is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from lagdsl.algebra.eliminate.count import Budget, TooMany, flops
+from lagdsl.algebra.eliminate.definitions import Definitions, find_definitions
+from lagdsl.algebra.eliminate.form import AccelerationForm, NotApplicable
+from lagdsl.algebra.eliminate.matrix import SparseSystem
+from lagdsl.algebra.eliminate.order import Elimination, Order, by_creation, by_depth
+from lagdsl.algebra.eliminate.pivots import References, least
+from lagdsl.algebra.eliminate.redundant_multipliers import RedundantMultipliers, find_redundant_multipliers, shortest
+from lagdsl.algebra.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
+from lagdsl.algebra.eliminate.steps import Pivoted, Step, solve_steps
+from lagdsl.algebra.graph.graph import Graph
+from lagdsl.foundation.record import record
+
+# The composite order costs the square of the depth at least; beyond this many rates it never won.
+_LARGEST_DELAYED = 16
+# Nodes that an order may make before it is given up, by the operations that it is to beat.
+_NODES_PER_OPERATION = 2
+_FEWEST = 1000
+
+
+@record(kw_only=True)
+class Factor:
+    """An order carried out: `steps` with the definitions `terms`, for any right-hand side. Nodes all.
+
+    `pivot` is the least part that subtraction left of the pivot of a rate; about 1e-16 where M is singular. `strengths`
+    are, by row that is not kept, the pivot of its multiplier, and what it would be without the others; of a row that
+    follows from others, these leave nothing.
+    """
+
+    graph: Graph
+    rates: Sequence[int]
+    rows: Rows
+    terms: Mapping[int, Mapping[int, int]]
+    steps: Sequence[Step]
+    pivot: int
+    strengths: dict[int, tuple[int, int]]
+    redundant_multipliers: RedundantMultipliers
+
+
+@record(kw_only=True)
+class Response:
+    """Accelerations by rate, and multipliers of rows that are not kept by index, for one right-hand side."""
+
+    accelerations: list[int]
+    multipliers: dict[int, int]
+
+
+@record(kw_only=True)
+class Solution:
+    """`own` for the form's own forces with the biases of the rows, and `along` the kept rows, one by one, with nothing
+    else."""
+
+    factor: Factor
+    own: Response
+    along: list[Response]
+    flops: int
+
+
+def solve(
+    form: AccelerationForm, rates: Sequence[int], rows: Rows | None = None, *, most: int | None = None
+) -> Solution:
+    """Accelerations of `rates` (nodes of symbols QD).
+
+    Raises NotApplicable where a velocity is not linear in the rates, where a coordinate has no inertia, or where it
+    needs more than `most` operations, by and large.
+    """
+    rows = rows or Rows()
+    definitions = find_definitions(form.graph, dict.fromkeys((*form.weights, *form.forces)))
+    stiffened = [row for row in (*rows.solved, *rows.kept) if row.index in rows.stiffened]
+    terms = {**definitions.terms, **{velocity_of(row.index): row.terms for row in stiffened}}
+    definitions = Definitions(terms=terms, rotations=definitions.rotations)
+    candidates = []
+    for delayed in ((), rates) if 1 < len(rates) <= _LARGEST_DELAYED else ((),):
+        for priority in (by_depth(definitions, rates), by_creation(definitions, rates)):
+            order = Order(rates=rates, priority=priority, delayed=frozenset(delayed))
+            budget = Budget(form.graph, None if most is None else _NODES_PER_OPERATION * (most + _FEWEST))
+            try:
+                factor = _factorize(form, definitions, rows, order, budget)
+                candidates.append(_solve(form, factor, budget))
+            except TooMany:
+                continue
+    if not candidates:
+        raise NotApplicable
+    return min(candidates, key=lambda solution: solution.flops)
+
+
+def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Response:
+    """The solution for any right-hand side, with the multipliers of kept rows zero. Raises TooMany."""
+    graph, rows = factor.graph, factor.rows
+    given = dict(side.forces)
+    for row in rows.solved:
+        given[multiplier_of(row.index)] = graph.negate(side.biases.get(row.index, graph.zero))
+    for index, weight in rows.stiffened.items():
+        given[velocity_of(index)] = graph.multiply(weight, side.biases.get(index, graph.zero))
+    known = solve_steps(graph, factor.terms, factor.steps, given, budget or Budget(graph, None))
+    multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
+    return Response(
+        accelerations=[known[rate] for rate in factor.rates],
+        multipliers=shortest(graph, factor.redundant_multipliers, multipliers),
+    )
+
+
+def _solve(form: AccelerationForm, factor: Factor, budget: Budget) -> Solution:
+    rows = factor.rows
+    biases = {row.index: row.bias for row in (*rows.solved, *rows.kept)}
+    own = respond(factor, Side(forces=form.forces, biases=biases), budget)
+    along = [respond(factor, Side(forces=row.terms), budget) for row in rows.kept]
+    roots = [node for found in (own, *along) for node in (*found.accelerations, *found.multipliers.values())]
+    return Solution(factor=factor, own=own, along=along, flops=flops(form.graph, roots))
+
+
+def _factorize(form: AccelerationForm, definitions: Definitions, rows: Rows, order: Order, budget: Budget) -> Factor:
+    graph = form.graph
+    system = SparseSystem(graph, form.weights)
+    for index, weight in rows.stiffened.items():
+        system.add(velocity_of(index), velocity_of(index), weight)
+    for row in (*rows.solved, *rows.following):
+        for rate, term in row.terms.items():
+            system.add(multiplier_of(row.index), rate, graph.negate(term))
+    elimination = Elimination(system, definitions, order, budget, rows)
+    steps, found = elimination.run(), elimination.multipliers
+    pivots = {step.variable: step.pivot for step in steps if isinstance(step, Pivoted)}
+    inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
+    references = References(graph, of_sums=bool(rows.solved))
+    left = found.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
+    multipliers = {row.index: multiplier_of(row.index) for row in (*rows.solved, *rows.following)}
+    return Factor(
+        graph=graph,
+        rates=order.rates,
+        rows=rows,
+        terms=definitions.terms,
+        steps=steps,
+        pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
+        strengths={index: (left[v], found.sizes[v]) for index, v in multipliers.items()},
+        redundant_multipliers=find_redundant_multipliers(graph, rows, found.tied),
+    )

@@ -1,0 +1,130 @@
+"""Record of an elimination, step by step: the factor of the system, with which any right-hand side is solved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from lagdsl.algebra.eliminate.count import Budget
+from lagdsl.algebra.eliminate.rows import is_multiplier
+from lagdsl.algebra.graph.graph import Graph
+from lagdsl.foundation.record import record
+
+
+@record()
+class Defined:
+    """The variable follows from its definition."""
+
+    variable: int
+
+
+@record()
+class Pivoted:
+    """a = h / pivot - sum of shares times others, h: what is left of the right-hand side."""
+
+    variable: int
+    pivot: int
+    shares: dict[int, int]
+
+
+@record()
+class Exchanged:
+    """A rate that follows from the variable it alone makes free: variable = rest + factor * rate."""
+
+    rate: int
+    variable: int
+    factor: int
+
+
+Step = Defined | Pivoted | Exchanged
+
+
+def solve_steps(
+    graph: Graph,
+    terms: Mapping[int, Mapping[int, int]],
+    steps: Sequence[Step],
+    side: Mapping[int, int],
+    budget: Budget,
+) -> dict[int, int]:
+    """Accelerations of all variables, and multipliers, for a right-hand side by variable; `terms` are the definitions.
+
+    Raises TooMany.
+    """
+    return _backward(graph, terms, steps, _forward(graph, terms, steps, side, budget), budget)
+
+
+def strength(
+    graph: Graph,
+    terms: Mapping[int, Mapping[int, int]],
+    steps: Sequence[Step],
+    row: Mapping[int, int],
+) -> tuple[int, int]:
+    """The part of row' A^-1 row that the rates give, and the one that multipliers take from it."""
+    parts = _forward(graph, terms, steps, row, Budget(graph, None))
+    given, taken = [], []
+    for step in steps:
+        if isinstance(step, Pivoted):
+            part = parts[step.variable]
+            own = graph.multiply(graph.multiply(part, part), step.pivot)
+            if is_multiplier(step.variable):
+                taken.append(graph.negate(own))
+            else:
+                given.append(own)
+    return graph.sum(given), graph.sum(taken)
+
+
+def _forward(
+    graph: Graph,
+    terms: Mapping[int, Mapping[int, int]],
+    steps: Sequence[Step],
+    side: Mapping[int, int],
+    budget: Budget,
+) -> dict[int, int]:
+    """h / pivot of every variable with an equation of its own."""
+    left = dict(side)
+    parts: dict[int, int] = {}
+
+    def move(source: int, shares: Mapping[int, int]) -> None:
+        for p, share in shares.items():
+            moved = graph.multiply(share, source)
+            if moved != graph.zero:
+                left[p] = graph.add(left.get(p, graph.zero), moved)
+
+    for step in steps:
+        budget.check()
+        match step:
+            case Defined(variable):
+                move(left.pop(variable, graph.zero), terms[variable])
+            case Pivoted(variable, pivot, shares):
+                own = left.pop(variable, graph.zero)
+                parts[variable] = graph.multiply(own, graph.divide(graph.one, pivot))
+                move(graph.negate(own), shares)
+            case Exchanged(rate, variable, factor):
+                own = graph.divide(left.pop(rate, graph.zero), factor)
+                move(own, {variable: graph.one})
+                move(graph.negate(own), {p: c for p, c in terms[variable].items() if p != rate})
+    return parts
+
+
+def _backward(
+    graph: Graph,
+    terms: Mapping[int, Mapping[int, int]],
+    steps: Sequence[Step],
+    parts: Mapping[int, int],
+    budget: Budget,
+) -> dict[int, int]:
+    known: dict[int, int] = {}
+
+    def total(shares: Mapping[int, int]) -> int:
+        return graph.sum(graph.multiply(c, known[p]) for p, c in shares.items())
+
+    for step in reversed(steps):
+        budget.check()
+        match step:
+            case Pivoted(variable, _, shares):
+                known[variable] = graph.subtract(parts[variable], total(shares))
+            case Defined(variable):
+                known[variable] = total(terms[variable])
+            case Exchanged(rate, variable, factor):
+                rest = graph.subtract(known[variable], total({p: c for p, c in terms[variable].items() if p != rate}))
+                known[rate] = graph.divide(rest, factor)
+    return known

@@ -1,0 +1,88 @@
+"""Positions that were typed as sums, rearranged before anything is differentiated (see `lagdsl.algebra.graph.sums`).
+
+Only scalars that depend on coordinates, parameters and time, without conditions: forces stay as they were typed.
+"""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from lagdsl.algebra.graph.sums import share_sums
+from lagdsl.derivation.mechanics.lowering.lowering import Lowering
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat.expression import FlatExpression
+from lagdsl.language.flat.model import Definition, FlatModel, Point
+from lagdsl.language.flat.traversal import postorder
+
+_SMOOTH = frozenset(
+    {"sin", "cos", "tan", "sqrt", "exp", "log", "sinh", "cosh", "tanh", "asin", "acos", "atan", "atan2"}
+)
+_ARITHMETIC = frozenset({"+", "-", "*", "/", "^"})
+# Fewer sums than this have nothing in common that is worth a look.
+_FEW = 6
+
+
+def share_positions(lowering: Lowering, flat: FlatModel) -> None:
+    """To be called before anything else is lowered."""
+    plain = _Plain(flat)
+    found = [item.value if isinstance(item, Definition) else item.position for item in plain.named]
+    for term in flat.energies:
+        parts = [node.operand for node in postorder(term.value, plain.done) if isinstance(node, fx.Derivative)]
+        found += [part for part in (*parts, term.value) if plain.covers(part)]
+    if plain.sums < _FEW:
+        return
+    roots: list[int] = []
+    for expression in found:
+        value = lowering.value(expression)
+        roots += (value,) if isinstance(value, int) else value
+    lowering.values.replace(share_sums(lowering.graph, roots))
+
+
+class _Plain:
+    """Recognizes expressions that are arithmetic of coordinates, parameters, time and other such expressions."""
+
+    def __init__(self, flat: FlatModel) -> None:
+        moving = (*flat.states, *flat.inputs)
+        self._others = {item.name for item in moving}
+        self._points: set[str] = set()
+        self.done: dict[int, FlatExpression] = {}
+        """Nodes that are, by identity."""
+        self.sums = 0
+        self.named: list[Definition | Point] = []
+        for item in flat.named:
+            if isinstance(item, Definition):
+                if self.covers(item.value):
+                    self.named.append(item)
+                else:
+                    self._others.add(item.name)
+            elif isinstance(item, Point) and self.covers(item.position):
+                self._points.add(item.name)
+                self.named.append(item)
+
+    def covers(self, expression: FlatExpression) -> bool:
+        visited = []
+        for node in postorder(expression, self.done):
+            if not self._is_plain(node):
+                return False
+            visited.append(node)
+        for node in visited:
+            self.done[id(node)] = node
+            self.sums += isinstance(node, fx.Binary) and node.operator in ("+", "-")
+        return True
+
+    def _is_plain(self, node: FlatExpression) -> bool:
+        match node:
+            case fx.Number() | fx.Unary("-") | fx.Vector() | fx.Component() | fx.Cross():
+                return True
+            case fx.Variable(name):
+                return name not in self._others
+            case fx.PointReference(name):
+                return name in self._points
+            case fx.Binary(operator):
+                return operator in _ARITHMETIC
+            case fx.Function(name):
+                return name in _SMOOTH
+            case fx.Previous() | fx.Derivative() | fx.Operation() | fx.OfFrame() | fx.Mechanical():
+                return False
+            case _:
+                assert_never(node)

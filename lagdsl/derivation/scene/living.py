@@ -1,0 +1,121 @@
+"""A model as the page integrates it: its scene among its outputs, its start values among its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from lagdsl.derivation.scene.drawings import drawn, is_mass_centre, is_symbol
+from lagdsl.derivation.scene.implied import (
+    arms,
+    bodies,
+    frames,
+    gauges,
+    grounds,
+    have_inertia,
+    is_planar,
+    levers,
+    loads,
+    machine_of,
+    masses,
+    rods,
+    ropes,
+    springs,
+)
+from lagdsl.derivation.scene.shapes import Columns, Scene, Shape
+from lagdsl.foundation.record import record
+from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.evaluate import Evaluator, Values
+
+START = ".start"
+"""Ending of the name of the parameter that is the start value of a coordinate."""
+
+
+@record(kw_only=True)
+class Living:
+    """`flat` is the model with further outputs, `scene[1]`, ..., and further parameters, `theta.start`."""
+
+    flat: fm.FlatModel
+    scene: Scene
+
+
+def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
+    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`."""
+    return with_scene(flat, scene_of(flat), starts)
+
+
+def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -> Living:
+    """The model with these columns among its outputs, and its start values among its parameters."""
+    outputs = tuple(
+        fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
+        for k, value in enumerate(scene.columns, 1)
+    )
+    coordinates, own = _starts_as_parameters(flat, starts)
+    changed = replace(
+        flat,
+        outputs=(*flat.outputs, *outputs),
+        coordinates=coordinates,
+        parameters=(*flat.parameters, *own),
+    )
+    return Living(flat=changed, scene=scene)
+
+
+def scene_of(flat: fm.FlatModel) -> Scene:
+    """Shapes of the drawings, then those that the rules add. Meshes show the links themselves: symbols of joints and
+    massless arms would stand in them. The ellipsoid of inertia says more than the symbol of a mass centre."""
+    columns = Columns()
+    has_meshes = any(drawing.shape == "mesh" for drawing in flat.drawings)
+    centres = [] if has_meshes else [drawing for drawing in flat.drawings if is_mass_centre(drawing)]
+    if has_meshes:
+        seen = [drawing for drawing in flat.drawings if not is_symbol(drawing)]
+    else:
+        ellipsoids = have_inertia(flat)
+        seen = [each for each in flat.drawings if not (each in centres and each.spans[1:] in ellipsoids)]
+        flat = replace(flat, drawings=tuple(seen))
+    shapes: list[Shape] = [drawn(drawing, columns) for drawing in seen]
+    machine = machine_of(flat, columns)
+    shapes += levers(machine, centres)
+    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads, gauges, frames):
+        if not (has_meshes and rule is arms):
+            shapes += rule(machine)
+    return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(machine, shapes))
+
+
+def _starts_as_parameters(
+    flat: fm.FlatModel, chosen: Collection[str]
+) -> tuple[tuple[fm.Coordinate, ...], list[fm.Parameter]]:
+    """Start values of positions and rates that depend on no parameter, and the chosen ones."""
+    dependence, at = Dependence(flat), Evaluator(flat, Values())
+    coordinates, found = [], []
+    for item in flat.coordinates:
+        position = item
+        if item.name in chosen or not dependence.of(item.start):
+            start = _parameter(item, item.name + START, at.scalar(item.start), per_second=False)
+            found.append(start)
+            position = replace(item, start=fx.Variable(start.name))
+        if f"der({item.name})" in chosen or not dependence.of(item.rate_start):
+            rate = _parameter(item, f"der({item.name}){START}", at.scalar(item.rate_start), per_second=True)
+            found.append(rate)
+            position = replace(position, rate_start=fx.Variable(rate.name))
+        coordinates.append(position)
+    return tuple(coordinates), found
+
+
+def _parameter(item: fm.Coordinate, name: str, value: float, *, per_second: bool) -> fm.Parameter:
+    unit = item.unit if not per_second else f"{item.unit}/s"
+    display = item.display_unit if not per_second or item.display_unit is None else f"{item.display_unit}/s"
+    return fm.Parameter(
+        name=name,
+        dimension=item.dimension / TIME if per_second else item.dimension,
+        unit=unit,
+        display_unit=display,
+        doc=item.doc,
+        type_name="Real" if per_second else item.type_name,
+        value=value,
+        minimum=None if per_second else item.minimum,
+        maximum=None if per_second else item.maximum,
+        spans=item.spans,
+    )

@@ -1,0 +1,183 @@
+"""Places of dry friction: where its force acts as an arrow, and in which directions.
+
+A slip that is the velocity of a point along a unit vector, or of two points towards each other, is a place: the force
+acts on the point along the vector. That is seen in numbers, at random positions, so it holds for every text that says
+the same. A slip of angles, of a lever or of shafts has no place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from lagdsl.derivation.scene.implied import evaluator_at, normal_of, radius_at
+from lagdsl.foundation.numerics.connected_blocks import Flags
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.foundation.units.dimension import VELOCITY
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable
+from lagdsl.language.flat.events import Friction
+
+_SAME = 1e-9
+# Parameters are changed by up to this part, so that a direction which follows one is not taken for a fixed one.
+_SPREAD = 0.1
+# Of so many points the velocities are looked at; pairs of these, too.
+_MOST_POINTS = 48
+
+Directions = tuple[fx.FlatExpression, ...]
+
+
+@record()
+class Place:
+    """A point on which friction acts, and a unit vector for each component of its force."""
+
+    at: fx.FlatExpression
+    directions: Directions
+
+
+@record()
+class _Point:
+    """`moves` (positions, coordinates, 3): its velocity for a unit rate of each coordinate."""
+
+    at: fx.FlatExpression
+    moves: Floats
+
+
+class Rubbing:
+    """Places of the frictions of a model."""
+
+    def __init__(self, flat: fm.FlatModel) -> None:
+        self._flat = flat
+        self._dependence = Dependence(flat)
+        self._names = [item.name for item in flat.coordinates]
+        # At each position: everything at rest, then a unit rate of each coordinate.
+        rates: list[dict[str, float]] = [{}, *({name: 1.0} for name in self._names)]
+        self._at = [[evaluator_at(flat, seed, each, parameters=_SPREAD) for each in rates] for seed in (0, 1)]
+        self._frames = ["world", *(item.name for item in flat.named if isinstance(item, fm.Frame))]
+        self._points: list[_Point] | None = None
+
+    def places(self, friction: Friction) -> tuple[Place, ...]:
+        """One, or two on which it acts in opposite senses; none where its slip is that of no point."""
+        if friction.dimension != VELOCITY:
+            return ()
+        slips = self._slips(friction)
+        if slips is None:
+            return ()
+        for point in (*self._known(), *self._touching(friction)):
+            directions = self._along(slips, point.moves)
+            if directions is not None:
+                return (Place(point.at, directions),)
+        for one, other in combinations(self._known(), 2):
+            reached = _moves_with(one.moves) | _moves_with(other.moves)
+            directions = self._along(slips, one.moves - other.moves) if np.all(reached[_moves_with(slips)]) else None
+            if directions is not None:
+                opposite = tuple(fx.Unary("-", each) for each in directions)
+                return Place(one.at, directions), Place(other.at, opposite)
+        return ()
+
+    def _slips(self, friction: Friction) -> Floats | None:
+        """(positions, coordinates, components): the slip for a unit rate of each coordinate."""
+        try:
+            found = [[[at.scalar(slip) for slip in friction.slips] for at in row] for row in self._at]
+        except NotEvaluable:
+            return None
+        values = np.array(found)
+        return values[:, 1:] - values[:, :1] if np.isfinite(values).all() else None
+
+    def _moves(self, velocity: fx.FlatExpression) -> Floats | None:
+        try:
+            values = np.array([[at.vector(velocity) for at in row] for row in self._at])
+        except NotEvaluable:
+            return None
+        return values[:, 1:] - values[:, :1] if np.isfinite(values).all() else None
+
+    def _known(self) -> list[_Point]:
+        """Named points, masses, origins of frames with a body, as far as they move."""
+        if self._points is None:
+            flat = self._flat
+            places: list[fx.FlatExpression] = [
+                *(fx.PointReference(item.name) for item in flat.named if isinstance(item, fm.Point)),
+                *(mass.position for mass in flat.masses),
+                *(fx.FrameOrigin(body.frame) for body in flat.bodies),
+            ]
+            moves = ((at, self._moves(fx.Derivative(at))) for at in places[:_MOST_POINTS])
+            self._points = [_Point(at, each) for at, each in moves if each is not None and np.any(each)]
+        return self._points
+
+    def _touching(self, friction: Friction) -> Iterator[_Point]:
+        """Points of bodies that touch: the lowest one of a round shape over the plane of its contact, and named points
+        of the component of the friction, as parts of each body."""
+        flat = self._flat
+        contact = next((each for each in flat.events.contacts if each.name == friction.contact), None)
+        for body in flat.bodies:
+            origin = fx.FrameOrigin(body.frame)
+            radius = radius_at(flat, origin)
+            if contact is not None and radius is not None and not contact.one_way:
+                own = frozenset(self._names) & frozenset(self._dependence.of(contact.gap))
+                normal = normal_of(flat, contact.gap, origin, own) if own else None
+                if normal is not None:
+                    down = fx.Vector(*(fx.Number(-float(x)) for x in normal))
+                    yield from self._part(body.frame, fx.Binary("+", origin, fx.Binary("*", radius, down)))
+        component = (friction.contact or friction.name).rpartition(".")[0]
+        points = [item for item in flat.named if isinstance(item, fm.Point)]
+        for point in points if component else ():
+            if point.name.rpartition(".")[0] == component:
+                for body in flat.bodies:
+                    yield from self._part(body.frame, fx.PointReference(point.name))
+
+    def _part(self, frame: str, at: fx.FlatExpression) -> Iterator[_Point]:
+        moves = self._moves(fx.MaterialVelocity(at, frame))
+        if moves is not None and np.any(moves):
+            yield _Point(at, moves)
+
+    # ---- directions --------------------------------------------------------------------------------------------------
+
+    def _along(self, slips: Floats, moves: Floats) -> Directions | None:
+        """Unit vectors e_k, orthogonal ones, with slip_k = e_k . velocity at all positions, fixed in a frame."""
+        vectors = []
+        for slip, move in zip(slips, moves, strict=True):
+            found = np.linalg.lstsq(move, slip, rcond=1e-9)[0].T
+            scale = max(float(np.max(np.abs(slip))), 1e-300)
+            if np.max(np.abs(move @ found.T - slip)) > _SAME * scale:
+                return None
+            if np.max(np.abs(found @ found.T - np.eye(len(found)))) > _SAME:
+                return None
+            vectors.append(found)
+        for frame in self._frames:
+            axes = self._axes(frame)
+            parts = None if axes is None else [found @ turn.T for found, turn in zip(vectors, axes, strict=True)]
+            if parts is not None and max(float(np.max(np.abs(each - parts[0]))) for each in parts) <= _SAME:
+                return tuple(_in_frame(frame, each) for each in parts[0])
+        return None
+
+    def _axes(self, frame: str) -> list[Floats] | None:
+        """The axes as rows, at each position."""
+        rests: Sequence[Evaluator] = [row[0] for row in self._at]
+        try:
+            return [np.array([at.vector(fx.FrameAxis(frame, axis)) for axis in range(3)]) for at in rests]
+        except NotEvaluable:
+            return None
+
+
+def _moves_with(changes: Floats) -> Flags:
+    """Coordinates (n,) that changes (positions, n, components) depend on."""
+    return np.asarray(np.any(changes != 0.0, axis=(0, 2)))
+
+
+def _in_frame(frame: str, parts: Floats) -> fx.FlatExpression:
+    """The vector with these components along the axes of a frame."""
+    rounded = [round(float(part), 12) + 0.0 for part in parts]
+    if frame == "world":
+        return fx.Vector(*(fx.Number(part) for part in rounded))
+    terms = [
+        fx.Binary("*", fx.Number(part), fx.FrameAxis(frame, axis)) for axis, part in enumerate(rounded) if part != 0.0
+    ]
+    total: fx.FlatExpression = terms[0]
+    for term in terms[1:]:
+        total = fx.Binary("+", total, term)
+    return total

@@ -1,0 +1,221 @@
+"""Arrows that one can switch on: velocities, accelerations, admissible motions, reactions, constraint forces, dry
+friction.
+
+They are outputs of a model of their own, which has the same equations, so that a page computes them only while somebody
+looks at them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+from lagdsl.derivation.scene.living import Living, with_scene
+from lagdsl.derivation.scene.rubbing import Rubbing
+from lagdsl.derivation.scene.shapes import Columns, Scene, Shape, ShapeKind
+from lagdsl.foundation.record import record
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.listing import force_unit, forces_of
+from lagdsl.language.flat.quantity import Spans
+
+MOST_POINTS = 24
+"""Reactions are formed for so many points and joints at most; each is an equation of its own."""
+
+_MOST_MOTIONS = 200
+_AXES = tuple(fx.Vector(*(fx.Number(float(axis == k)) for k in range(3))) for axis in range(3))
+UNITS: dict[ShapeKind, str] = {
+    "velocity": "m/s",
+    "acceleration": "m/s2",
+    "reaction": "N",
+    "reaction torque": "N.m",
+    "constraint": "N",
+    "friction": "N",
+}
+"""Of the numbers behind an arrow; admissible motions have that of their coordinate."""
+
+
+@record()
+class _Place:
+    """A mass or the mass centre of a body, with the coordinates that move it."""
+
+    name: str
+    position: fx.FlatExpression
+    moved: tuple[str, ...]
+    spans: Spans
+
+
+def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
+    """The model with its arrows as its only outputs, and with the parameters that `living` gives it."""
+    columns = Columns()
+    places = _places(flat)
+    shapes = [shape for rule in (_velocities, _accelerations, _admissible) for shape in rule(flat, places, columns)]
+    shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
+    scene = Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=False)
+    return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
+
+
+def _places(flat: fm.FlatModel) -> tuple[_Place, ...]:
+    dependence = Dependence(flat)
+    found = [(_name_of(item.position, k), item.position, item.spans) for k, item in enumerate(flat.masses, 1)]
+    for k, body in enumerate(flat.bodies, 1):
+        found.append((body.label or f"body {k}", _mass_centre(body), body.spans))
+    coordinates = [item.name for item in flat.coordinates]
+    moved = [frozenset(dependence.of(position)) for _, position, _ in found]
+    return tuple(
+        _Place(name, position, tuple(each for each in coordinates if each in own), spans)
+        for (name, position, spans), own in zip(found, moved, strict=True)
+        if own & set(coordinates) or "time" in own
+    )
+
+
+def _name_of(position: fx.FlatExpression, number: int) -> str:
+    return position.name if isinstance(position, fx.PointReference) else f"mass {number}"
+
+
+def _mass_centre(body: fm.RigidBody) -> fx.FlatExpression:
+    place: fx.FlatExpression = fx.FrameOrigin(body.frame)
+    for axis, part in enumerate(body.com):
+        if part != fx.ZERO:
+            place = fx.Binary("+", place, fx.Binary("*", part, fx.FrameAxis(body.frame, axis)))
+    return place
+
+
+def _velocities(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+    for place in places:
+        yield _arrow("velocity", place.name, place, fx.Derivative(place.position), columns)
+
+
+def _accelerations(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+    for place in places:
+        yield _arrow("acceleration", place.name, place, fx.Derivative(fx.Derivative(place.position)), columns)
+
+
+def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+    """dr/dq_j of each mass: with others held, a coordinate moves it along this arrow (d'Alembert's virtual motions)."""
+    count = 0
+    for place in places:
+        for name in place.moved:
+            count += 1
+            if count > _MOST_MOTIONS:
+                return
+            shape = _arrow("admissible", place.name, place, fx.AdmissibleMotion(place.position, name), columns)
+            item = next(each for each in flat.coordinates if each.name == name)
+            unit = "m" if item.unit in ("rad", "1") else f"m/({item.unit})" if item.unit != "m" else "1"
+            yield replace(shape, texts=(("coordinate", name), ("unit", unit)))
+
+
+def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """Of joints that close no loop, and of frames with a body and points with a mass that belong to no joint: what
+    keeps them on their way."""
+    frames = {item.name: item for item in flat.named if isinstance(item, fm.Frame)}
+    carried = [(joint.name, _carried(joint, frames), joint.spans) for joint in flat.joints if not joint.cut]
+    of_joints = {frame for _, frame, _ in carried}
+    dependence = Dependence(flat)
+    coordinates = {item.name for item in flat.coordinates}
+    if not flat.joints:
+        bodies = {body.frame: body.spans for body in flat.bodies if body.frame in frames}
+        moving = [name for name in bodies if coordinates & set(dependence.of(fx.FrameAxis(name, 0)))]
+        carried += [(name, name, bodies[name]) for name in moving if name not in of_joints]
+    for name, frame, spans in carried[:MOST_POINTS]:
+        if frame is None:
+            continue
+        for kind, what in (("reaction", "force"), ("reaction torque", "torque")):
+            reaction = fx.FrameReaction(frame, "force" if what == "force" else "torque")
+            numbers = (("at", columns.vector(fx.FrameOrigin(frame))), ("vector", columns.vector(reaction)))
+            shown: ShapeKind = "reaction" if kind == "reaction" else "reaction torque"
+            yield Shape(kind=shown, name=f"reaction({name}).{what}", numbers=numbers, spans=spans)
+    points = {item.position.name: item.spans for item in flat.masses if isinstance(item.position, fx.PointReference)}
+    for name, spans in list(points.items())[:MOST_POINTS]:
+        force = fx.Vector(*(fx.ReactionAlong(name, axis) for axis in _AXES))
+        numbers = (("at", columns.vector(fx.PointReference(name))), ("vector", columns.vector(force)))
+        yield Shape(kind="reaction", name=f"reaction({name})", numbers=numbers, spans=spans)
+
+
+def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
+    """The frame of a joint that is built on the other one: what the joint carries."""
+    for own, other in ((joint.frame_b, joint.frame_a), (joint.frame_a, joint.frame_b)):
+        name = own
+        while name in frames:
+            name = frames[name].parent
+            if name == other:
+                return own
+    return None
+
+
+def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+    """lambda dphi/dr of each position constraint on the masses whose position is coordinates alone."""
+    points = {item.name: item.position for item in flat.named if isinstance(item, fm.Point)}
+    dependence = Dependence(flat)
+    for place in places:
+        position = place.position
+        while isinstance(position, fx.PointReference):
+            position = points[position.name]
+        names = _cartesian(position, place.moved)
+        if names is None:
+            continue
+        for constraint in flat.constraints:
+            if constraint.level != "position" or constraint.normalisation or constraint.node:
+                continue
+            for row, residual in zip(constraint.rows, constraint.residuals, strict=True):
+                if not set(dependence.of(residual)) & set(place.moved):
+                    continue
+                force = fx.Vector(*(_slope(residual, name, row) for name in names))
+                yield _arrow("constraint", f"{row} on {place.name}", place, force, columns, constraint.spans)
+
+
+def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """Of each friction its mode (0: its contact is open, 1: it slides, 2: it sticks) and its force: as arrows where its
+    slip is that of a point, else as a size alone."""
+    rubbing = Rubbing(flat)
+    for friction in flat.events.frictions:
+        forces = forces_of(flat, friction)
+        sticks = fx.Variable(friction.sticks)
+        mode: fx.FlatExpression = fx.Conditional(sticks, fx.Number(2.0), fx.ONE)
+        if friction.contact is not None:
+            mode = fx.Conditional(fx.Variable(f"closed({friction.contact})"), mode, fx.ZERO)
+        told = (("mode", columns.scalar(mode)), ("value", columns.scalars(forces)))
+        texts = (("unit", force_unit(friction)), ("components", str(len(forces))))
+        places = rubbing.places(friction)
+        for place in places:
+            parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
+            force = parts[0] if len(parts) == 1 else fx.Binary("+", parts[0], parts[1])
+            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(force)), *told)
+            yield Shape(kind="friction", name=friction.name, numbers=numbers, texts=texts, spans=friction.spans)
+        if not places:
+            yield Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
+
+
+def _slope(residual: fx.FlatExpression, name: str | None, row: str) -> fx.FlatExpression:
+    if name is None:
+        return fx.ZERO
+    gradient = fx.AdmissibleMotion(fx.Vector(residual, fx.ZERO, fx.ZERO), name)
+    return fx.Binary("*", fx.Multiplier(row), fx.Component(gradient, 0))
+
+
+def _cartesian(position: fx.FlatExpression, moved: tuple[str, ...]) -> tuple[str | None, ...] | None:
+    """The coordinates that are the components of a position, None for a component that stays; None for any other."""
+    if not isinstance(position, fx.Vector):
+        return None
+    names: list[str | None] = []
+    for part in (position.x, position.y, position.z):
+        if isinstance(part, fx.Variable) and part.name in moved:
+            names.append(part.name)
+        elif isinstance(part, fx.Number):
+            names.append(None)
+        else:
+            return None
+    return tuple(names) if any(names) else None
+
+
+def _arrow(
+    kind: ShapeKind,
+    name: str,
+    place: _Place,
+    vector: fx.FlatExpression,
+    columns: Columns,
+    spans: Spans | None = None,
+) -> Shape:
+    numbers = (("at", columns.vector(place.position)), ("vector", columns.vector(vector)))
+    return Shape(kind=kind, name=name, numbers=numbers, spans=place.spans if spans is None else spans)

@@ -1,0 +1,77 @@
+"""The functions of a program by the meaning of its graph: what `lag check` evaluates before there is an engine."""
+
+from __future__ import annotations
+
+from dataclasses import field, replace
+
+import numpy as np
+
+from lagdsl.algebra.graph.evaluate import evaluate
+from lagdsl.algebra.graph.tape import Tape
+from lagdsl.derivation.program.program import Layout, Program
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+
+
+@record()
+class ProgramFunctions:
+    """`evaluate` as an engine has it, for one state at a time."""
+
+    program: Program
+    _tapes: dict[str, Tape] = field(default_factory=dict, compare=False, repr=False)
+
+    @property
+    def layout(self) -> Layout:
+        return self.program.layout
+
+    @property
+    def by_columns(self) -> bool:
+        """True if M is not written out and the equations are solved without it."""
+        return self.program.has("elimination") and not self.program.has("mass_matrix")
+
+    def restricted(self, rows: list[int]) -> ProgramFunctions:
+        """The same with all other rows of the position constraints, and of J there, zero."""
+        program, kept = self.program, set(rows)
+        zero = program.graph.zero
+        definition = program.function("position_constraint")
+        count = max(len(program.layout.constraints), 1)
+        blocks = []
+        for block in definition.results:
+            width = len(block.elements) // count
+            elements = tuple(
+                node if index // max(width, 1) in kept else zero for index, node in enumerate(block.elements)
+            )
+            blocks.append(replace(block, elements=elements))
+        changed = replace(definition, results=tuple(blocks))
+        functions = tuple(changed if f is definition else f for f in program.functions)
+        return ProgramFunctions(replace(program, functions=functions))
+
+    def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
+        """Result blocks of `function`; what is not a number comes out as nan or inf."""
+        if function == "mass_matrix" and not self.program.has(function):
+            return (self._mass_by_columns(*arguments),)
+        definition = self.program.function(function)
+        tape = self._tapes.get(function)
+        if tape is None:
+            roots = [node for block in definition.results for node in block.elements]
+            tape = self._tapes[function] = Tape(self.program.graph, roots)
+        values = tape(
+            {
+                group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
+                for group, argument in zip(definition.arguments, arguments, strict=True)
+            }
+        )
+        blocks, first = [], 0
+        for block in definition.results:
+            blocks.append(values[first : first + len(block.elements)].reshape(block.shape))
+            first += len(block.elements)
+        return tuple(blocks)
+
+    def _mass_by_columns(self, *state: Floats | float) -> Floats:
+        """M, from its products with all unit vectors at once."""
+        definition = self.program.function("momentum_tangent")
+        (momentum,) = definition.results
+        given = (*state, np.eye(len(momentum.elements)))
+        symbols = dict(zip(definition.arguments, given, strict=True))
+        products = evaluate(self.program.graph, momentum.elements, symbols)
+        return np.array([np.broadcast_to(product, len(products)) for product in products])

@@ -1,0 +1,83 @@
+"""Rows that give M the inertia that it lacks: along a quaternion, or of members of a loop without mass.
+
+M + J' W J of some rows is regular where the constrained system is, and accelerations and multipliers stay the same if
+J' W gamma is added to the forces. Few rows are taken, since each couples its coordinates; and so many that no position
+of the loop is a singular one for them alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from lagdsl.derivation.structure.points import Geometry, Probe
+from lagdsl.foundation.numerics.rank import Floats
+
+# M, scaled to a unit diagonal, is singular in directions with eigenvalues below this.
+_WEIGHTLESS = 1e-10
+# Rows are taken until every direction without inertia is held as well as by all rows, to this part.
+_HELD = 0.2
+# A row, of size one, that gives less than this part does not hold a direction.
+_NOTHING = 1e-6
+
+
+def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Probe]) -> dict[int, float]:
+    """Inertia by row, in its unit: about that of the coordinates it moves. Rows with few coordinates come first."""
+    known = [(point.rows, point.mass) for point in points if point.mass is not None]
+    free = [_weightless(mass, space.sizes) for _, mass in known]
+    if not any(directions.shape[1] for directions in free):
+        return {}
+    reach = [rows @ directions for (rows, _), directions in zip(known, free, strict=True)]
+    longest = np.max([np.max(np.abs(at), axis=1, initial=0.0) for at in reach], axis=0)
+    candidates = [row for row in independent if longest[row] > _NOTHING]
+    candidates.sort(key=lambda row: (int(np.sum(space.pattern[row])), row))
+    ranks = [int(np.sum(_held(at, candidates) > _NOTHING)) for at in reach]
+    chosen: list[int] = []
+    for row in candidates:
+        if all(_holds(at, chosen, candidates, rank) for at, rank in zip(reach, ranks, strict=True)):
+            break
+        chosen.append(row)
+    inertia = np.median([np.diag(mass) for _, mass in known], axis=0) * space.sizes**2
+    moved = {row: _moved(space, row, inertia) for row in sorted(chosen)}
+    return {row: power_of_two(own / float(space.row_sizes[row]) ** 2) for row, own in moved.items()}
+
+
+def _moved(space: Geometry, row: int, inertia: Floats) -> float:
+    """The largest inertia of the coordinates in the row, else in their component, else of all."""
+    own = space.pattern[row]
+    beside = np.isin(space.components, space.components[own])
+    among = [float(np.max(inertia[which], initial=0.0)) for which in (own, beside, np.ones_like(own))]
+    return next((found for found in among if found > 0.0), 1.0)
+
+
+def _weightless(mass: Floats, sizes: Floats) -> Floats:
+    """Orthonormal columns, in natural sizes, that span the directions in which M vanishes."""
+    diagonal = np.abs(np.diag(mass))
+    heavy = diagonal > _WEIGHTLESS**2 * np.max(diagonal, initial=0.0)
+    scale = np.where(heavy, 1.0 / np.sqrt(np.where(heavy, diagonal, 1.0)), 1.0)
+    scaled = np.where(heavy[:, None] & heavy, mass * scale[:, None] * scale, 0.0)
+    try:  # ten times faster than eigenvalues, and mostly all that is needed
+        np.linalg.cholesky(scaled - _WEIGHTLESS * np.eye(len(mass)))
+    except np.linalg.LinAlgError:
+        values, directions = np.linalg.eigh(scaled)
+        columns = (scale / sizes)[:, None] * directions[:, values <= _WEIGHTLESS]
+        return np.asarray(np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0])
+    return np.zeros((len(mass), 0))
+
+
+def _held(reach: Floats, rows: Sequence[int]) -> Floats:
+    """Singular values of directions in the rows, the largest first."""
+    return np.asarray(np.linalg.svd(reach[list(rows)], compute_uv=False)) if len(rows) else np.zeros(0)
+
+
+def _holds(reach: Floats, chosen: Sequence[int], candidates: Sequence[int], rank: int) -> bool:
+    """True if the chosen rows hold `rank` directions, nearly as well as all candidates do."""
+    if not rank:
+        return True
+    return len(chosen) >= rank and bool(_held(reach, chosen)[rank - 1] >= _HELD * _held(reach, candidates)[rank - 1])
+
+
+def power_of_two(value: float) -> float:
+    """The nearest one: multiplying by it is exact."""
+    return float(2.0 ** np.round(np.log2(value))) if 0.0 < value < np.inf else 1.0

@@ -1,0 +1,246 @@
+"""Declarations of a model, gathered: energies, loads with their points, constraint residuals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TypeAlias, assert_never
+
+from sympy import Add, Expr, Integer, Rational, Symbol
+
+from lagdsl.derivation.textbook import geometry
+from lagdsl.derivation.textbook.convert import Converter
+from lagdsl.derivation.textbook.differentiate import partial
+from lagdsl.derivation.textbook.geometry import Vector
+from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
+from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
+from lagdsl.language.flat.model import (
+    FlatModel,
+    FrameTorque,
+    GeneralizedForce,
+    Load,
+    PointForce,
+    PointMass,
+    RateForce,
+    RigidBody,
+)
+
+HALF = Rational(1, 2)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inertial:
+    """A point mass, or a body seen from its mass centre. `spin` and `tensor` are in the body's own axes."""
+
+    mass: Expr
+    position: Vector
+    velocity: Vector
+    frame: str | None = None
+    spin: Vector = geometry.ZERO
+    tensor: geometry.Rotation | None = None
+
+    @property
+    def kinetic_energy(self) -> Expr:
+        translation = HALF * self.mass * geometry.dot(self.velocity, self.velocity)
+        if self.tensor is None:
+            return translation
+        return translation + HALF * geometry.dot(self.spin, geometry.apply(self.tensor, self.spin))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AppliedForce:
+    """`force` at the place `position`; with `frame` the material point of that frame is displaced."""
+
+    force: Vector
+    position: Vector
+    frame: str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AppliedTorque:
+    torque: Vector
+    frame: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AppliedGeneralizedForce:
+    """`value` on the scalar `target`."""
+
+    value: Expr
+    target: Expr
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AppliedRateForce:
+    """`value` on the scalar `rate`, which is linear in the rates."""
+
+    value: Expr
+    rate: Expr
+
+
+Applied: TypeAlias = AppliedForce | AppliedTorque | AppliedGeneralizedForce | AppliedRateForce
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contributions:
+    """Everything that the equations are made of. `extra` are the `lagrangian` terms; `actions` holds, for every load of
+    the model, what acts (a load `from` something acts twice)."""
+
+    converter: Converter
+    inertials: tuple[Inertial, ...]
+    kinetic: Expr
+    potential: Expr
+    extra: Expr
+    dissipation: Expr
+    actions: tuple[tuple[Applied, ...], ...]
+    residuals: tuple[Expr, ...]
+
+    @property
+    def lagrangian(self) -> Expr:
+        return self.kinetic - self.potential + self.extra
+
+
+def contributions(flat: FlatModel, converter: Converter, loads: Converter | None = None) -> Contributions:
+    """Gather; the values of loads (not their places) are converted by `loads` where it is given."""
+    inertial_elements: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
+    inertials = tuple(_inertial(item, converter) for item in inertial_elements)
+    declared = {
+        kind: [converter.scalar(term.value) for term in flat.energies if term.kind == kind]
+        for kind in ("kinetic", "potential", "lagrangian", "dissipation")
+    }
+    rows = [converter.scalar(residual) for constraint in flat.constraints for residual in constraint.residuals]
+    gravity = geometry.ZERO if flat.gravity is None else converter.vector(flat.gravity)
+    weights = [-item.mass * geometry.dot(gravity, item.position) for item in inertials]
+    return Contributions(
+        converter=converter,
+        inertials=inertials,
+        kinetic=Add(*(item.kinetic_energy for item in inertials), *declared["kinetic"]),
+        potential=Add(*weights, *declared["potential"]),
+        extra=Add(*declared["lagrangian"]),
+        dissipation=Add(*declared["dissipation"]),
+        actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
+        residuals=tuple(rows),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeldRates:
+    """`parts` of a model with symbols for those rates of states that depend on the motion, and what these are.
+
+    States are functions of time, as prescribed motions are: their equations stand in the place of their rates only
+    after the energies have been differentiated by coordinates and rates.
+    """
+
+    parts: Contributions
+    rates: Mapping[Symbol, Expr]
+
+    def partial(self, expression: Expr, symbol: Symbol) -> Expr:
+        """Of an expression made of `parts`."""
+        return replaced(partial(expression, symbol), self.rates)
+
+
+def held_rates(flat: FlatModel, table: Symbols, parts: Contributions) -> HeldRates:
+    """For the same contributions; these themselves where no rate of a state depends on the motion."""
+    given = parts.converter
+    moving = {*table.q, *table.qd, RELEASE, RELEASE_RATE}
+    held: dict[Symbol, Symbol] = {}
+    for state, symbol in zip(flat.states, table.z, strict=True):
+        if symbol in given.rates and moving & occurring(given.rates[symbol]):
+            held[symbol] = Symbol(f"der({state.name})")
+    if not held:
+        return HeldRates(parts=parts, rates={})
+    style = replace(given.style, held=held)
+    converter = Converter(model=flat, symbols=table, release=given.release, style=style)
+    rates = {rate: given.rates[symbol] for symbol, rate in held.items()}
+    return HeldRates(parts=contributions(flat, converter), rates=rates)
+
+
+def _inertial(item: PointMass | RigidBody, converter: Converter) -> Inertial:
+    mass = converter.scalar(item.mass)
+    if isinstance(item, PointMass):
+        position = converter.vector(item.position)
+        return Inertial(mass=mass, position=position, velocity=geometry.each(converter.rate, position))
+    pose = converter.kinematics.poses[item.frame]
+    com = tuple(converter.scalar(component) for component in item.com)
+    xx, yy, zz, xy, xz, yz = (converter.scalar(element) for element in item.inertia)
+    position = geometry.add(pose.origin, geometry.apply(pose.rotation, com))
+    return Inertial(
+        mass=mass,
+        position=position,
+        velocity=geometry.each(converter.rate, position),
+        frame=item.frame,
+        spin=converter.kinematics.body_angular_velocity(item.frame),
+        tensor=((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)),
+    )
+
+
+def _applied(load: Load, places: Converter, values: Converter) -> list[Applied]:
+    match load:
+        case PointForce(force=force, point=point, frame=frame, origin=origin, origin_frame=origin_frame):
+            vector = values.vector(force)
+            actions: list[Applied] = [AppliedForce(force=vector, position=places.vector(point), frame=frame)]
+            if origin is not None:
+                back = geometry.scale(Integer(-1), vector)
+                actions.append(AppliedForce(force=back, position=places.vector(origin), frame=origin_frame))
+            return actions
+        case FrameTorque(torque=torque, frame=body, origin=other):
+            vector = values.vector(torque)
+            actions = [AppliedTorque(torque=vector, frame=body)]
+            if other is not None:
+                actions.append(AppliedTorque(torque=geometry.scale(Integer(-1), vector), frame=other))
+            return actions
+        case GeneralizedForce(value=value, target=target, origin=opposite):
+            scalar = values.scalar(value)
+            actions = [AppliedGeneralizedForce(value=scalar, target=places.scalar(target))]
+            if opposite is not None:
+                actions.append(AppliedGeneralizedForce(value=-scalar, target=places.scalar(opposite)))
+            return actions
+        case RateForce(value=value, rate=rate):
+            return [AppliedRateForce(value=values.scalar(value), rate=places.scalar(rate))]
+        case _:
+            assert_never(load)
+
+
+def admissible_variation(action: Applied, converter: Converter, q: Symbol, qd: Symbol) -> Vector | Expr:
+    """dr/dq of the place of a force, domega/dqd of a torque, d(target)/dq of a generalized force,
+    d(rate)/dqd of one on a rate."""
+    match action:
+        case AppliedForce(position=position, frame=None):
+            return geometry.each(lambda x: partial(x, q), position)
+        case AppliedForce(position=position, frame=frame):
+            assert frame is not None
+            origin = converter.kinematics.poses[frame].origin
+            turning = geometry.each(lambda x: partial(x, qd), converter.kinematics.angular_velocity(frame))
+            arm = geometry.subtract(position, origin)
+            return geometry.add(geometry.each(lambda x: partial(x, q), origin), geometry.cross(turning, arm))
+        case AppliedTorque(frame=frame):
+            return geometry.each(lambda x: partial(x, qd), converter.kinematics.angular_velocity(frame))
+        case AppliedGeneralizedForce(target=target):
+            return partial(target, q)
+        case AppliedRateForce(rate=rate):
+            return partial(rate, qd)
+        case _:
+            assert_never(action)
+
+
+def work(action: Applied, variation: Vector | Expr) -> Expr:
+    """F . dr/dq of one action."""
+    match action:
+        case AppliedForce(force=vector) | AppliedTorque(torque=vector):
+            assert isinstance(variation, tuple)
+            return geometry.dot(vector, variation)
+        case AppliedGeneralizedForce(value=value) | AppliedRateForce(value=value):
+            return value * variation
+        case _:
+            assert_never(action)
+
+
+def generalized_force(parts: Contributions, q: Symbol, qd: Symbol) -> Expr:
+    """Q of one coordinate: the sum of F . dr/dq over all declared loads."""
+    return Add(
+        *(
+            work(action, admissible_variation(action, parts.converter, q, qd))
+            for actions in parts.actions
+            for action in actions
+        )
+    )

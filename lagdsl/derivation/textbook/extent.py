@@ -1,0 +1,113 @@
+"""Estimate of the size of a derivation on paper, before anything is differentiated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import assert_never
+
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat.model import (
+    Definition,
+    FlatModel,
+    Frame,
+    Point,
+    Rotate,
+    RotateAbout,
+    RotateQuaternion,
+    SetAxes,
+)
+from lagdsl.language.flat.traversal import operands, postorder, step_expressions
+
+_MOST_COORDINATES = 6
+_MOST_CARRIERS = 12
+_MOST_LOADS = 24
+_MOST_ROWS = 12
+_DEEPEST_TURNS = 6
+_MOST_DEFINITIONS = 200
+_LONGEST_EXPRESSION = 2000
+_COUNTED = 10**6
+_MOST_EQUATIONS = 40
+_MOST_NAMES = 1000
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Extent:
+    """`reasons` say, in plain words, what is beyond the bounds of a written-out derivation; none if nothing is.
+    `has_short_parts`: single equations may be short, there are just many."""
+
+    reasons: tuple[str, ...]
+    has_short_parts: bool
+
+
+def extent(flat: FlatModel) -> Extent:
+    rows = sum(len(constraint.rows) for constraint in flat.constraints)
+    measures = (
+        (len(flat.coordinates), _MOST_COORDINATES, "coordinates"),
+        (len(flat.masses) + len(flat.bodies), _MOST_CARRIERS, "masses and bodies"),
+        (len(flat.loads), _MOST_LOADS, "loads"),
+        (rows, _MOST_ROWS, "constraint rows"),
+        (_turns(flat), _DEEPEST_TURNS, "rotations in a row"),
+        (len(flat.named), _MOST_DEFINITIONS, "definitions, points and frames"),
+        (_longest(flat), _LONGEST_EXPRESSION, "symbols in one expression, definitions written out"),
+    )
+    reasons = tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most)
+    deep = _turns(flat) > _DEEPEST_TURNS or _longest(flat) > _LONGEST_EXPRESSION
+    many = max(len(flat.coordinates), rows, len(flat.loads)) > _MOST_EQUATIONS or len(flat.named) > _MOST_NAMES
+    return Extent(reasons=reasons, has_short_parts=not deep and not many)
+
+
+def _turns(flat: FlatModel) -> int:
+    """The longest run of rotations from the world to a frame."""
+    depth = {"world": 0}
+    for item in flat.named:
+        if isinstance(item, Frame):
+            own = sum(isinstance(step, Rotate | RotateAbout | RotateQuaternion | SetAxes) for step in item.steps)
+            depth[item.name] = depth.get(item.parent, 0) + own
+    return max(depth.values())
+
+
+def _longest(flat: FlatModel) -> int:
+    """Leaves and operations of the longest expression, names replaced by what they stand for; counted up to a million.
+
+    Frames count by the expressions of their steps: how often rotations multiply them is bounded by their depth.
+    """
+    known: dict[int, int] = {}
+    names: dict[str, int] = {}
+
+    def length(expression: fx.FlatExpression) -> int:
+        for node in postorder(expression, known):
+            inner = sum(known[id(operand)] for operand in operands(node))
+            known[id(node)] = min(1 + inner + names.get(_name(node), 0), _COUNTED)
+        return known[id(expression)]
+
+    for item in flat.named:
+        match item:
+            case Definition(name=name, value=value):
+                names[name] = length(value)
+            case Point(name=name, position=position):
+                names[name] = length(position)
+            case Frame(name=name, parent=parent, steps=steps):
+                own = sum(length(expression) for step in steps for expression in step_expressions(step))
+                names[name] = names.get(parent, 0) + own
+    return max([0, *names.values(), *(length(expression) for expression in _declared(flat))])
+
+
+def _name(node: fx.FlatExpression) -> str:
+    match node:
+        case fx.Variable(name) | fx.PointReference(name):
+            return name
+        case fx.OfFrame():
+            return node.frame
+        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
+            return ""
+        case _:
+            assert_never(node)
+
+
+def _declared(flat: FlatModel) -> Iterator[fx.FlatExpression]:
+    """Expressions that are differentiated beyond points and frames."""
+    yield from (term.value for term in flat.energies)
+    yield from (mass.position for mass in flat.masses)
+    for constraint in flat.constraints:
+        yield from constraint.residuals

@@ -1,0 +1,1 @@
+"""Texts and pictures for people: derivations, plots, living pages."""

@@ -1,0 +1,123 @@
+"""Pages with several motions: the runs of a sweep, rows from a file, modes as moving shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
+
+from lagdsl.documents.page.head import Json
+from lagdsl.documents.page.page import head_of_recording, html_of, starts_of
+from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
+from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.engines.backends.start import start_of
+from lagdsl.engines.backends.tape.emit import tape
+from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.foundation.record import record
+from lagdsl.foundation.source import SourceFile
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.signals.inputs import Signal
+from lagdsl.motion.signals.trajectory import Trajectory
+
+# Numbers of all recorded motions together: about a megabyte in the page.
+_MOST_NUMBERS = 400_000
+_LEAST_ROWS, _MOST_ROWS = 61, 301
+MOST_RUNS = 200
+
+
+@record(kw_only=True)
+class Run:
+    """One of several motions: `label` tells it from the others, `said` what there is to say of it.
+
+    `p` are its parameters, where the page may integrate it anew; `pace` is how many seconds of it pass in a second.
+    """
+
+    label: str
+    motion: Trajectory
+    span: tuple[float, float]
+    said: str = ""
+    p: Sequence[float] | None = None
+    pace: float = 1.0
+
+
+@record(kw_only=True)
+class Setting:
+    """Values of one run of a sweep, by name in SI units, and inputs that are its own."""
+
+    label: str
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    start: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, Signal] = field(default_factory=dict)
+
+
+def sweep_page(
+    flat: FlatModel,
+    settings: Sequence[Setting],
+    wishes: Wishes,
+    *,
+    source: SourceFile | None = None,
+    sink: Sink | None = None,
+) -> str:
+    """The page of a sweep, with a slider over its runs; `wishes` is what all of them share. Where runs have inputs of
+    their own, the page shows the recorded motions and integrates none anew.
+
+    Runs without a motion are shown as far as there is one; errors go to `sink`. Raises CompilationFailed where no run
+    has a motion, ValueError for more runs than a page holds.
+    """
+    if len(settings) > MOST_RUNS:
+        raise ValueError(f"a page holds at most {MOST_RUNS} runs, the sweep has {len(settings)}: give fewer values")
+    starts = {name for setting in settings for name in setting.start} | set(wishes.start)
+    prepared = prepare(flat, starts)
+    width = len(prepared.compilation.flat.outputs) + 2 * len(flat.coordinates) + len(flat.states) + 4
+    rows = min(max(_MOST_NUMBERS // (width * max(len(settings), 1)), _LEAST_ROWS), _MOST_ROWS)
+    found: list[tuple[Recording, Wishes]] = []
+    runs: list[Run] = []
+    failures: list[CompilationFailed] = []
+    for setting in settings:
+        own = replace(
+            wishes,
+            parameters={**wishes.parameters, **setting.parameters},
+            start={**wishes.start, **setting.start},
+            inputs={**wishes.inputs, **setting.inputs},
+        )
+        try:
+            made = recorded(prepared, own, rows, Sink())
+        except CompilationFailed as failure:
+            failures.append(failure)
+            continue
+        found.append((made, own))
+        runs.append(Run(label=setting.label, motion=made.motion, span=made.span, said=made.ended, p=made.p.tolist()))
+    if not found:
+        raise failures[0]
+    if failures and sink is not None:
+        for diagnostic in failures[0].diagnostics:
+            sink.add(diagnostic)
+    first, own = found[0]
+    head = head_of_recording(first, replace(wishes, inputs=own.inputs), source)
+    compiled = prepared.compilation
+    if len({_identity(setting.inputs) for setting in settings}) > 1:  # sliders of inputs are those of one run
+        return page_of_runs(flat, head, runs)
+    made_tape = tape(compiled.program, start_of(compiled.flat, first.span[0], starts_of(first)))
+    return page_of_runs(flat, head, runs, made_tape)
+
+
+def _identity(inputs: Mapping[str, Signal]) -> tuple[tuple[str, float], ...]:
+    """Numbers are equal by their values, other signals if they are one object."""
+    return tuple((name, each if isinstance(each, (int, float)) else id(each)) for name, each in inputs.items())
+
+
+def page_of_runs(flat: FlatModel, head: dict[str, Json], runs: Sequence[Run], model_tape: bytes = b"") -> str:
+    """`head` is that of the first run; without a tape nothing is integrated anew."""
+    told: list[Json] = [
+        {
+            "label": run.label,
+            "rows": len(run.motion),
+            "start": run.span[0],
+            "stop": run.span[1],
+            "pace": run.pace,
+            "said": run.said,
+            "parameters": None if run.p is None else list(run.p),
+            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in run.motion.events],
+        }
+        for run in runs
+    ]
+    return html_of(flat, {**head, "live": bool(model_tape), "runs": told}, [run.motion for run in runs], model_tape)

@@ -1,0 +1,78 @@
+"""Rows of given states: what the model and its scene say there, without integrating anything."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from lagdsl.documents.plot.picture.recording import Prepared, Recording
+from lagdsl.engines.runtime.engines.engine import SingularSystem
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.analysis.point import Point
+from lagdsl.motion.signals.trajectory import Column, Event, Statistics, Trajectory
+from lagdsl.motion.simulate.table import heads_of
+
+
+@record(kw_only=True)
+class States:
+    """`points` in the order of their times; `p` (np,) of the prepared model, `events` [s] between rows of one time."""
+
+    points: Sequence[Point]
+    p: Floats
+    events: tuple[float, ...] = ()
+
+
+def rows_of(prepared: Prepared, states: States, origin: str) -> Trajectory:
+    """A row for each state; outputs that are not determined there are nan. `origin` tells where the states are from."""
+    table = np.array([_row(prepared, point, states.p) for point in states.points])
+    flat: FlatModel = prepared.compilation.flat
+    heads = heads_of(flat)
+    zeros = np.zeros(len(table))
+    return Trajectory(
+        model=flat.name,
+        columns=tuple(
+            Column(name=name, unit=unit, kind=kind, display=display, values=np.ascontiguousarray(values))
+            for (name, unit, kind, display), values in zip(heads, table[:, :-1].T, strict=True)
+        ),
+        position_residual=zeros,
+        velocity_residual=zeros,
+        energy=np.ascontiguousarray(table[:, -1]),
+        invariants=(),
+        moved=(),
+        statistics=Statistics(solver=origin),
+        events=tuple(Event(time=t, name="event", kind="recorded") for t in states.events),
+    )
+
+
+def recording_of(prepared: Prepared, states: States, origin: str) -> Recording:
+    """The same as a recording."""
+    motion = rows_of(prepared, states, origin)
+    span = (float(motion.time[0]), float(motion.time[-1]))
+    tolerance = prepared.own.experiment.tolerance
+    return Recording(prepared=prepared, p=states.p, span=span, tolerance=tolerance, motion=motion, ended="")
+
+
+def own_parameters(prepared: Prepared, chosen: dict[str, float]) -> Floats:
+    """Parameters of the prepared model: defaults, and those that are chosen by name."""
+    layout = prepared.engine.layout
+    pairs = zip(layout.parameters, layout.defaults, strict=True)
+    return np.array([chosen.get(slot.name, value) for slot, value in pairs], dtype=np.float64)
+
+
+def _row(prepared: Prepared, point: Point, p: Floats) -> list[float]:
+    engine = prepared.engine
+    state = (point.t, point.q, point.qd, point.z, point.u, point.w, p)
+    layout = engine.layout
+    with np.errstate(all="ignore"):
+        try:
+            qdd, lam = engine.solve(*state)
+        except SingularSystem:
+            qdd, lam = np.full(len(layout.coordinates), np.nan), np.full(len(layout.constraints), np.nan)
+        (y,) = engine.evaluate("output", *state, qdd, lam)
+        energy = engine.evaluate("energies", *state)[0]
+    moving = [*point.q.tolist(), *point.qd.tolist(), *point.z.tolist()]
+    count = len(heads_of(prepared.compilation.flat)) - 1 - len(moving) - len(y)
+    return [point.t, *moving, *point.w.tolist()[:count], *y.tolist(), float(np.ravel(energy)[0])]

@@ -1,0 +1,228 @@
+"""Figures of chosen columns: over time, with an axis for each of two units; and against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from lagdsl.documents.plot.bundle import Bundle, Curve, bundle_of
+from lagdsl.documents.plot.figure import COLORS, LINES, STYLE, escaped, mark_events, matplotlib_or_reason, plot, save
+from lagdsl.documents.plot.names import panels_of, paths_of
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.motion.signals.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_MOST_NAMED = 7  # curves in a legend; more runs have a scale of colors
+_MOST_DOTS = 200
+_WIDTH, _HEIGHT, _SQUARE = 8.0, 2.6, 4.6
+_TICKS = 5  # of the short axis of a path: numbers like -0.0015 stand beside each other
+
+
+def plot_of(
+    motion: Trajectory,
+    path: Path | str | None = None,
+    *,
+    show: str | Sequence[str] | None = None,
+    xy: tuple[str, str] | Sequence[tuple[str, str]] | None = None,
+) -> Figure:
+    """Columns of a motion by their names, `energy` and `time` among them; without names all of them, see `plot`.
+
+    `show` is `"theta, der(theta)"`, one panel with an axis for each of two units, or several such texts, one panel
+    each. `xy` is `("x, u", "y, v")`, one panel with the paths (x, y) and (u, v), or several such pairs. Events are
+    marked. Raises KeyError for a name that no column has, ValueError where names make no panel.
+    """
+    if not show and not xy:
+        return plot(motion, path)
+    known = list(bundle_of(motion).curves)
+    panels, paths = panels_of(show, known), paths_of(xy, known)
+    return draw_chosen(bundle_of(motion.drawn(smooth=True)), panels, paths, path)
+
+
+def draw_chosen(
+    bundle: Bundle,
+    panels: Sequence[Sequence[str]],
+    paths: Sequence[Sequence[tuple[str, str]]],
+    path: Path | str | None = None,
+) -> Figure:
+    """`panels` are columns over time, those of two units on two axes; `paths` are pairs of columns against each other.
+
+    Panels stand below each other, paths at their right. Written to `path` (by its suffix) if given. Raises
+    ModuleNotFoundError without Matplotlib.
+    """
+    mpl, figure_class, canvas_class = matplotlib_or_reason()
+    over_time = [part for names in panels for part in _by_units([bundle.curves[name] for name in names])]
+    width = (_WIDTH if over_time else 0.0) + _SQUARE * bool(paths) + 0.9 * (bundle.variation is not None)
+    height = 0.6 + max(_HEIGHT * len(over_time), (_SQUARE - 0.4) * len(paths))
+    with mpl.rc_context(cast(Any, STYLE)):
+        figure = figure_class(figsize=(width, height), layout="constrained")
+        canvas_class(figure)
+        right, left = _places(figure, len(over_time), len(paths))
+        for panel, parts in zip(left, over_time, strict=True):
+            _draw_over_time(panel, bundle, parts)
+        if left:
+            left[-1].set_xlabel("time [s]")
+            figure.align_ylabels(left)
+        for panel, pairs in zip(right, paths, strict=True):
+            _draw_paths(panel, bundle, [(bundle.curves[x], bundle.curves[y]) for x, y in pairs])
+        _tell_runs(figure, [*left, *right], bundle)
+        (left or right)[0].set_title(bundle.title, loc="left", fontweight="bold", color="#333333")
+        if path is not None:
+            save(figure, path)
+    return figure
+
+
+def _places(figure: Figure, panels: int, paths: int) -> tuple[list[Axes], list[Axes]]:
+    """Axes of the paths, and those of the panels, which share their time."""
+    if not paths:
+        return [], list(figure.subplots(panels, 1, sharex=True, squeeze=False)[:, 0])
+    if not panels:
+        return list(figure.subplots(paths, 1, squeeze=False)[:, 0]), []
+    beside = figure.add_gridspec(1, 2, width_ratios=[_WIDTH, _SQUARE])
+    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)
+    right = beside[1].subgridspec(paths, 1).subplots(squeeze=False)
+    return list(right[:, 0]), list(left[:, 0])
+
+
+def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
+    """Curves of one unit share an axis, two units a panel; a third one opens the next panel."""
+    by_unit: dict[str, list[Curve]] = {}
+    for curve in curves:
+        by_unit.setdefault(curve.unit, []).append(curve)
+    groups = list(by_unit.values())
+    return [groups[k : k + 2] for k in range(0, len(groups), 2)]
+
+
+def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]]) -> None:
+    twin = panel.twinx() if len(groups) > 1 else None
+    drawn = 0
+    for side, group in zip((panel, twin), groups, strict=False):
+        assert side is not None
+        for curve in group:
+            _draw_runs(side, bundle, np.broadcast_to(bundle.time, curve.values.shape), curve, drawn)
+            drawn += 1
+        side.set_ylabel(_axis_label(group), color=_ink(bundle, groups, drawn - len(group)))
+        side.margins(y=0.08)
+        _calm(side, group)
+        side.ticklabel_format(axis="y", useOffset=False)
+    if twin is not None:
+        twin.grid(visible=False)
+        twin.spines["right"].set_visible(True)
+    lines = [line for side in (panel, twin) if side is not None for line in side.lines]
+    if drawn > 1 and bundle.variation is None:
+        panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
+    elif drawn > 1:
+        _tell_lines(panel, groups)
+    if len(bundle.time) > 1:
+        panel.set_xlim(float(bundle.time[0]), float(bundle.time[-1]))
+        mark_events(panel, bundle.events, float(bundle.time[-1] - bundle.time[0]))
+
+
+def _calm(panel: Axes, curves: Sequence[Curve]) -> None:
+    """Round-off does not fill the height: what is constant to nine digits looks constant."""
+    values = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in curves])
+    if len(values) and 0.0 < np.ptp(values) < 1e-9 * np.max(np.abs(values)):
+        middle, size = float(np.mean(values)), float(np.max(np.abs(values)))
+        panel.set_ylim(middle - 1e-3 * size, middle + 1e-3 * size)
+
+
+def _ink(bundle: Bundle, groups: Sequence[Sequence[Curve]], first: int) -> str:
+    """Color of the label of an axis: that of its curve where each of two axes has one."""
+    if bundle.variation is None and len(groups) > 1 and all(len(group) == 1 for group in groups):
+        return COLORS[first % len(COLORS)]
+    return "#333333"
+
+
+def _tell_lines(panel: Axes, groups: Sequence[Sequence[Curve]]) -> None:
+    """Dashes tell the columns, because colors tell the runs."""
+    from matplotlib.lines import Line2D
+
+    names = [curve.name for group in groups for curve in group]
+    handles = [
+        Line2D([], [], color="#333333", linestyle=LINES[k % len(LINES)], label=escaped(name))
+        for k, name in enumerate(names)
+    ]
+    panel.legend(handles=handles, loc="upper right", fontsize=8, handlelength=2.2)
+
+
+def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int) -> None:
+    """Of a motion the curve in a color of its own; of a sweep a curve for each run."""
+    if bundle.variation is None:
+        style = LINES[index // len(COLORS) % len(LINES)]
+        panel.plot(x[0], curve.values[0], color=COLORS[index % len(COLORS)], linestyle=style, label=escaped(curve.name))
+        return
+    runs = len(curve.values)
+    for k, color in enumerate(_run_colors(bundle)):
+        panel.plot(x[k], curve.values[k], color=color, linestyle=LINES[index % len(LINES)],
+                   linewidth=1.4 if runs <= 20 else 0.8, alpha=1.0 if runs <= 20 else 0.7)  # fmt: skip
+
+
+def _run_colors(bundle: Bundle) -> list[Any]:
+    assert bundle.variation is not None
+    values = bundle.variation.values
+    if len(values) <= _MOST_NAMED:
+        return [COLORS[k % len(COLORS)] for k in range(len(values))]
+    import matplotlib as mpl
+
+    low, high = float(np.min(values)), float(np.max(values))
+    parts = (values - low) / (high - low) if high > low else np.full(len(values), 0.5)
+    return list(mpl.colormaps["viridis"](parts))
+
+
+def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]]) -> None:
+    for index, (right, up) in enumerate(pairs):
+        _draw_runs(panel, bundle, right.values, up, index)
+        starts = panel.lines[-len(up.values) :]
+        for line, x, y in zip(starts, right.values, up.values, strict=True):
+            panel.plot(x[:1], y[:1], "o", color=line.get_color(), markersize=4)
+        _dot_events(panel, bundle, right, up)
+    rights, ups = [list({curve.name: curve for curve in side}.values()) for side in zip(*pairs, strict=True)]
+    panel.set_xlabel(_axis_label(rights, between=" "))
+    panel.set_ylabel(_axis_label(ups))
+    panel.margins(0.06)
+    panel.locator_params(axis="x", nbins=_TICKS)
+    if len(pairs) > 1 and bundle.variation is None:
+        panel.legend(handles=panel.lines[: 2 * len(pairs) : 2], fontsize=8)
+    units = {curve.unit for curve in (*rights, *ups)}
+    if len(units) == 1 and units <= {"m", "cm", "mm", "km"}:  # a path in space keeps its shape
+        panel.set_aspect("equal", adjustable="datalim")
+
+
+def _dot_events(panel: Axes, bundle: Bundle, right: Curve, up: Curve) -> None:
+    """Places of the events; rows stand just before and just after each of them."""
+    for time in bundle.events[:_MOST_DOTS]:
+        rows = np.flatnonzero(bundle.time == time)
+        panel.plot(right.values[0, rows], up.values[0, rows], "x", color="#666666", markersize=4, zorder=3)
+
+
+def _axis_label(curves: Sequence[Curve], between: str = "\n") -> str:
+    names = ", ".join(escaped(curve.name) for curve in curves[:4]) + (", ..." if len(curves) > 4 else "")
+    units = dict.fromkeys(curve.unit for curve in curves)
+    told = ", ".join(unit for unit in units if unit not in ("", "1"))
+    return f"{names}{between}[{told}]" if told else names
+
+
+def _tell_runs(figure: Figure, panels: Sequence[Axes], bundle: Bundle) -> None:
+    """A legend for few runs, a scale of colors for many."""
+    variation = bundle.variation
+    if variation is None:
+        return
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.lines import Line2D
+
+    if len(variation.values) <= _MOST_NAMED:
+        colors = _run_colors(bundle)
+        handles = [Line2D([], [], color=c, label=escaped(w)) for c, w in zip(colors, variation.words, strict=True)]
+        figure.legend(handles=handles, loc="outside right upper", fontsize=8)
+        return
+    scale = Normalize(float(np.min(variation.values)), float(np.max(variation.values)))
+    unit = f" [{variation.unit}]" if variation.unit not in ("", "1") else ""
+    figure.colorbar(
+        ScalarMappable(scale, "viridis"), ax=list(panels), label=f"{escaped(variation.name)}{unit}", pad=0.02
+    )

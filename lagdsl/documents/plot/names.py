@@ -1,0 +1,75 @@
+"""Names of columns in a text: `theta, der(theta), q`, as `--show` and `show=` have them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.language.settings.arrays import family
+
+# Besides the columns: the energy of the rows.
+ENERGY = "energy"
+
+
+class UnknownColumn(KeyError):  # noqa: N818  it is the name that is wrong
+    """A name that no column has; the text tells the nearest one.
+
+    Built from the text and the name.
+    """
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def names_in(text: str) -> list[str]:
+    """The names between commas that stand in no brackets: `m[1,2], der(x)` are two."""
+    found, depth = [""], 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        if character == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += character
+    return [name.strip() for name in found if name.strip()]
+
+
+def columns_in(text: str, known: Collection[str]) -> list[str]:
+    """The columns that `text` names, each once; an array stands for its elements. Raises UnknownColumn, and ValueError
+    for a text without a name."""
+    found: dict[str, None] = {}
+    for name in names_in(text):
+        elements = [name] if name in known else family(name, known)
+        if not elements:
+            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
+            raise UnknownColumn(f"there is no column `{name}`; {hint}", name)
+        found |= dict.fromkeys(elements)
+    if not found:
+        raise ValueError("a plot needs the name of a column, as in `theta, der(theta)`")
+    return list(found)
+
+
+def panels_of(show: str | Sequence[str] | None, known: Collection[str]) -> list[list[str]]:
+    """The columns of every panel: one text is one panel. Raises as `columns_in`."""
+    texts: Iterable[str] = () if show is None else (show,) if isinstance(show, str) else show
+    return [columns_in(text, known) for text in texts]
+
+
+def paths_of(
+    xy: tuple[str, str] | Sequence[tuple[str, str]] | None, known: Collection[str]
+) -> list[list[tuple[str, str]]]:
+    """The pairs of columns of every panel: one pair of texts is one panel, `("x1, x2", "y1, y2")` has two paths.
+    Raises as `columns_in`, and ValueError for numbers of names that do not fit."""
+    if xy is None:
+        return []
+    pairs = [xy] if len(xy) == 2 and all(isinstance(each, str) for each in xy) else xy
+    found = []
+    for pair in pairs:
+        if len(pair) != 2 or isinstance(pair, str):
+            raise ValueError("xy needs pairs of names: what goes to the right, what goes up")
+        right, up = (columns_in(str(text), known) for text in pair)
+        if len(right) == 1:
+            right = right * len(up)
+        if len(right) != len(up):
+            raise ValueError(f"`{pair[0]}` against `{pair[1]}`: {len(right)} and {len(up)} columns make no pairs")
+        found.append(list(zip(right, up, strict=True)))
+    return found

@@ -1,0 +1,192 @@
+"""A picture of a machine: faces from the back to the front, lines, names, the ground behind."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from lagdsl.documents.plot.figure import matplotlib_or_reason
+from lagdsl.documents.plot.picture.colors import GRID, INK, PAPER, lit
+from lagdsl.documents.plot.picture.faces import Faces, Part, Ribbon, Words
+from lagdsl.documents.plot.picture.gauges import gauges
+from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.stage import Stage
+from lagdsl.documents.plot.picture.view import View, view_of
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_INCHES = 6.4  # wide
+_DPI = 100
+_GHOST = 0.25
+
+
+@record(kw_only=True)
+class Drawn:
+    """A picture that can be changed from row to row: all it knows of the motion."""
+
+    stage: Stage
+    view: View
+    figure: Figure
+    axes: Axes
+
+
+def prepared(stage: Stage, title: str = "") -> Drawn:
+    """An empty picture for a stage. Raises ModuleNotFoundError without Matplotlib."""
+    _, figure_class, canvas_class = matplotlib_or_reason()
+    view = view_of(stage)
+    width, height = view.high - view.low
+    figure = figure_class(figsize=(_INCHES, round(_INCHES * float(height / width), 2)), dpi=_DPI, facecolor=PAPER)
+    canvas_class(figure)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set(xlim=(view.low[0], view.high[0]), ylim=(view.low[1], view.high[1]))
+    axes.set_axis_off()
+    if title:
+        figure.text(0.015, 0.98, title, va="top", fontsize=9, color=INK)
+    return Drawn(stage=stage, view=view, figure=figure, axes=axes)
+
+
+def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = "") -> None:
+    """Show the machine at a row of its motion, and pale at others."""
+    axes = picture.axes
+    axes.clear()
+    axes.set_axis_off()
+    axes.set(xlim=(picture.view.low[0], picture.view.high[0]), ylim=(picture.view.low[1], picture.view.high[1]))
+    _ruled(picture)
+    for ghost in ghosts:
+        _paint(picture, parts_of(picture.stage, ghost), _GHOST)
+    _paint(picture, [*parts_of(picture.stage, row), *gauges(picture.stage, row)], 1.0)
+    if caption:
+        axes.text(0.985, 0.02, caption, transform=axes.transAxes, ha="right", va="bottom", fontsize=9, color=INK)
+
+
+def save_picture(picture: Drawn, path: Path | str, pixels: int = 1280) -> None:
+    """In the form of the suffix, PNG without one, `pixels` wide; the same bytes at any time."""
+    suffix = Path(path).suffix.lstrip(".").lower()
+    known = suffix in picture.figure.canvas.get_supported_filetypes()
+    form = suffix if known else "png"
+    stamp: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form, {})
+    import matplotlib as mpl
+
+    with mpl.rc_context({"svg.hashsalt": "lagdsl"}):
+        picture.figure.savefig(path, dpi=pixels / _INCHES, format=form, facecolor=PAPER, metadata=stamp)
+
+
+def _paint(picture: Drawn, parts: Sequence[Part], opacity: float) -> None:
+    """Parts from the back to the front, face by face."""
+    from matplotlib.collections import PolyCollection
+
+    corners: list[Floats] = []
+    colors: list[Floats] = []
+    depths: list[Floats] = []
+    for part in parts:
+        match part:
+            case Faces():
+                seen = _faces(picture.view, part)
+            case Ribbon():
+                seen = _ribbon(picture.view, part)
+            case Words():
+                _write(picture, part, opacity)
+                continue
+        corners.append(seen[0])
+        colors.append(seen[1])
+        depths.append(seen[2])
+    if not corners:
+        return
+    places, inks, depth = np.concatenate(corners), np.concatenate(colors), np.concatenate(depths)
+    order = np.argsort(depth, kind="stable")
+    # Seams between faces show in pale pictures where faces have edges, in full ones where they have none.
+    edge = inks[order]
+    edge[:, 3] = (inks[order, 3] == 1.0) & (opacity == 1.0)
+    inks[:, 3] *= opacity
+    picture.axes.add_collection(
+        PolyCollection(places[order], facecolors=inks[order], edgecolors=edge, linewidths=0.4, closed=True),  # type: ignore[arg-type]
+        autolim=False,
+    )
+
+
+def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
+    places, depth, _ = view.seen(part.corners)
+    turned = (part.corners - view.center) @ view.turn.T
+    normals = np.cross(turned[:, 2] - turned[:, 0], turned[:, 3] - turned[:, 1])
+    sizes = np.linalg.norm(normals, axis=1)
+    normals /= np.where(sizes > 0.0, sizes, 1.0)[:, None]
+    # The signed area of what is seen tells the side that is seen, in perspective too.
+    (ax, ay), (bx, by) = (places[:, 2] - places[:, 0]).T, (places[:, 3] - places[:, 1]).T
+    front = (ax * by - ay * bx > 0.0) if part.closed else np.ones(len(places), dtype=bool)
+    shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else lit(part.color, normals)
+    inks = np.concatenate([shades, np.full((len(places), 1), part.opacity)], axis=1)
+    return places[front], inks[front], depth.mean(axis=1)[front]
+
+
+def _ribbon(view: View, part: Ribbon) -> tuple[Floats, Floats, Floats]:
+    """Quadrilaterals along the line, a little longer than its pieces, so that they join."""
+    points = part.points[np.all(np.isfinite(part.points), axis=1)]
+    places, depth, scale = view.seen(points)
+    ways = np.diff(places, axis=0)
+    sizes = np.linalg.norm(ways, axis=1)
+    kept = sizes > 1e-9 * float(view.high[0] - view.low[0])
+    a, b = places[:-1][kept], places[1:][kept]
+    ways = ways[kept] / sizes[kept, None]
+    half = 0.5 * part.width * scale[:-1][kept, None]
+    side = np.stack([-ways[:, 1], ways[:, 0]], axis=1) * half
+    longer = 0.5 * half * ways if part.opacity == 1.0 else 0.0 * ways
+    quads = np.stack([a - side - longer, b - side + longer, b + side + longer, a + side - longer], axis=1)
+    inks = np.broadcast_to([*part.color, part.opacity], (len(quads), 4)).copy()
+    return quads, inks, np.asarray((depth[:-1] + depth[1:])[kept] / 2.0)
+
+
+def _write(picture: Drawn, part: Words, opacity: float) -> None:
+    """Text as text: `$` starts no formula."""
+    place, _, scale = picture.view.seen(part.at)
+    points = _INCHES * 72.0 / float(picture.view.high[0] - picture.view.low[0])
+    picture.axes.text(
+        float(place[0]),
+        float(place[1]),
+        part.text.replace("$", r"\$"),
+        fontsize=min(max(0.75 * part.size * float(scale) * points, 5.0), 14.0),
+        color=INK,
+        alpha=opacity,
+        ha="center",
+        va="center",
+        zorder=5,
+    )
+
+
+def _ruled(picture: Drawn) -> None:
+    """Squares behind a planar machine, under a spatial one."""
+    from matplotlib.collections import LineCollection
+
+    stage, view = picture.stage, picture.view
+    step = 10.0 ** np.floor(np.log10(stage.length / 2.0))
+    if stage.scene.planar:
+        low, high = view.low + stage.center[:2], view.high + stage.center[:2]
+        ticks = [np.arange(np.ceil(a / step), np.floor(b / step) + 1) * step for a, b in zip(low, high, strict=True)]
+        lines = [[[x, low[1]], [x, high[1]]] for x in ticks[0]] + [[[low[0], y], [high[0], y]] for y in ticks[1]]
+        places = np.array(lines).reshape(-1, 2, 2) - stage.center[:2]
+    else:
+        right, up, back = stage.axes
+        lowest = min(float(up @ stage.low), float(up @ stage.high)) - float(up @ stage.center) - 0.02 * stage.length
+        middle, count = stage.center + lowest * up, int(np.ceil(1.5 * stage.length / step))
+        ends, reached = np.arange(-count, count + 1) * step, count * step
+        lines = [[middle + s * right - reached * back, middle + s * right + reached * back] for s in ends]
+        lines += [[middle + s * back - reached * right, middle + s * back + reached * right] for s in ends]
+        places = _clipped(view, np.array(lines))
+    picture.axes.add_collection(LineCollection(list(places), colors=GRID, linewidths=0.7, zorder=0.5), autolim=False)
+
+
+def _clipped(view: View, lines: Floats) -> Floats:
+    """Of lines (n, 2, 3) in perspective the pieces before the viewer."""
+    parts = np.linspace(0.0, 1.0, 33)[:, None, None]
+    points = lines[None, :, 0] + parts * (lines[None, :, 1] - lines[None, :, 0])
+    places, depth, _ = view.seen(points)
+    assert view.eye is not None
+    ahead = depth < 0.9 * float(np.linalg.norm(view.eye - view.center))
+    pieces = np.stack([places[:-1], places[1:]], axis=2)
+    return np.asarray(pieces[ahead[:-1] & ahead[1:]])

@@ -1,0 +1,142 @@
+"""Pictures and films of a recorded motion as files: PNG, SVG, PDF, GIF."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from lagdsl.documents.plot.picture.draw import Drawn, draw, prepared, save_picture
+from lagdsl.documents.plot.picture.recording import Recording, record_motion, up_of
+from lagdsl.documents.plot.picture.stage import stage_of
+from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat.model import FlatModel
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+# Frames a second, and how long a film lasts; what is shorter is shown slowly, what is longer fast.
+_RATE = 16.0
+_SHORTEST, _LONGEST = 3.0, 10.0
+_COLORS = 96
+_DOTS = 75  # an inch: 480 pixels wide
+_MOST_BYTES = 4_000_000
+_ROWS = 401
+
+
+def write_picture(
+    flat: FlatModel,
+    wishes: Wishes,
+    path: Path | str,
+    times: Sequence[float] = (),
+    sink: Sink | None = None,
+    *,
+    pixels: int = 1280,
+) -> None:
+    """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide.
+
+    With one time at that time [s], else at the start; with several the last one in full and the others pale. Raises
+    CompilationFailed where there is no motion, ValueError for a time that is not part of it or a model without a place
+    to draw, ModuleNotFoundError without Matplotlib.
+    """
+    made = record_motion(flat, wishes, _ROWS, sink)
+    rows = _rows_at(made, times or [made.span[0]])
+    picture, stamps = _prepared(flat, made)
+    last = float(stamps[rows[-1]])
+    draw(picture, rows[-1], rows[:-1], caption=f"t = {last:.3g} s" if times else "")
+    save_picture(picture, path, pixels)
+
+
+def write_film(flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None) -> None:
+    """The machine as a GIF of at most 4 MB that plays again and again; raises as `write_picture`."""
+    t, end = _span(flat, wishes)
+    seconds = min(max(end - t, _SHORTEST), _LONGEST)
+    count = round(seconds * _RATE)
+    made = record_motion(flat, wishes, count + 1, sink)
+    picture, times = _prepared(flat, made)
+    picture.figure.set_dpi(_DOTS)
+    frames, shown = [], np.linspace(t, end, count + 1)
+    shown = shown[shown <= times[-1] + 1e-9 * (end - t)]
+    speed = _speed((end - t) / seconds)
+    for time in shown:
+        draw(picture, _row_at(times, float(time)), caption=f"t = {_digits(time, end - t)} s{speed}")
+        frames.append(_pixels(picture))
+    delay = 10 * round(100.0 / _RATE)
+    for every in (1, 2, 4):
+        data = _gif(frames[::every], every * delay)
+        if len(data) <= _MOST_BYTES:
+            break
+    Path(path).write_bytes(data)
+
+
+def _span(flat: FlatModel, wishes: Wishes) -> tuple[float, float]:
+    return flat.experiment.start_time, flat.experiment.stop_time if wishes.stop is None else wishes.stop
+
+
+def _speed(factor: float) -> str:
+    """Speed of the film over that of time, in words."""
+    if abs(factor - 1.0) < 0.05:
+        return ""
+    return f"  ({factor:.2g}× speed)"
+
+
+def _digits(time: float, length: float) -> str:
+    """So many that two frames differ."""
+    return f"{time:.{max(2 - math.floor(math.log10(length)), 0)}f}"
+
+
+def _prepared(flat: FlatModel, made: Recording) -> tuple[Drawn, Floats]:
+    """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
+    if all(shape.kind == "frame" for shape in made.scene.shapes):
+        raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
+    columns = made.motion.columns[len(made.motion.columns) - len(made.scene.columns) :]
+    table = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
+    stage = stage_of(made.scene, table, up_of(flat, made.scene))
+    return prepared(stage, flat.name), made.motion.time
+
+
+def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:
+    """Raises ValueError for a time that is not part of the motion."""
+    first, last = made.span[0], float(made.motion.time[-1])
+    for time in times:
+        if not first <= time <= last * (1.0 + 1e-12):
+            raise ValueError(f"the motion is from {first:g} s to {last:g} s: there is no picture at {time:g} s")
+    return [_row_at(made.motion.time, time) for time in times]
+
+
+def _row_at(times: Floats, time: float) -> int:
+    """The last row at a time, which is the one after an event."""
+    close = 1e-9 * float(times[-1] - times[0])
+    after = int(np.searchsorted(times, time + close, side="right"))
+    before = max(after - 1, 0)
+    return after if after < len(times) and abs(times[after] - time) < abs(times[before] - time) else before
+
+
+def _pixels(picture: Drawn) -> Image:
+    from PIL import Image
+
+    canvas: Any = picture.figure.canvas  # Matplotlib has no types for the canvas
+    canvas.draw()
+    return Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy(), "RGB")
+
+
+def _gif(frames: Sequence[Image], delay: int) -> bytes:
+    """One palette for all frames, so that what rests does not flicker; `delay` [ms]."""
+    from PIL import Image
+
+    width, height = frames[0].size
+    some = frames[:: max(1, len(frames) // 8)][:8]
+    sheet = Image.new("RGB", (width, height * len(some)))
+    for k, frame in enumerate(some):
+        sheet.paste(frame, (0, k * height))
+    palette = sheet.quantize(_COLORS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    first, *rest = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    data = io.BytesIO()
+    first.save(data, "GIF", save_all=True, append_images=rest, duration=delay, loop=0, optimize=False)
+    return data.getvalue()

@@ -1,0 +1,59 @@
+"""Coordinates that move nothing in the picture: a dial for an angle, a slide for any other, in a row below it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.documents.plot.picture.colors import color_of
+from lagdsl.documents.plot.picture.faces import Faces, Part, Words, cube, cylinder, matrix_of, placed, torus
+from lagdsl.documents.plot.picture.stage import Stage, gauges_of
+from lagdsl.foundation.numerics.rank import Floats
+
+_GRAY = (0.580, 0.639, 0.722)
+
+
+def gauges(stage: Stage, row: int) -> list[Part]:
+    """All of them, turned towards the viewer."""
+    numbers = gauges_of(stage.scene)
+    return [part for place, k in enumerate(numbers) for part in _gauge(stage, row, k, place, len(numbers))]
+
+
+def reach(stage: Stage) -> Floats:
+    """Points (n, 3) that the row of gauges takes."""
+    count = len(gauges_of(stage.scene))
+    right, up, _ = stage.axes
+    size = _size(stage)
+    places = [_place(stage, place, count) for place in range(count)]
+    corners = [at + size * (x * right + y * up) for at in places for x in (-1.2, 1.2) for y in (-1.6, 1.1)]
+    return np.array(corners).reshape(-1, 3)
+
+
+def _size(stage: Stage) -> float:
+    return 0.16 * stage.length
+
+
+def _place(stage: Stage, place: int, count: int) -> Floats:
+    right, up, _ = stage.axes
+    low = min(float(up @ stage.low), float(up @ stage.high)) - float(up @ stage.center)
+    down = stage.center + up * (low - 1.7 * _size(stage))
+    return np.asarray(down + right * (place - (count - 1) / 2.0) * 2.6 * _size(stage))
+
+
+def _gauge(stage: Stage, row: int, k: int, place: int, count: int) -> list[Part]:
+    shape = stage.scene.shapes[k]
+    column = dict(shape.numbers)["value"]
+    value = float(stage.rows[row, column])
+    at, size = _place(stage, place, count), _size(stage)
+    x, y, z = (axis * size for axis in stage.axes)
+    blue = color_of(shape)
+    name = Words(text=shape.name, at=at - 1.35 * y, size=0.4 * size)
+    if shape.kind == "dial":
+        own = matrix_of(np.cos(value) * x + np.sin(value) * y, np.cos(value) * y - np.sin(value) * x, z, at)
+        hand = np.asarray((cube() + np.array([0.0, 0.5, 0.0])) * [0.12, 1.0, 0.12])
+        ring = Faces(corners=placed(torus(0.05), matrix_of(x, y, z, at)), color=_GRAY)
+        pin = Faces(corners=placed(cylinder(), matrix_of(0.1 * x, 0.1 * y, 0.15 * z, at)), color=blue)
+        return [ring, Faces(corners=placed(hand, own), color=blue), pin, name]
+    most = float(np.max(np.abs(stage.rows[:, column]), initial=1e-12, where=np.isfinite(stage.rows[:, column])))
+    rail = placed(np.asarray(cube() * [2.2, 0.06, 0.06]), matrix_of(x, y, z, at))
+    carriage = placed(np.asarray(cube() * 0.5), matrix_of(x, y, z, at + x * (0.85 * value / most)))
+    return [Faces(corners=rail, color=_GRAY), Faces(corners=carriage, color=blue), name]

@@ -1,0 +1,137 @@
+"""The motion of a model with its scene: what pages and pictures show."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.scene.living import START, Living, living
+from lagdsl.derivation.scene.meshes import meshes_of
+from lagdsl.derivation.scene.shapes import Scene
+from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.listing import computed_outputs
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import Compilation, compile_flat, compile_observed
+from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.simulate import simulate
+
+
+@record(kw_only=True)
+class Prepared:
+    """A model with its scene among its outputs, compiled. Columns are those of the runtime's rows: discrete outputs are
+    discrete variables only."""
+
+    own: FlatModel
+    living: Living
+    compilation: Compilation
+    engine: Engine
+
+    @property
+    def scene(self) -> Scene:
+        return self.living.scene
+
+
+@record(kw_only=True)
+class Recording:
+    """A motion whose last columns are the scalars of the scene; `p` (np,) are its parameters, `span` its time [s] as it
+    was asked for, `ended` why it ended early, if it did."""
+
+    prepared: Prepared
+    p: Floats
+    span: tuple[float, float]
+    tolerance: float
+    motion: Trajectory
+    ended: str
+
+    @property
+    def scene(self) -> Scene:
+        return self.prepared.scene
+
+
+def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilation | None = None) -> Prepared:
+    """Start values that depend on parameters stay so, but for those named in `starts`. Where `flat` is compiled by the
+    graph, `compilation` is not made again."""
+    own = replace(flat, outputs=computed_outputs(flat))
+    shown = living(own, starts)
+    if compilation is not None and compilation.route == "graph":
+        made = compile_observed(compilation, shown.flat)
+    else:
+        found = compile_flat(shown.flat, Sink())
+        assert found is not None, "a model that compiles does so with further outputs"
+        made = found
+    return Prepared(own=own, living=shown, compilation=made, engine=engine_of(made.program))
+
+
+def record_motion(
+    flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None, compilation: Compilation | None = None
+) -> Recording:
+    """`recorded` of a model that is compiled for it, from its `compilation` if there is one."""
+    return recorded(prepare(flat, wishes.start, compilation), wishes, rows, sink)
+
+
+def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
+    """The motion with `rows` rows of equal distance, and two at the time of an event.
+
+    Notes of the run and of meshes go to `sink`, and so do the errors of a run that ends early: the motion so far is
+    the result. Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
+    """
+    meshes_of(prepared.scene.shapes, sink)
+    experiment = prepared.own.experiment
+    p = parameters_of(prepared.engine.layout, wishes)
+    t = experiment.start_time
+    end = experiment.stop_time if wishes.stop is None else wishes.stop
+    tolerance = experiment.tolerance if wishes.tolerance is None else wishes.tolerance
+    ended = ""
+    try:
+        motion = simulate(
+            prepared.engine,
+            prepared.compilation.flat,
+            stop=end,
+            interval=(end - t) / (rows - 1),
+            tolerance=tolerance,
+            p=p,
+            inputs=wishes.inputs,
+            sink=sink,
+        )
+    except SimulationFailed as failure:
+        told = Sink() if sink is None else sink
+        for diagnostic in failure.diagnostics:
+            told.add(diagnostic)
+        motion, ended = failure.trajectory, failure.diagnostics[0].message
+    return Recording(prepared=prepared, p=p, span=(t, end), tolerance=tolerance, motion=motion, ended=ended)
+
+
+def parameters_of(layout: Layout, wishes: Wishes) -> Floats:
+    """The independent parameters (np,) of a living model, start values among them."""
+    names = [slot.name for slot in layout.parameters]
+    p = np.array(layout.defaults, dtype=np.float64)
+    starts = {name + START: value for name, value in wishes.start.items()}
+    for name, value in {**wishes.parameters, **starts}.items():
+        p[names.index(name)] = value
+    return p
+
+
+def up_of(model: FlatModel, scene: Scene) -> list[float]:
+    """Against gravity at the start; y in planar pictures, z without gravity."""
+    if scene.planar:
+        return [0.0, 1.0, 0.0]
+    if model.gravity is not None:
+        try:
+            g = Evaluator(model, Values()).vector(model.gravity)
+        except NotEvaluable:
+            return [0.0, 0.0, 1.0]
+        size = math.sqrt(float(g @ g))
+        if math.isfinite(size) and size > 0.0:
+            return [float(-x / size) for x in g]
+    return [0.0, 0.0, 1.0]

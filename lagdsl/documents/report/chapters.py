@@ -1,0 +1,215 @@
+"""Chapters of a machine that is too large to be written out: how its frames follow each other, the energy of each body,
+and the equations of motion in numbers where the motion starts. Like links of a chain are one row with an index."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import assert_never
+
+import numpy as np
+
+from lagdsl.derivation.textbook.familiar import Familiar
+from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright
+from lagdsl.documents.report.boxes import Number as Digits
+from lagdsl.documents.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
+from lagdsl.documents.report.notation import dotted
+from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.language.flat.expression import FlatExpression, Number, Variable
+from lagdsl.language.flat.expression_text import flat_expression_text
+from lagdsl.language.flat.model import (
+    FlatModel,
+    Frame,
+    FrameStep,
+    Move,
+    Place,
+    Rotate,
+    RotateAbout,
+    RotateQuaternion,
+    SetAxes,
+)
+
+_MOST = 16
+_LARGEST_MATRIX = 8
+_INDEX = re.compile(r"([A-Za-z_]\w*)\[(\d+)\]")
+_KINEMATICS = (
+    "From the world to each frame: turns are about the axes of the frame itself, displacements along them. Rates "
+    "follow from frame to frame, with the turn q about n and the way s along n:"
+)
+_ENERGIES = (
+    "The energies of masses and bodies, each with its own velocity and its own axes, and those that are declared:"
+)
+_DECLARED_ENERGIES = "The energies that are declared:"
+_NUMBERS = "Where the motion starts, in SI units and in the order of the coordinates, with the declared start values:"
+
+
+def kinematics(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+    """Each frame that turns or moves, as it follows from the one that carries it."""
+    zeros = frozenset(familiar.zeros)
+    frames = [item for item in familiar.flat.named if isinstance(item, Frame)]
+    moved = {"world": "world"}
+    rows = []
+    for frame in frames:
+        parent = moved.get(frame.parent, frame.parent)
+        moved[frame.name] = frame.name if frame.steps else parent
+        if frame.steps:
+            rows.append((frame.name, parent, ", ".join(_step(step, zeros) for step in frame.steps)))
+    if not rows:
+        return []
+    spin, speed, turn, way = letter("ω"), letter("v"), Name("q"), Name("s")
+    a, b, n = Upright("a"), Upright("b"), Name("n")
+    arm = Row((Subscript(letter("r"), Row((a, b))),))
+    carried = Sum(
+        (
+            ("+", Subscript(speed, a)),
+            ("+", Row((Subscript(spin, a), Operator("×"), arm))),
+            ("+", Row((dotted(way, 1), n))),
+        )
+    )
+    turned = Sum((("+", Subscript(spin, a)), ("+", Row((dotted(turn, 1), n)))))
+    return [
+        Heading("Kinematics"),
+        Paragraph(text(_KINEMATICS)),
+        Equations((Equation(Subscript(spin, b), turned), Equation(Subscript(speed, b), carried))),
+        *_table(("frame b", "carried by a", "steps"), rows),
+    ]
+
+
+def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+    """T and V as sums over masses and bodies, with what each of them has."""
+    flat, zeros = familiar.flat, frozenset(familiar.zeros)
+    rows = [
+        (f"mass {n}", _text(item.mass, zeros), _text(item.position, zeros), "")
+        for n, item in enumerate(flat.masses, start=1)
+    ]
+    for body in flat.bodies:
+        inertia = [_text(each, zeros) for each in body.inertia]
+        shown = inertia if any(each != "0" for each in inertia[3:]) else inertia[:3]
+        center = ", ".join(_text(each, zeros) for each in body.com)
+        place = body.frame if set(center) <= set("0, ") else f"{body.frame}.point({{{center}}})"
+        rows.append((body.label or body.frame, _text(body.mass, zeros), place, ", ".join(shown)))
+    if not rows and not flat.energies:
+        return []
+    declared = [(term.kind, flat_expression_text(term.value)[:100]) for term in flat.energies]
+    return [
+        Heading("Energies"),
+        Paragraph(text(_ENERGIES if rows else _DECLARED_ENERGIES)),
+        *([Equations(_forms(flat, letter))] if rows else []),
+        *_table(("T of", "mass", "center", "moments of inertia"), rows),
+        *_table(("kind of energy", "value"), declared),
+    ]
+
+
+def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
+    """T of each carrier, and the sums over all."""
+    i, half = Upright("i"), Digits("½")
+    v, w = (Subscript(letter(each), i) for each in ("v", "ω"))
+    m, tensor = (Subscript(Name(each), i) for each in ("m", "I"))
+    sigma, dot = Upright("Σ"), Operator("·")
+    own = Sum((("+", Row((half, m, v, dot, v))), ("+", Row((half, w, dot, tensor, w)))))
+    kinetic = Equation(Subscript(letter("T"), i), own)
+    whole = Equation(letter("T"), Row((sigma, Subscript(letter("T"), i))))
+    lines = [kinetic, whole]
+    if flat.gravity is not None:
+        fall = Row((sigma, m, Name("𝐠"), dot, Subscript(letter("r"), i)))
+        lines.append(Equation(letter("V"), Sum((("-", fall),))))
+    return tuple(lines)
+
+
+def at_the_start(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+    """M and f in numbers, where they fit a page; nothing where the model does not compile."""
+    from lagdsl.engines.runtime.engines.selection import engine_of
+    from lagdsl.motion.pipeline import compile_flat
+
+    count = len(familiar.flat.coordinates)
+    if count > _LARGEST_MATRIX:
+        return []
+    try:
+        made = compile_flat(familiar.flat, Sink())
+    except CompilationFailed:
+        return []
+    if made is None:
+        return []
+    engine = engine_of(made.program)
+    t, p = familiar.flat.experiment.start_time, np.array(engine.layout.defaults, dtype=np.float64)
+    q, qd, z, u = engine.evaluate("start", t, p)[:4]
+    w = np.zeros(len(engine.layout.discretes))
+    mass, forcing = engine.evaluate("dynamics", t, q, qd, z, u, w, p)[:2]
+    entries = tuple(tuple(_number(value) for value in row) for row in mass.reshape(count, count).tolist())
+    column = Column(tuple(_number(value) for value in forcing.tolist()))
+    return [
+        Paragraph(text(_NUMBERS)),
+        Equations((Equation(letter("M"), Matrix(entries)), Equation(letter("f"), column))),
+    ]
+
+
+def _number(value: float) -> Box:
+    shown = f"{abs(value):.4g}" if abs(value) > 1e-12 else "0"
+    return Sum((("-", Digits(shown)),)) if value < 0 and shown != "0" else Digits(shown)
+
+
+def _step(step: FrameStep, zeros: frozenset[str]) -> str:
+    """In the words of the language."""
+    match step:
+        case Rotate(axis, angle):
+            return f"rot{'xyz'[axis]}({_text(angle, zeros)})"
+        case RotateAbout(axis, angle):
+            return f"rotate({_vector(axis, zeros)}, {_text(angle, zeros)})"
+        case RotateQuaternion(e):
+            return f"rotate({_vector(e, zeros)})"
+        case SetAxes():
+            return "axes that are given"
+        case Move(offset):
+            return f"move({_vector(offset, zeros)})"
+        case Place(position):
+            return f"at({_text(position, zeros)})"
+        case _:
+            assert_never(step)
+
+
+def _vector(components: Iterable[FlatExpression], zeros: frozenset[str]) -> str:
+    return "{" + ", ".join(_text(each, zeros) for each in components) + "}"
+
+
+def _text(expression: FlatExpression, zeros: frozenset[str]) -> str:
+    if isinstance(expression, Variable) and expression.name in zeros:
+        return "0"
+    if isinstance(expression, Number):
+        return f"{expression.value:.6g}"
+    words = flat_expression_text(expression)
+    return words if len(words) <= 100 else words[:99] + "…"
+
+
+def _table(header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[Block]:
+    """At most a page; like rows together."""
+    if not rows:
+        return []
+    shown = rolled(rows)
+    more = len(shown) - _MOST
+    cells: list[tuple[Inline, ...]] = [tuple((Code(c),) if c else () for c in row) for row in shown[:_MOST]]
+    blocks: list[Block] = [Table(header, tuple(cells))]
+    return [*blocks, Paragraph(text(f"… and {more} more."))] if more > 0 else blocks
+
+
+def rolled(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """Rows that differ by an index k alone as one, with `[k]`, `[k-1]` and the range of k in the first cell."""
+    found: dict[tuple[str, ...], list[tuple[int, tuple[str, ...]]]] = {}
+    for row in rows:
+        first = next(filter(None, map(_INDEX.search, row)), None)
+        if first is None:
+            found.setdefault(row, []).append((0, row))
+            continue
+        array, index = first.group(1), int(first.group(2))
+        same, before = f"{array}[{index}]", f"{array}[{index - 1}]"
+        pattern = tuple(cell.replace(same, f"{array}[k]").replace(before, f"{array}[k-1]") for cell in row)
+        found.setdefault(pattern, []).append((index, row))
+    result = []
+    for pattern, members in found.items():
+        indices = [index for index, _ in members]
+        if len(members) == 1:
+            result.append(members[0][1])
+            continue
+        together = indices == list(range(indices[0], indices[-1] + 1))
+        span = f"{indices[0]}…{indices[-1]}" if together else ", ".join(str(index) for index in indices)
+        result.append((f"{pattern[0]}, k = {span}", *pattern[1:]))
+    return result

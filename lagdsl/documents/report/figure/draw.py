@@ -1,0 +1,315 @@
+"""From the machine at its start to marks: parts by the rules of the scene, coordinates, loads, admissible motions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from lagdsl.derivation.scene.living import scene_of
+from lagdsl.derivation.scene.shapes import Scene
+from lagdsl.documents.report.boxes import Box, Derivative
+from lagdsl.documents.report.figure.drawn_model import DrawnModel
+from lagdsl.documents.report.figure.labels import labelled
+from lagdsl.documents.report.figure.lettering import width
+from lagdsl.documents.report.figure.outlines import outlines
+from lagdsl.documents.report.figure.pose import Pose, pose
+from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Place, Role, Stroke, Style
+from lagdsl.documents.report.names import indexed
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+
+_WIDTH = 420.0
+_BESIDE, _ABOVE = 62.0, 26.0
+_HIGHEST = 420.0
+_MOST_LABELS = 8
+_MOST_ARROWS = 24
+_MOST_COORDINATES = 8
+_MOST_NAMES = 12
+_LONGEST_NAME = 72.0
+_LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coordinate": 0.25}
+_LINES: dict[str, Style] = {"rod": "rod", "rope": "thin", "spring": "thin", "damper": "thin", "slider": "thin"}
+
+
+@dataclass
+class _Sheet:
+    """Marks in the plane of the picture, in meters; `project` takes places in space to it."""
+
+    project: Callable[[Floats], Floats]
+    size: float = 1.0
+    strokes: list[tuple[list[Floats], Style]] = field(default_factory=list)
+    balls: list[tuple[Floats, float, bool]] = field(default_factory=list)
+    arrows: list[tuple[list[Floats], Role, Box | None, int]] = field(default_factory=list)
+    names: list[tuple[Floats, Box]] = field(default_factory=list)
+
+    def stroke(self, points: Sequence[Floats], style: Style) -> None:
+        self.strokes.append(([self.project(point) for point in points], style))
+
+    def arrow(self, points: Sequence[Floats], role: Role, label: Box | None, number: int = 0) -> None:
+        self.arrows.append(([self.project(point) for point in points], role, label, number))
+
+
+def figure(drawn: DrawnModel) -> Figure | None:
+    """None for a model without a mass that a coordinate moves, and where its start is not known."""
+    flat = drawn.flat
+    found = pose(flat)
+    if found is None:
+        return None
+    places = [place for each in found.carriers if (place := found.vector(each)) is not None]
+    if not places or not any(_moved(found, item.name) for item in flat.coordinates):
+        return None
+    scene = scene_of(flat)
+    sheet = _Sheet(_projection(flat, scene.planar))
+    _parts(sheet, found, scene)
+    _masses(sheet, found)
+    shown = [point for points, _ in sheet.strokes for point in points] + [place for place, _, _ in sheet.balls]
+    spread = np.ptp(np.array(shown), axis=0)
+    sheet.size = float(max(spread)) or 1.0
+    if drawn.in_full:
+        _motions(sheet, found, drawn)
+        _weights(sheet, found, drawn)
+    else:
+        _names(sheet, found, drawn)
+    for number, item in enumerate(flat.coordinates[:_MOST_COORDINATES]):
+        _coordinate(sheet, found, drawn.coordinates[number], item, number)
+    _loads(sheet, found, drawn)
+    return _placed(sheet, f"{flat.name} where its motion starts")
+
+
+def _projection(flat: fm.FlatModel, planar: bool) -> Callable[[Floats], Floats]:
+    """The plane itself, or a parallel view from above and aside with the vertical upward."""
+    if planar:
+        return lambda point: point[:2]
+    up = _up(flat)
+    first = np.eye(3)[0] if abs(up[0]) < 0.9 else np.eye(3)[1]
+    first = first - (first @ up) * up
+    first /= np.linalg.norm(first)
+    towards = 0.5 * first + 0.4 * up + 0.77 * np.cross(first, up)
+    towards /= np.linalg.norm(towards)
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    turn = np.array([right, np.cross(towards, right)])
+    return lambda point: np.asarray(turn @ point)
+
+
+def _up(flat: fm.FlatModel) -> Floats:
+    down = _gravity(flat)
+    return np.array([0.0, 0.0, 1.0]) if down is None else -down
+
+
+def _gravity(flat: fm.FlatModel) -> Floats | None:
+    """Its direction; None without gravity."""
+    if flat.gravity is None:
+        return None
+    try:
+        found = Evaluator(flat, Values()).vector(flat.gravity)
+    except NotEvaluable:
+        return None
+    size = float(np.linalg.norm(found))
+    return found / size if np.isfinite(size) and size > 0.0 else None
+
+
+def _parts(sheet: _Sheet, found: Pose, scene: Scene) -> None:
+    def value(column: int, count: int) -> Floats | None:
+        parts = scene.columns[column : column + count]
+        padded = (*parts, *(fx.Number(0.0) for _ in range(3 - count)))
+        return found.vector(fx.Vector(*padded)) if len(padded) == 3 else None
+
+    for shape in scene.shapes:
+        numbers = dict(shape.numbers)
+        place, end, normal = (value(numbers[r], 3) if r in numbers else None for r in ("at", "to", "normal"))
+        if place is None:
+            continue
+        if end is not None and shape.kind in _LINES:
+            sheet.stroke(_zigzag(place, end) if shape.kind == "spring" else [place, end], _LINES[shape.kind])
+        elif shape.kind == "ground" and normal is not None and np.linalg.norm(normal) > 0:
+            along = np.cross(normal / np.linalg.norm(normal), [0.0, 0.0, 1.0])
+            sheet.stroke([place - along, place + along], "ground")
+        else:
+            for points in outlines(shape, value):
+                sheet.stroke(points, "outline")
+
+
+def _zigzag(start: Floats, end: Floats) -> list[Floats]:
+    way = end - start
+    length = float(np.linalg.norm(way))
+    side = np.cross(way, [0.0, 0.0, 1.0])
+    if np.linalg.norm(side) < 1e-9 * length or length == 0.0:
+        side = np.array([length, 0.0, 0.0])
+    side *= 0.05 * length / max(float(np.linalg.norm(side)), 1e-300)
+    inner = [start + way * (0.15 + 0.7 * (k + 0.5) / 10) + side * (-1) ** k for k in range(10)]
+    return [start, start + 0.15 * way, *inner, start + 0.85 * way, end]
+
+
+def _masses(sheet: _Sheet, found: Pose) -> None:
+    points = len(found.flat.masses)
+    for number, expression in enumerate(found.carriers):
+        place = found.vector(expression)
+        if place is not None:
+            sheet.balls.append((sheet.project(place), 5.0 if number < points else 6.0, number >= points))
+    for body in found.flat.bodies:
+        origin, center = (
+            found.vector(fx.FrameOrigin(body.frame)),
+            found.carriers[points + found.flat.bodies.index(body)],
+        )
+        middle = found.vector(center)
+        if origin is not None and middle is not None and np.linalg.norm(middle - origin) > 0:
+            sheet.stroke([origin, middle], "outline")
+
+
+def _moved(found: Pose, coordinate: str) -> list[tuple[int, fx.FlatExpression, Floats]]:
+    """Masses that a coordinate moves, with the derivatives of their places."""
+    rates = ((k, each, found.rate(each, coordinate)) for k, each in enumerate(found.carriers))
+    return [(k, each, rate) for k, each, rate in rates if rate is not None and np.linalg.norm(rate) > 1e-9]
+
+
+def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    """The masses and bodies of a machine without admissible motions, if they are few."""
+    if len(found.carriers) > _MOST_NAMES:
+        return
+    for expression, label in zip(found.carriers, drawn.carriers, strict=True):
+        place = found.vector(expression)
+        if place is not None and width(label) <= _LONGEST_NAME:
+            sheet.names.append((sheet.project(place), label))
+
+
+def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    """∂r/∂q of every mass that a coordinate moves; arrows of one coordinate have one scale."""
+    moved = [(number, item, _moved(found, item.name)) for number, item in enumerate(drawn.flat.coordinates)]
+    count = sum(len(each) for _, _, each in moved)
+    if count > _MOST_ARROWS:
+        return
+    for number, item, own in moved:
+        longest = max((float(np.linalg.norm(rate)) for _, _, rate in own), default=1.0)
+        q = drawn.coordinates[number]
+        for k, expression, rate in own:
+            place = found.vector(expression)
+            if place is None or item.name not in found.values:
+                continue
+            few = count <= _MOST_LABELS
+            label = Derivative("∂", indexed(drawn.letter("r"), drawn.carriers[k]), q) if few else None
+            end = place + rate / longest * _LENGTHS["motion"] * sheet.size
+            sheet.arrow([place, end], "motion", label, number)
+
+
+def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, number: int) -> None:
+    """The way of the first mass from the zero of the coordinate: an arc about its center, or a line beside it."""
+    own = _moved(found, item.name)
+    value = found.values[item.name]
+    if not own:
+        _turning(sheet, found, item, label, number)
+        return
+    _, expression, rate = own[0]
+    place, speed = found.vector(expression), float(np.linalg.norm(rate))
+    curve = _curvature(found, expression, item.name)
+    if place is None:
+        return
+    if item.unit == "rad" and curve is not None and abs(np.linalg.norm(curve) - speed) < 1e-2 * speed:
+        center = place + curve
+        begin = 0.0 if 0.12 < abs(value) < 6.3 else value
+        last = value if begin == 0.0 else value + 0.6
+        ways = [found.along(expression, item.name, s - value) for s in np.linspace(begin, last, 25)]
+        points = [center + (0.42 + 0.08 * (number % 3)) * (each - center) for each in ways if each is not None]
+        start = found.along(expression, item.name, begin - value)
+        if start is not None and begin == 0.0:
+            sheet.stroke([center, center + 0.7 * (start - center)], "reference")
+        sheet.arrow(points, "coordinate", label, number)
+        return
+    begin_at = found.along(expression, item.name, -value)
+    long = begin_at is not None and np.linalg.norm(place - begin_at) > 0.08 * sheet.size
+    start = begin_at if long and begin_at is not None else place
+    end = place if long else place + rate / speed * _LENGTHS["coordinate"] * sheet.size
+    side = np.cross(end - start, [0.0, 0.0, 1.0])
+    size = float(np.linalg.norm(side))
+    shift = side / size * (0.07 + 0.05 * number) * sheet.size if size > 0 else np.zeros(3)
+    sheet.stroke([start, start + 1.15 * shift], "reference")
+    sheet.arrow([start + shift, end + shift], "coordinate", label, number)
+
+
+def _curvature(found: Pose, expression: fx.FlatExpression, coordinate: str) -> Floats | None:
+    """Second derivative of the place, by differences."""
+    behind, middle, ahead = (found.along(expression, coordinate, step) for step in (-1e-3, 0.0, 1e-3))
+    if behind is None or middle is None or ahead is None:
+        return None
+    return (ahead - 2 * middle + behind) / 1e-6
+
+
+def _turning(sheet: _Sheet, found: Pose, item: fm.Coordinate, label: Box, number: int) -> None:
+    """An arc about the mass centre of the first body that the coordinate turns in its place."""
+    for body, center in zip(found.flat.bodies, found.carriers[len(found.flat.masses) :], strict=True):
+        axes = [found.vector(fx.FrameAxis(body.frame, axis)) for axis in range(3)]
+        rates = [found.rate(fx.FrameAxis(body.frame, axis), item.name) for axis in range(3)]
+        place = found.vector(center)
+        if place is None or any(each is None for each in (*axes, *rates)):
+            continue
+        spin = 0.5 * sum((np.cross(a, r) for a, r in zip(axes, rates, strict=True)), np.zeros(3))  # type: ignore[arg-type]
+        if np.linalg.norm(spin) < 1e-9:
+            continue
+        normal = spin / np.linalg.norm(spin)
+        first = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
+        first *= (0.14 + 0.05 * number) * sheet.size / np.linalg.norm(first)
+        arc = [place + np.cos(s) * first + np.sin(s) * np.cross(normal, first) for s in np.linspace(0.0, 1.8, 20)]
+        sheet.arrow(arc, "coordinate", label, number)
+        return
+
+
+def _loads(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    """Forces that have a place; those of a long list without names."""
+    for load in drawn.forces:
+        at, force = found.vector(load.place), found.vector(load.force)
+        if at is None or force is None or np.linalg.norm(force) == 0.0:
+            continue
+        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size * load.sign
+        sheet.arrow([at, at + way], "load", load.label if len(drawn.forces) <= _MOST_LABELS else None)
+
+
+def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
+    down = _gravity(drawn.flat)
+    if down is None:
+        return
+    few = len(found.carriers) <= _MOST_LABELS
+    for expression, label in zip(found.carriers, drawn.weights, strict=True):
+        place = found.vector(expression)
+        if place is not None:
+            way = [place, place + down * _LENGTHS["weight"] * sheet.size]
+            sheet.arrow(way, "weight", label if few else None)
+
+
+def _placed(sheet: _Sheet, words: str) -> Figure:
+    """The sheet in points of a page; ground lines do not count for its extent, they reach its edges."""
+    places = [point for points, style in sheet.strokes if style != "ground" for point in points]
+    places += [place for place, _, _ in sheet.balls]
+    places += [point for points, _, _, _ in sheet.arrows for point in points]
+    low, high = np.min(np.array(places), axis=0), np.max(np.array(places), axis=0)
+    spread = np.maximum(high - low, 0.25 * float(max(*(high - low), 1e-9)))
+    middle = (low + high) / 2
+    scale = min((_WIDTH - 2 * _BESIDE) / spread[0], (_HIGHEST - 2 * _ABOVE) / spread[1])
+    height = float(spread[1] * scale + 2 * _ABOVE)
+
+    def at(place: Floats) -> Place:
+        x, y = (place - middle) * scale + np.array([_WIDTH, height]) / 2
+        return (round(float(x), 1), round(float(y), 1))
+
+    marks: list[Stroke | Ball] = []
+    for points, style in sheet.strokes:
+        marks.append(
+            Stroke(_across(at(points[0]), at(points[1])) if style == "ground" else tuple(map(at, points)), style)
+        )
+    marks += [Ball(at(place), radius, hollow) for place, radius, hollow in sheet.balls]
+    names = [Caption(place, label, place) for place, label in ((at(place), label) for place, label in sheet.names)]
+    pointing = []
+    for points, role, label, number in sheet.arrows:
+        own = tuple(map(at, points))
+        pointing.append(Arrow(own, role, label, own[-1], number))
+    return Figure(_WIDTH, round(height, 1), labelled((*marks, *names, *pointing), _WIDTH, height), words)
+
+
+def _across(a: Place, b: Place) -> tuple[Place, ...]:
+    """A line through two places from edge to edge of the picture."""
+    way = np.array(b) - np.array(a)
+    size = float(np.linalg.norm(way)) or 1.0
+    ends = (np.array(a) + sign * way / size * _WIDTH for sign in (-1.0, 1.0))
+    return tuple((round(float(x), 1), round(float(y), 1)) for x, y in ends)

@@ -1,0 +1,83 @@
+"""The machine where its motion starts: positions of masses, and how they change with one coordinate at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import compile_flat
+
+_STEP = 1e-4
+
+
+@dataclass(frozen=True)
+class Pose:
+    """`carriers` are the positions of masses, then of the mass centres of bodies, as expressions."""
+
+    flat: FlatModel
+    values: Mapping[str, float]
+    carriers: tuple[fx.FlatExpression, ...]
+
+    def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] | None = None) -> Floats | None:
+        """Components [SI]; None where there is no finite value."""
+        try:
+            found = Evaluator(self.flat, Values(variables={**self.values, **(moved or {})})).vector(expression)
+        except NotEvaluable:
+            return None
+        return found if bool(np.all(np.isfinite(found))) else None
+
+    def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats | None:
+        """Place with one coordinate changed `by` so much, the others held."""
+        return self.vector(expression, {coordinate: self.values[coordinate] + by})
+
+    def rate(self, expression: fx.FlatExpression, coordinate: str) -> Floats | None:
+        """Derivative by a coordinate, by central differences: four digits are more than a drawing has."""
+        behind, ahead = (self.along(expression, coordinate, sign * _STEP) for sign in (-1.0, 1.0))
+        return None if behind is None or ahead is None else (ahead - behind) / (2 * _STEP)
+
+
+def pose(flat: FlatModel) -> Pose | None:
+    """At the start values, with constraints at the nearest consistent ones; None where there is no start."""
+    own = Evaluator(flat, Values())
+    try:
+        values = {item.name: own.scalar(item.start) for item in flat.coordinates}
+        values |= {item.name: own.scalar(item.default) for item in flat.inputs}
+    except NotEvaluable:
+        return None
+    if flat.constraints or flat.initial_equations:
+        found = _consistent(flat)
+        if found is None:
+            return None
+        values |= found
+    if not all(np.isfinite(value) for value in values.values()):
+        return None
+    bodies = tuple(_mass_center(body.frame, body.com) for body in flat.bodies)
+    return Pose(flat, values, (*(mass.position for mass in flat.masses), *bodies))
+
+
+def _consistent(flat: FlatModel) -> dict[str, float] | None:
+    from lagdsl.engines.runtime.engines.selection import engine_of
+    from lagdsl.motion.simulate.initialize import initial_state
+
+    try:
+        made = compile_flat(flat, Sink())
+        if made is None:
+            return None
+        start = initial_state(flat, engine_of(made.program))
+    except CompilationFailed:
+        return None
+    return dict(zip((item.name for item in flat.coordinates), start.q.tolist(), strict=True))
+
+
+def _mass_center(frame: str, com: tuple[fx.FlatExpression, ...]) -> fx.FlatExpression:
+    place: fx.FlatExpression = fx.FrameOrigin(frame)
+    for axis, part in enumerate(com):
+        place = fx.Binary("+", place, fx.Binary("*", part, fx.FrameAxis(frame, axis)))
+    return place

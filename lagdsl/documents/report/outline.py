@@ -1,0 +1,138 @@
+"""The report of a model too large to be written out: its declared parts and the form of its equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from sympy import Symbol
+
+from lagdsl.derivation.textbook.recipe import Recipe
+from lagdsl.derivation.textbook.symbols import symbols
+from lagdsl.documents.report.boxes import (
+    Box,
+    Bracket,
+    Derivative,
+    Dotted,
+    Number,
+    Operator,
+    Power,
+    Row,
+    Subscript,
+    Sum,
+    Upright,
+)
+from lagdsl.documents.report.chapters import at_the_start, energies, kinematics
+from lagdsl.documents.report.document import (
+    Block,
+    Bullets,
+    Code,
+    Equation,
+    Equations,
+    Heading,
+    Inline,
+    Math,
+    Paragraph,
+    Table,
+    Text,
+    text,
+)
+from lagdsl.documents.report.names import letters_note, own_name, owned_statement, statement
+from lagdsl.documents.report.notation import Notation, notation
+from lagdsl.documents.report.sections.in_symbols import in_symbols
+from lagdsl.documents.report.sections.instants import event_list
+from lagdsl.documents.report.sections.system import machine
+from lagdsl.documents.report.unit_text import unit_of
+from lagdsl.language.flat.model import Constraint, FlatModel
+from lagdsl.language.flat.quantity import Item
+
+_MOST = 12
+_SHORT_ONES = "the short equations in symbols, "
+
+
+def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
+    """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole."""
+    familiar, flat, short = recipe.familiar, recipe.flat, recipe.short
+    named = () if short is None else (*short.dependent_parameters, *short.definitions)
+    rows = tuple(row for each in flat.constraints for row in each.rows)
+    signs = notation(flat, symbols(flat), tuple(symbol for symbol, _ in named), rows)
+    letter = signs.letter
+    reasons = "; ".join(recipe.extent.reasons)
+    opening: list[Block] = [
+        Paragraph(
+            text(
+                f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
+                f"kinematics, energies, loads, constraints, {'' if short is None else _SHORT_ONES}and the equations in "
+                "numbers where the motion starts."
+            )
+        )
+    ]
+    blocks = machine(flat, signs) if drawn else []
+    blocks += _coordinates(flat, signs)
+    blocks += kinematics(familiar, letter)
+    blocks += energies(familiar, letter)
+    blocks += _parts("Masses and bodies", [*flat.masses, *flat.bodies])
+    blocks += _parts("Loads", flat.loads)
+    blocks += _parts("Constraints", [each for each in flat.constraints if not each.of_law])
+    blocks += _parts("Contacts", flat.events.contacts)
+    blocks += _parts("Dry friction", flat.events.frictions)
+    blocks += event_list(flat)
+    blocks += _equations(flat, letter, signs.of(symbols(flat).time))
+    blocks += [] if short is None else in_symbols(flat, short, signs)
+    blocks += at_the_start(familiar, letter)
+    return (*opening, *letters_note(signs), *blocks)
+
+
+def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
+    shown = flat.coordinates[:_MOST]
+    rows: list[tuple[Inline, ...]] = [
+        (
+            (Math(signs.of(Symbol(c.name))),),
+            own_name(signs.of(Symbol(c.name)), c.name),
+            text(unit_of(c)),
+            text(c.doc or ""),
+        )
+        for c in shown
+    ]
+    more = len(flat.coordinates) - len(shown)
+    blocks: list[Block] = [
+        Heading("Coordinates"),
+        Table(("coordinate", "in the model", "unit", "meaning"), tuple(rows)),
+    ]
+    return [*blocks, Paragraph(text(f"… and {more} more."))] if more else blocks
+
+
+def _parts(title: str, items: Sequence[Item]) -> list[Block]:
+    """The user's own statements; a statement in a loop is shown once, with how often it stands for an item."""
+    if not items:
+        return []
+    counts: dict[str, int] = {}
+    for item in items:
+        words = (statement if isinstance(item, Constraint) else owned_statement)(item, type(item).__name__)
+        counts[words] = counts.get(words, 0) + 1
+    entries: list[Inline] = [
+        (Code(words), Text(f" ({number} times)")) if number > 1 else (Code(words),)
+        for words, number in list(counts.items())[:_MOST]
+    ]
+    more = len(counts) - len(entries)
+    return [Heading(title), Bullets((*entries, text(f"… and {more} more.")) if more else tuple(entries))]
+
+
+def _equations(flat: FlatModel, letter: Callable[[str], Box], time: Box) -> list[Block]:
+    q, p, lagrangian = letter("q"), letter("p"), letter("L")
+    qd, qdd = Dotted(q, 1), Dotted(q, 2)
+    terms: list[tuple[str, Box]] = [("+", Row((letter("M"), qdd)))]
+    if flat.constraints:
+        terms.append(("-", Row((Power(letter("J"), Upright("T")), letter("λ")))))
+    bias = Subscript(Bracket(Derivative("d", p, time)), Row((qdd, Operator("="), Number("0"))))
+    drag, gradient = Derivative("∂", letter("D"), qd), Derivative("∂", lagrangian, q)
+    force = Sum((("+", letter("Q")), ("-", drag), ("+", gradient), ("-", bias)))
+    left = Sum(tuple(("-" if sign == "-" else "+", box) for sign, box in terms))
+    lines = [
+        Equation(left, letter("f"), final=True),
+        Equation(p, Derivative("∂", lagrangian, qd)),
+        Equation(letter("M"), Derivative("∂", p, qd)),
+        Equation(letter("f"), force),
+    ]
+    if flat.constraints:
+        lines.append(Equation(Row((letter("J"), qdd)), letter("γ"), final=True))
+    return [Heading("Form of the equations"), Equations(tuple(lines))]

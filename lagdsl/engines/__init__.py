@@ -1,0 +1,1 @@
+"""Programs that run: generated modules, the C runtime."""

@@ -1,0 +1,159 @@
+"""One function of a program as words of a tape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+
+import numpy as np
+
+from lagdsl.algebra.graph.operation import FIRST_UNARY, Group, Op
+from lagdsl.engines.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
+from lagdsl.engines.backends.tape.nodes import Flags, Ints, Nodes, distinct
+from lagdsl.engines.backends.tape.registers import places
+from lagdsl.engines.backends.tape.schedule import groups
+from lagdsl.engines.backends.tape.selection import Selection, select
+from lagdsl.engines.backends.tape.settled import MINUS_ONE, ONE, Settled
+
+# Results with so many zeros are cleared before the others are written.
+_FEWEST_ZEROS = 8
+
+
+def words_of(
+    nodes: Nodes, live: Ints, blocks: Sequence[Ints], settled: Settled, kept: Ints | None = None
+) -> tuple[Ints, int]:
+    """The instructions that fill the result arrays `blocks`, which are computed from the nodes `live`, and the length
+    of the row that they need.
+
+    The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
+    """
+    kept = _NONE if kept is None else kept
+    live = live[~settled.hidden[live]]
+    known = settled.place[live]
+    at_hand = known >= 0
+    own = np.searchsorted(live, kept)
+    places = settled.first - len(kept) + np.arange(len(kept))
+    computed = nodes.op[kept] >= FIRST_UNARY
+    known[own[computed]] = places[computed]
+    results = distinct(len(live), own, *(np.searchsorted(live, block) for block in blocks))
+    loads, loaded = _loads(nodes, live, at_hand, settled.first)
+    body, place, end = _computed(nodes, live, known, at_hand, loaded, results, settled.first)
+    copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
+    for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
+        copies += [to, of, ONE]
+    stores = [
+        _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
+        for number, block in enumerate(blocks)
+    ]
+    return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
+
+
+def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+    """The instructions that put the nodes `hoisted`, ascending, which are computed from `live`, into their places,
+    after the constants and as many parameters."""
+    known = settled.place[live]
+    at_hand = known >= 0
+    results = np.searchsorted(live, hoisted)
+    at_hand[results] = False
+    body, _, end = _computed(nodes, live, known, at_hand, _NONE, results, settled.first)
+    own = [GROUPS[Group.P], 0, parameters, settled.parameters]
+    load = [CODE["LOAD"], *own] if parameters else []
+    return np.concatenate([np.array([CODE["CONSTANTS"], *load]), body, [CODE["END"]]]), end
+
+
+_NONE: Ints = np.zeros(0, dtype=np.int64)
+
+
+def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[Ints], Ints]:
+    """The loads of the arguments, and their local numbers in the order of their places; -1 for what nothing reads."""
+    symbols = np.flatnonzero((nodes.op[live] == Op.SYMBOL) & ~at_hand)
+    groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
+    loads: list[Ints] = []
+    loaded: list[Ints] = []
+    for group in distinct(len(Group), groups).tolist():
+        members, own = symbols[groups == group], indices[groups == group]
+        start = int(own.min())
+        row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
+        row[own - start] = members
+        place = first + sum(map(len, loaded))
+        loads.append(np.array([CODE["LOAD"], GROUPS[Group(group)], start, len(row), place]))
+        loaded.append(row)
+    return loads, np.concatenate([_NONE, *loaded])
+
+
+def _stored(number: int, place: Ints, nonzero: Flags) -> Ints:
+    """The instruction that fills the result array `number`."""
+    if not len(place):
+        return _NONE
+    if len(place) - np.count_nonzero(nonzero) < _FEWEST_ZEROS:
+        return np.concatenate([[CODE["STORE"], number, 0, len(place)], place])
+    entries = np.flatnonzero(nonzero)
+    return np.concatenate([[CODE["SCATTER"], number, len(place), len(entries)], entries, place[entries]])
+
+
+def _computed(
+    nodes: Nodes, live: Ints, known: Ints, at_hand: Flags, loaded: Ints, results: Ints, first: int
+) -> tuple[Ints, Ints, int]:
+    """The instructions between loads and stores, the place of every value, and the length of the row."""
+    if at_hand[nodes.op[live] >= FIRST_UNARY].all():
+        place = known.copy()
+        place[loaded[loaded >= 0]] = first + np.flatnonzero(loaded >= 0)
+        return _NONE, place, first + len(loaded)
+    return _body(select(nodes, live, at_hand, results), known, loaded, results, first)
+
+
+def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
+    grouped = groups(selection)
+    order = np.fromiter(chain.from_iterable(grouped), dtype=np.int64)
+    count, turns = len(selection.made), selection.turns
+    when = np.empty(len(order), dtype=np.int64)
+    when[order] = np.arange(len(order))
+    writes = np.append(selection.made, np.full(len(turns), -1))[order].tolist()
+    several = {
+        int(when[count + number]): [*turn.sines[turn.sines >= 0].tolist(), *turn.cosines[turn.cosines >= 0].tolist()]
+        for number, turn in enumerate(turns)
+    }
+    last = np.full(selection.count + 2, -1, dtype=np.int64)
+    for number, turn in enumerate(turns):
+        last[turn.angles] = when[count + number]
+    sequence = order[order < count]
+    operands = selection.operands[sequence]
+    steps = np.broadcast_to(when[sequence][:, None], operands.shape)[operands >= 0]
+    read = np.full(selection.count + 2, -1, dtype=np.int64)
+    read[operands[operands >= 0]] = steps  # which ascend: of several the last one stays
+    last = np.maximum(last, read)
+    last[results] = len(order)
+    place, top = places(np.append(known, [ONE, MINUS_ONE]), loaded.tolist(), writes, several, last, first)
+    spare = int(any((values < 0).any() for turn in turns for values in (turn.sines, turn.cosines)))
+    padded = np.append(place, top)  # what nothing reads goes behind all others
+    lengths = np.fromiter(map(len, grouped), dtype=np.int64)
+    return _assembled(selection, order, lengths, padded), place, top + spare
+
+
+def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) -> Ints:
+    """The words of the steps in their `order`, in groups of such `lengths`."""
+    count = len(selection.made)
+    single = order < count
+    width = np.empty(len(order), dtype=np.int64)
+    summing = (selection.code == TWO_PRODUCTS) | (selection.code == THREE_PRODUCTS)
+    before = 1 + summing  # words before the operands
+    width[single] = (before + np.count_nonzero(selection.operands >= 0, axis=1))[order[single]]
+    width[~single] = [3 * len(selection.turns[step - count].angles) for step in order[~single].tolist()]
+    heads = np.zeros(len(order), dtype=np.int64)
+    heads[np.cumsum(lengths) - lengths] = 2  # operation and number
+    start = np.cumsum(width + heads) - width
+    words = np.empty(int(width.sum()) + 2 * len(lengths), dtype=np.int64)
+    firsts = order[np.cumsum(lengths) - lengths]
+    at = start[np.cumsum(lengths) - lengths] - 2
+    words[at] = np.append(selection.code, np.full(len(selection.turns), CODE["SINCOS"]))[firsts]
+    words[at + 1] = lengths
+    made, where = order[single], start[single]
+    words[where] = place[selection.made[made]]
+    words[where[summing[made]] + 1] = selection.signs[made[summing[made]]]
+    for column, own in enumerate(selection.operands[made].T):  # operands stand from the left on
+        words[(where + before[made])[own >= 0] + column] = place[own[own >= 0]]
+    for step, begin in zip(order[~single].tolist(), start[~single].tolist(), strict=True):
+        turn = selection.turns[step - count]
+        words[begin - 1] = len(turn.angles)
+        words[begin : begin + 3 * len(turn.angles)] = place[np.concatenate([turn.angles, turn.sines, turn.cosines])]
+    return words

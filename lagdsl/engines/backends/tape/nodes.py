@@ -1,0 +1,80 @@
+"""A graph as arrays, for passes over all its nodes at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.algebra.graph.graph import Graph
+from lagdsl.algebra.graph.operation import FIRST_TERNARY
+from lagdsl.foundation.record import record
+
+Ints = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+_BITS = 62
+_ALL = (1 << _BITS) - 1
+
+
+@record()
+class Nodes:
+    """`op`, `groups` (nodes) and `operands` (3, nodes; -1: none), as in the graph: the first two of a symbol are its
+    group and its index."""
+
+    graph: Graph
+    op: Ints
+    operands: Ints
+    groups: Ints
+
+
+def distinct(count: int, *numbers: Ints | Sequence[int]) -> Ints:
+    """The numbers, all below `count`, ascending, each once."""
+    there = np.zeros(count, dtype=np.bool_)
+    for each in numbers:
+        there[np.asarray(each, dtype=np.int64)] = True
+    return np.flatnonzero(there)
+
+
+def sorted_by(keys: Ints, count: int) -> tuple[Ints, Ints]:
+    """The places of `keys`, all below `count`, in ascending order of the keys, equal ones as they stand; and by key the
+    first of these, with their number at the end."""
+    ordered = np.sort(keys * len(keys) + np.arange(len(keys)))  # all are different: no slower order that is stable
+    firsts = np.zeros(count + 1, dtype=np.int64)
+    np.cumsum(np.bincount(keys, minlength=count), out=firsts[1:])
+    return ordered % max(1, len(keys)), firsts
+
+
+def live_sets(nodes: Nodes, roots: Sequence[Ints]) -> list[Ints]:
+    """For every one of `roots` all nodes that these are computed from, themselves included, ascending. In one pass."""
+    reached = [0] * len(nodes.op)
+    for which, own in enumerate(roots):
+        for node in own.tolist():
+            reached[node] |= 1 << which
+    for node, operands in zip(range(len(reached) - 1, -1, -1), reversed(nodes.graph.operands), strict=True):
+        mask = reached[node]
+        if mask:
+            for operand in operands:
+                reached[operand] |= mask
+    found = []
+    for start in range(0, len(roots), _BITS):
+        part = _numbers([mask >> start & _ALL for mask in reached] if len(roots) > _BITS else reached)
+        there = np.flatnonzero(part)
+        masks = part[there]
+        found += [there[masks & 1 << which != 0] for which in range(min(_BITS, len(roots) - start))]
+    return found
+
+
+def nodes_of(graph: Graph) -> Nodes:
+    """The arrays of `graph`."""
+    op = np.frombuffer(bytes(graph.op), dtype=np.uint8).astype(np.int64)
+    operands = np.full((3, len(op)), -1, dtype=np.int64)
+    operands[0], operands[1] = _numbers(graph.a), _numbers(graph.b)
+    ternary = np.flatnonzero(op >= FIRST_TERNARY)
+    operands[2, ternary] = [graph.c[node] for node in ternary.tolist()]
+    return Nodes(graph, op, operands, _numbers(graph.groups))
+
+
+def _numbers(values: Sequence[int]) -> Ints:
+    return np.fromiter(values, dtype=np.int64, count=len(values))

@@ -1,0 +1,139 @@
+"""Functions of one state applied over leading axes, and the functions users call over any engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import prod
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.derivation.program.program import Program
+from lagdsl.engines.backends.python.sizes import argument_names, motion_sizes
+from lagdsl.engines.backends.python.support import linear
+from lagdsl.engines.backends.python.support.derivatives import differentiate_motion
+from lagdsl.engines.backends.python.support.interface import Interface
+from lagdsl.engines.backends.python.support.motion import solve_motion
+from lagdsl.engines.backends.python.support.names import real_numbers
+from lagdsl.engines.backends.python.support.values import Call
+from lagdsl.engines.runtime.engines.engine import Engine, Floats, SingularSystem
+from lagdsl.engines.runtime.engines.one_value import Scale
+from lagdsl.foundation.record import record
+
+
+class BatchEngine(Engine, Protocol):
+    """An engine whose functions also broadcast over leading axes."""
+
+    def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
+        """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        ...
+
+    def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
+        """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
+        ...
+
+    def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads; None: by as many as pay. `out` is an array for qdd."""
+        ...
+
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx, shape (..., 2 nq + nz, nx), and dy/dx, shape (..., ny, nx), by "state" (q, qd, z), "input"
+        or "parameter"."""
+        ...
+
+    def at_one_state(self, name: str, otherwise: Call, scale: Scale | None = None) -> Call:
+        """The value of this name at one state; `otherwise` takes arguments that are not those of one state."""
+        ...
+
+
+def interface(program: Program, engine: BatchEngine) -> Interface:
+    """The functions users call, computed by `engine`."""
+    return Interface(
+        engine.evaluate_many,
+        solving(program, engine),
+        differentiating(program, engine),
+        motion_sizes(program),
+        program.layout.defaults,
+        argument_names(program),
+        aliases=dict(program.layout.aliases),
+    )
+
+
+def solving(program: Program, engine: BatchEngine) -> Callable[..., tuple[Floats, ...]]:
+    """`solve_many` of the engine; with loads that depend on accelerations and multipliers a function of the same
+    arguments that takes those in w, whatever the engine does with them."""
+    sizes = motion_sizes(program)
+    if not sizes.loads:
+        return engine.solve_many
+
+    def solve(*state: ArrayLike) -> tuple[Floats, ...]:
+        try:
+            return solve_motion(engine.evaluate_many, sizes, *map(np.asarray, state))
+        except linear.SingularSystem as singular:
+            raise SingularSystem(singular.coordinate, program.layout) from None
+
+    return solve
+
+
+def differentiating(program: Program, engine: BatchEngine) -> Callable[..., tuple[Floats, ...]]:
+    """`jacobian_many` of the engine; with loads that depend on accelerations and multipliers a function of the same
+    arguments in which these follow."""
+    sizes = motion_sizes(program)
+    if not sizes.loads:
+        return engine.jacobian_many
+
+    def differentiate(by: str, *state: ArrayLike) -> tuple[Floats, ...]:
+        return differentiate_motion(engine.evaluate_many, sizes, by, *map(np.asarray, state))
+
+    return differentiate
+
+
+@record()
+class Spread:
+    """Arguments with common leading axes, `count` states in all.
+
+    Each has its name, a contiguous array, and the numbers from one state to the next (0 where all states share it).
+    """
+
+    leading: tuple[int, ...]
+    count: int
+    arrays: tuple[tuple[str, Floats, int], ...]
+
+
+def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
+    """Raises ValueError for an argument of a wrong length or with leading axes that do not fit. Length None: no axis
+    of its own (the time)."""
+    given = [real_numbers(name, argument) for (name, _), argument in zip(signature, arguments, strict=True)]
+    leading: tuple[int, ...] = ()
+    for (name, length), array in zip(signature, given, strict=True):
+        if length is not None and (array.ndim == 0 or array.shape[-1] != length):
+            raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
+        own_axes = array.shape if length is None else array.shape[:-1]
+        if own_axes in ((), leading):  # of one state, or of as many as before: NumPy takes its time to find that out
+            continue
+        try:
+            leading = np.broadcast_shapes(leading, own_axes)
+        except ValueError:
+            raise ValueError(
+                f"leading axes {own_axes} of {name} do not fit {leading} of the arguments before"
+            ) from None
+    arrays = []
+    for (name, length), array in zip(signature, given, strict=True):
+        own = () if length is None else (length,)
+        if array.shape == own:
+            arrays.append((name, array if array.flags.c_contiguous else np.ascontiguousarray(array), 0))
+        else:
+            shape = leading + own
+            whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
+            arrays.append((name, whole, 1 if length is None else length))
+    return Spread(leading, prod(leading), tuple(arrays))
+
+
+def apart(many: Spread, out: Floats) -> Spread:
+    """`many` with copies of the arrays that lie where `out` does: it is written while they are read."""
+    arrays = (
+        (name, array.copy() if np.may_share_memory(array, out) else array, stride)
+        for name, array, stride in many.arrays
+    )
+    return Spread(many.leading, many.count, tuple(arrays))

@@ -1,0 +1,33 @@
+"""The engine over a tape: the functions of a program interpreted by the C runtime, at once and without a compiler."""
+
+from __future__ import annotations
+
+from lagdsl.engines.backends.tape.emit import PARTS, tape
+from lagdsl.engines.runtime.engines.c_engine import CEngine
+from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.native_model import NativeModel
+from lagdsl.engines.runtime.engines.tape_model import load_tape
+
+# Two vectors of states.
+_CROWD = 16
+
+
+class TapeEngine(CEngine):
+    """As CEngine. Nothing is compiled."""
+
+    name: EngineName = "tape"
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        return load_tape(self._made(part), part)
+
+    def along(self) -> NativeModel:
+        return self._part("tangents")
+
+    def _made(self, part: str | None) -> bytes:
+        """The tape with the functions that are called `part`; those of several states are on every tape."""
+        return tape(self._program, parts=(part,) if part in PARTS else ())
+
+    @property
+    def _crowd(self) -> int:
+        """Functions of several states are on every tape."""
+        return _CROWD

@@ -1,0 +1,100 @@
+"""Options of a run, and their form in C."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from ctypes import addressof
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lagdsl.engines.backends.start import Start as StartTold
+from lagdsl.engines.runtime.engines.engine import Floats
+from lagdsl.engines.runtime.held_inputs import HeldInputs
+from lagdsl.engines.runtime.library import Runtime
+from lagdsl.engines.runtime.signal_tables import TabledInputs
+from lagdsl.engines.runtime.structures import Lasting, RunOptions, Start
+from lagdsl.foundation.record import record, remembered
+
+Flags = NDArray[np.bool_]
+RunInputs: TypeAlias = "Floats | TabledInputs | HeldInputs | Callable[[float, bool], Floats]"
+
+
+@record(kw_only=True)
+class RunSettings:
+    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, inputs that are held over
+    steps, or a function of time and of whether the value before a jump is wanted. `method` is the name of one of the
+    runtime, or None for the automatic choice; `step` is the length of the steps of those that do not choose it.
+    `group`, `natural`, `cap`: (2 nq + nz,), see lag/methods/accuracy.h. Of the rows whose `lasting` (nc,) is not zero
+    `general` are independent in general. Rows are wanted at `times`; `invariant_tolerance` (ni,) None: nothing is
+    watched."""
+
+    p: Floats
+    inputs: RunInputs
+    start: StartTold
+    group: Floats
+    natural: Floats
+    cap: Floats
+    lasting: Floats
+    general: int
+    times: Floats
+    tolerance: float
+    part: float
+    method: str | None = None
+    step: float = 0.0
+    length: float = 0.0
+    invariant_tolerance: Floats | None = None
+
+
+def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) -> RunOptions:
+    """lag_run_options without parameters, natural sizes, inputs and results; what they point at is appended to
+    `kept`."""
+    options = RunOptions(
+        tolerance=settings.tolerance,
+        part=settings.part,
+        h_fixed=settings.step,
+        careful=1,
+        length=settings.length,
+        count=len(settings.times),
+        method=None if settings.method is None else library.methods[settings.method],
+    )
+    options.times = address(settings.times, kept)
+    options.sizes.group = address(settings.group, kept)
+    options.sizes.cap = address(settings.cap, kept)
+    options.lasting = Lasting(rows=address(settings.lasting, kept), general=settings.general)
+    if settings.invariant_tolerance is not None:
+        # one number more, so that it is not null where there are assertions only
+        options.invariants.tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
+    start = _start(settings.start)
+    kept.append(start)
+    options.start = addressof(start[0])
+    return options
+
+
+def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> int:
+    """Of a copy, or of an array that nobody can write to; it is appended to `kept`."""
+    if (
+        isinstance(values, np.ndarray)
+        and values.dtype == kind
+        and values.flags.c_contiguous
+        and not values.flags.writeable
+    ):
+        own = values
+    else:
+        own = np.array(values, dtype=kind)
+    kept.append(own)
+    return int(own.__array_interface__["data"][0])  # sooner there than `ctypes.data`
+
+
+@remembered
+def _start(told: StartTold) -> tuple[Start, list[object]]:
+    """The structure, and what it points at."""
+    kept: list[object] = []
+    flags = {name: address(getattr(told, name), kept, np.uint8) for name in ("fixed", "written")}
+    numbers = {name: address(getattr(told, name), kept) for name in ("nominal", "minimum", "maximum")}
+    if told.free:
+        flags["free"] = address(told.free, kept, np.uint8)
+        for name in ("parameter_nominal", "parameter_minimum", "parameter_maximum"):
+            numbers[name] = address(getattr(told, name), kept)
+    return Start(t=told.t, **flags, **numbers), kept

@@ -1,0 +1,84 @@
+"""Results of a run of the C runtime along its way: rows, notes, extremes and the drift of invariants."""
+
+from __future__ import annotations
+
+from ctypes import addressof, byref
+from typing import Any
+
+import numpy as np
+
+from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.engines.engine import Floats
+from lagdsl.engines.runtime.engines.native_model import NativeModel
+from lagdsl.engines.runtime.library import Runtime
+from lagdsl.engines.runtime.run_options import RunSettings
+from lagdsl.engines.runtime.structures import WHAT, Extremes, Note, Results, Status
+
+_FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
+# Rows and notes that C keeps before Python takes them.
+_ROWS, _NOTES = 256, 1024
+
+
+class RunResults:
+    """`structure` is their form in C, lag_results; `drifts` (3, ni) the start, the size and the largest drift of every
+    invariant. `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or
+    `terminate`."""
+
+    def __init__(
+        self, library: Runtime, model: NativeModel, layout: Layout, settings: RunSettings, kept: list[object]
+    ) -> None:
+        self.notes: list[tuple[float, str, int]] = []
+        self.keeps = True  # False: rows and notes are of use until they are taken the next time
+        self.drifts = np.zeros((3, len(layout.invariants)))
+        self._taken: list[Floats] = []
+        self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
+        self._notes = (Note * _NOTES)()
+        self._full = _FULL(self._empty)
+        self._extremes = Extremes()
+        self._extreme_memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
+        library.extremes_place(byref(self._extremes), model.model, self._extreme_memory.ctypes.data)
+        self.structure = Results(
+            most_rows=_ROWS,
+            most_notes=_NOTES,
+            rows=self._rows.ctypes.data,
+            notes=addressof(self._notes),
+            full=self._full,
+            extremes=addressof(self._extremes),
+        )
+
+    @property
+    def width(self) -> int:
+        """Numbers of a row."""
+        return self._rows.shape[1]
+
+    def _empty(self, _context: object, _results: object) -> int:
+        """Called from C, where nothing may be raised."""
+        self.take()
+        return Status.OK
+
+    def take(self) -> None:
+        """Contents of the buffers."""
+        if self.keeps and self.structure.row:
+            self._taken.append(self._rows[: self.structure.row].copy())
+        self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: self.structure.note]]
+        self.structure.row = self.structure.note = 0
+
+    def forget(self) -> None:
+        """Everything so far."""
+        self._taken, self.notes = [], []
+        self.structure.row = self.structure.note = self.structure.any = 0
+
+    def rows(self) -> Floats:
+        """All rows so far, as lag/run/results.h tells them."""
+        return np.concatenate([self._rows[:0], *self._taken])
+
+    def extremes(self) -> Floats:
+        """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so
+        far; infinite where there was no number."""
+        count = self._extremes.count
+        return self._extreme_memory[: 2 * count].reshape(2, count).copy()
+
+    def turns(self, size: int) -> Floats:
+        """Number of reversals of every number of a state of this size."""
+        first = 2 * self._extremes.count
+        return self._extreme_memory[first : first + size].copy()

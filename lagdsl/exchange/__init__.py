@@ -1,0 +1,1 @@
+"""Other tools: FMUs, robots; and the certificate that compares routes."""

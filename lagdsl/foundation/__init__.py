@@ -1,0 +1,1 @@
+"""The ground under all: places, messages, units, numbers, files."""

@@ -1,0 +1,1 @@
+"""Doors: Python, the command line, editors, notebooks."""

@@ -1,0 +1,44 @@
+"""Arrays by their name: `q` stands for `q[1]`, `q[2]`, and `link.m` for `link[1].m`, `link[2].m`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from lagdsl.language.settings.failure import SettingError, short
+from lagdsl.language.settings.pieces import pieces_of
+
+_SUBSCRIPT = re.compile(r"\[[^\[\]]*\]")
+_BRACES = re.compile(r"\s*\{(.*)\}\s*([^{}]*?)\s*", re.DOTALL)
+
+
+def family(name: str, known: Iterable[str]) -> list[str]:
+    """The elements of the array `name`, in their order; none where it is no array."""
+    return [each for each in known if each != name and "[" in each and without_subscripts(each) == name]
+
+
+def without_subscripts(name: str) -> str:
+    return _SUBSCRIPT.sub("", name)
+
+
+def spread(pairs: Mapping[str, str], known: Iterable[str]) -> dict[str, str]:
+    """`q.start={10, 20} deg` as the assignments of its elements; all other assignments as they are. Raises
+    SettingError for a number of values other than that of the elements."""
+    names = list(known)
+    found: dict[str, str] = {}
+    for name, text in pairs.items():
+        braces = _BRACES.fullmatch(text)
+        if braces is None:
+            found[name] = text
+            continue
+        elements = family(name, names)
+        values = pieces_of(braces[1].replace("{", "").replace("}", ""), braces[2])
+        if not elements:
+            raise SettingError(f"{name}={short(text)}: `{name}` is no array")
+        if len(values) != len(elements):
+            raise SettingError(
+                f"{name}={short(text)}: `{name}` has {len(elements)} elements ({elements[0]} to {elements[-1]}), "
+                f"not {len(values)}"
+            )
+        found |= dict(zip(elements, values, strict=True))
+    return found

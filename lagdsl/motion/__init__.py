@@ -1,0 +1,1 @@
+"""From a text to a motion: the pipeline, simulation, small motions, sweeps."""

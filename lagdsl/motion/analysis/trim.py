@@ -1,0 +1,275 @@
+"""Equilibria and steady motions: a state at which nothing accelerates, with inputs free where asked for.
+
+Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
+constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
+method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
+become least; the nearer solution is taken, others are tried where there is none. Truths of relations and
+closed contacts are those of the start; where they are others at the solution it is looked for again with these.
+
+Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
+of a position. Where there is no such equilibrium things may slide to another one. There friction holds what stands
+still, within its limits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lagdsl.derivation.structure.names import configuration
+from lagdsl.derivation.structure.points import random_points
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.diagnostics.suggest import listing
+from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.units.naming import rate_text
+from lagdsl.motion.analysis.discretes import discretes_at, open_contacts
+from lagdsl.motion.analysis.friction import FrictionForce, friction_forces
+from lagdsl.motion.analysis.grip import Grip, grip_at, gripping, unheld
+from lagdsl.motion.analysis.linearize import Named, holonomic_rows, reduce
+from lagdsl.motion.analysis.partition import partition
+from lagdsl.motion.analysis.point import (
+    Changes,
+    Directions,
+    Point,
+    System,
+    changes,
+    constraint_changes,
+    coordinate_sizes,
+    flow,
+)
+from lagdsl.motion.analysis.steady import Steadiness, first_order_sizes, steadiness
+
+_TRIES = 24
+_HOLDS = 1e-9
+# Rates that follow are none below this part of their natural sizes.
+_RESTS = 1e-12
+_MOST_TOLD = 4
+# So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
+_MOST_CHANGES = 12
+_STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equilibrium:
+    """`point` with its inputs; `unknowns` are the names that were free, `residual` the largest acceleration left, as a
+    part of what a natural displacement causes. `frictions` are the forces of dry friction, with what they bear."""
+
+    model: str
+    point: Point
+    unknowns: tuple[str, ...]
+    residual: float
+    steadiness: Steadiness
+    frictions: tuple[FrictionForce, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """Unknowns as weighted distances from `start`, in the order q, qd, z, u; `rates` accelerate by nothing. `grip` is
+    what friction holds in its place."""
+
+    system: System
+    start: Point
+    free: tuple[int, ...]
+    widths: Floats
+    rates: tuple[int, ...]
+    grip: Grip
+
+    def point(self, x: Floats) -> Point:
+        whole = np.concatenate([self.start.q, self.start.qd, self.start.z, self.start.u])
+        whole[list(self.free)] += self.widths[list(self.free)] * x
+        n, nz = len(self.start.q), len(self.start.z)
+        q, qd, z, u = np.split(whole, [n, 2 * n, 2 * n + nz])
+        if not np.any(self.start.qd):  # a rate of rounding errors has a sense, which friction would follow
+            qd = np.where(np.abs(qd) > _RESTS * self.widths[n : 2 * n], qd, 0.0)
+        return replace(self.start, q=q, qd=qd, z=z, u=u)
+
+    def equations(self, x: Floats) -> tuple[Floats, Floats]:
+        """Constraints, accelerations and rates of states, in SI units, and their Jacobian."""
+        system, point, rows = self.system, self.point(x), holonomic_rows(self.system)
+        here = flow(system, point, Sink())
+        count = len(rows) + len(system.engine.layout.constraints) + len(self.rates) + len(point.z) + len(self.grip.rows)
+        if here is None:
+            return np.full(count, np.nan), np.full((count, len(x)), np.nan)
+        phi = system.engine.evaluate("position_constraint", *point.arguments)[0][rows]
+        drift = system.engine.evaluate("velocity_constraint", *point.arguments)[0]
+        along = self._directions()
+        moved, drifted = constraint_changes(system, point, along)
+        found = changes(system, here, along) if along.count else _nothing(point)
+        way, held = self.grip.way(system, point)
+        values = np.concatenate([phi, drift, here.qdd[list(self.rates)], here.zd, way])
+        jacobian = np.hstack([moved[:, rows], drifted, found.qdd[:, list(self.rates)], found.zd, along.q @ held.T]).T
+        return values, jacobian
+
+    def _directions(self) -> Directions:
+        n, nz, nu = len(self.start.q), len(self.start.z), len(self.start.u)
+        unit = (np.eye(len(self.widths)) * self.widths)[list(self.free)]
+        q, qd, z, u = np.split(unit, [n, 2 * n, 2 * n + nz], axis=1)
+        assert u.shape[1] == nu
+        return Directions(q=q, qd=qd, z=z, u=u)
+
+
+def _nothing(point: Point) -> Changes:
+    n = len(point.q)
+    return Changes(qdd=np.zeros((0, n)), lam=np.zeros((0, 0)), zd=np.zeros((0, len(point.z))), y=np.zeros((0, 0)))
+
+
+def all_names(system: System) -> list[str]:
+    """Names that can be free or held: coordinates, rates, states, inputs."""
+    layout = system.engine.layout
+    coordinates = [slot.name for slot in layout.coordinates]
+    rates = [f"der({name})" for name in coordinates]
+    return [*coordinates, *rates, *(s.name for s in layout.states), *(s.name for s in layout.inputs)]
+
+
+def trim_at(
+    system: System, start: Point, *, free: Sequence[str] = (), hold: Sequence[str] = (), sink: Sink
+) -> Equilibrium | None:
+    """The equilibrium or steady motion nearest to `start`; None after E0850 to E0853."""
+    names = all_names(system)
+    for name in (*free, *hold):
+        if name not in names:
+            what = "freed" if name in free else "held"
+            sink.report("E0853", None, name=name, what=what, known=listing(name, names))
+    if sink.has_errors:
+        return None
+    whose = [names.index(n) for n in free], [names.index(n) for n in hold]
+    reached = _reached(system, start, whose, sink)
+    if reached is None:
+        return None
+    task, found = reached
+    point = task.point(found.point)
+    at = reduce(system, point, holonomic_rows(system), sink)
+    if at is None:
+        return None
+    return Equilibrium(
+        model=system.flat.name,
+        point=point,
+        unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
+        residual=found.size,
+        steadiness=steadiness(system, at),
+        frictions=friction_forces(system, at.flow),
+    )
+
+
+def _reached(
+    system: System, start: Point, whose: tuple[list[int], list[int]], sink: Sink
+) -> tuple[_Task, Minimizer] | None:
+    """The solution with the discretes that belong to it."""
+    gripped = grip_at(system, start)
+    found = None if not gripped.rows else _settled(system, start, whose, gripped, Sink())
+    return found or _settled(system, start, whose, Grip((), start.q), sink)
+
+
+def _settled(
+    system: System, start: Point, whose: tuple[list[int], list[int]], grip: Grip, sink: Sink
+) -> tuple[_Task, Minimizer] | None:
+    for _ in range(_MOST_CHANGES):
+        task = _task(system, start, *whose, grip.at(system, start), sink)
+        if task is None:
+            return None
+        with np.errstate(all="ignore"):
+            found, scale = _search(task)
+        if not found.size <= _HOLDS:
+            _report(task, found, scale, sink)
+            return None
+        point = task.point(found.point)
+        w = discretes_at(system, point)
+        held = gripping(system, point, w)
+        if held is not None:
+            return replace(task, start=replace(task.start, w=held.w)), found
+        if np.array_equal(w, point.w):
+            return task, found
+        start = replace(point, w=w)
+    notes = tuple(open_contacts(system, start))
+    sink.report("E0852", None, notes=notes, left="every solution changes what is true or closed, and so another one")
+    return None
+
+
+def _asked(task: _Task, names: Sequence[str], free: Sequence[str]) -> set[int]:
+    """Unknowns to tell of: not the rates that merely follow."""
+    n = len(task.start.q)
+    return {i for i in task.free if not n <= i < 2 * n or names[i] in free}
+
+
+def _task(
+    system: System, start: Point, free: Sequence[int], hold: Sequence[int], grip: Grip, sink: Sink
+) -> _Task | None:
+    flat, n = system.flat, len(start.q)
+    chosen = partition(system, start, holonomic_rows(system), sink)
+    if chosen is None:
+        return None
+    following = [n + j for j in range(n) if j not in set(chosen.rate)] if len(chosen.jacobian) else []
+    default = [j for j, c in enumerate(flat.coordinates) if not c.fixed]
+    default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
+    unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
+    at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
+    sizes = coordinate_sizes(system, start.p)
+    states = first_order_sizes(system, start)
+    inputs = np.maximum(np.abs(start.u), 1.0)
+    widths = np.concatenate([sizes, sizes, states, inputs])
+    rates = tuple(range(n)) if at_rest else chosen.rate
+    return _Task(system, start, tuple(unknown), widths, rates, grip if at_rest else Grip((), start.q))
+
+
+def _search(task: _Task) -> tuple[Minimizer, Floats]:
+    """The best of several beginnings, and what its residuals are parts of."""
+    start, flat = task.start, task.system.flat
+    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
+    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 1.0)
+
+    def equations(x: Floats) -> tuple[Floats, Floats]:
+        residual, jacobian = task.equations(x)
+        return residual / scale, jacobian / scale[:, None]
+
+    origin = np.zeros(len(task.free))
+    ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
+    best = min(ways, key=lambda way: (not way.size <= _HOLDS, float(np.linalg.norm(way.point)), way.size))
+    n = len(start.q)
+    tries = 0 if task.grip.rows else _TRIES  # what friction holds is near
+    for other in random_points(flat.coordinates, start.q, task.widths[:n], tries):
+        if best.size <= _HOLDS:
+            break
+        beginning = [(other[i] - start.q[i]) / task.widths[i] if i < n else 0.0 for i in task.free]
+        found = descend(equations, np.array(beginning), target=1e-12)
+        best = found if found.size < best.size else best
+    return best, scale
+
+
+def _sprung(equations: Equations, origin: Floats) -> Floats:
+    """The least of |equations(y)|^2 + e |y|^2 for ever smaller e, each from the last: it stays near the start."""
+    point, identity = origin, np.eye(len(origin))
+    for stiffness in _STIFFNESSES:
+
+        def sprung(y: Floats, stiffness: float = stiffness) -> tuple[Floats, Floats]:
+            residual, jacobian = equations(y)
+            return np.concatenate([residual, stiffness * y]), np.vstack([jacobian, stiffness * identity])
+
+        point = descend(sprung, point, iterations=10).point
+    return point
+
+
+def _report(task: _Task, found: Minimizer, scale: Floats, sink: Sink) -> None:
+    """E0852 with what is left for each coordinate, largest first, and where."""
+    layout, flat = task.system.engine.layout, task.system.flat
+    rows = [layout.constraints[i] for i in holonomic_rows(task.system)]
+    named = [Named(slot.name, slot.unit) for slot in rows]
+    named += [Named(f"rate of {slot.name}", slot.unit) for slot in layout.constraints]
+    for j in task.rates:
+        c = flat.coordinates[j]
+        named.append(Named(f"der(der({c.name}))", rate_text(c.dimension, c.unit).replace("/s", "/s2")))
+    named += [Named(f"der({s.name})", rate_text(s.dimension, s.unit)) for s in flat.states]
+    order = sorted(range(len(named)), key=lambda i: -abs(found.residual[i]))[:_MOST_TOLD]
+    order = [i for i in order if abs(found.residual[i]) > _HOLDS]
+    told = [f"{named[i].name} = {found.residual[i] * scale[i]:.4g} {named[i].unit}".rstrip() for i in order]
+    left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
+    closest = configuration(flat, task.point(found.point).q)
+    notes = [f"left over: {', '.join(told)}", f"closest configuration: {closest}"]
+    notes += open_contacts(task.system, task.start)
+    notes += unheld(task.system, task.start)
+    held = [c.name for j, c in enumerate(flat.coordinates) if j not in task.free]
+    if held:
+        notes.append(f"not free: {', '.join(f'`{name}`' for name in held[:_MOST_TOLD])}")
+    sink.report("E0852", None, notes=tuple(notes), left=left)

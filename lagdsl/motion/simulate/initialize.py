@@ -1,0 +1,178 @@
+"""A consistent state to start from ("Starting values" in docs/reference/language.md): found in C, reported here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.engines.backends.start import QUATERNION, WRITTEN, Start
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.run_view import Found
+from lagdsl.engines.runtime.structures import InitialFault
+from lagdsl.foundation.diagnostics import Severity, Sink
+from lagdsl.foundation.numerics.connected_blocks import Flags
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record, remembered
+from lagdsl.language.flat.admissible import report_outside
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.motion.simulate.explicit_rates import report_contradictions, turned_rates
+from lagdsl.motion.simulate.initial_words import report_endless, report_found, report_no_start, report_numbers
+from lagdsl.motion.simulate.placed import placed
+
+
+@record(kw_only=True)
+class InitialState:
+    """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
+    rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
+    rows that depend on others near this state; `p` are the independent parameters, those that were found with them."""
+
+    model: str
+    t: float
+    q: Floats
+    qd: Floats
+    z: Floats
+    p: Floats
+    freedom: int
+    moved: tuple[MovedRow, ...]
+    redundant: tuple[bool, ...]
+    loops: tuple[str, ...] = ()
+
+    @property
+    def x(self) -> Floats:
+        """(q, qd, z)."""
+        return np.concatenate([self.q, self.qd, self.z])
+
+    def __str__(self) -> str:
+        return moved_text(self.model, self.freedom, self.moved, self.loops)
+
+
+def initial_state(
+    flat: FlatModel,
+    engine: Engine,
+    p: Floats | None = None,
+    *,
+    t0: float | None = None,
+    u: Floats | None = None,
+    start: Mapping[str, float] | None = None,
+    sink: Sink | None = None,
+) -> InitialState:
+    """The state nearest to the starts that satisfies constraints, fixed values and initial equations.
+
+    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start values
+    by name in SI units, also `der(theta)`. Reports errors and moved starts to `sink`; without one, errors raise
+    CompilationFailed.
+    """
+    own = Sink() if sink is None else sink
+    parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p
+    t = flat.experiment.start_time if t0 is None else t0
+    with np.errstate(all="ignore"):
+        inputs = engine.evaluate("start", t, parameters)[3] if u is None else u
+        run = placed(flat, engine, parameters, inputs, t0=t)
+        found = find_start(flat, engine, run, t, inputs, start or {}, own)
+    if sink is None:
+        own.raise_if_errors()
+    return found
+
+
+def find_start(
+    flat: FlatModel, engine: Engine, run: Run, t: float, u: Floats, start: Mapping[str, float], sink: Sink
+) -> InitialState:
+    """The same for a run that has not begun; `u` are its inputs then."""
+    before = len(sink.diagnostics)
+    given = _by_place(flat, start, sink)
+    found = run.find(t, given, equations=bool(flat.initial_equations))
+    _report_outside(flat, found.starts, given, sink)
+    if not report_numbers(flat, found.starts, u, sink):
+        report_no_start(flat, engine.layout, run, t, found, sink)
+    n = len(flat.coordinates)
+    starts = _starts(flat, run, found, given)
+    if found.fault is InitialFault.NONE:
+        report_endless(flat, engine.layout, run, t, found, sink)
+        report_found(flat, engine.layout, found.p, sink)
+    rows: tuple[MovedRow, ...] = ()
+    if not _wrong(sink, before):
+        rows = moved_rows(starts, found.x, partial(_cut_joints, flat, run, t, found))
+        rows += found_rows(flat, engine.layout, run.settings.p, found.p)
+    if not flat.initial_equations:  # these say themselves that starts are to be moved
+        if not _wrong(sink, before) and flat.constraints:
+            report_contradictions(starts, run, t, found, sink)
+        if not _wrong(sink, before):
+            report_moved(starts, rows, sink)
+    return InitialState(
+        model=flat.name,
+        t=t,
+        q=found.x[:n],
+        qd=found.x[n : 2 * n],
+        z=found.x[2 * n :],
+        p=found.p,
+        freedom=found.freedom,
+        moved=rows,
+        redundant=tuple(found.dependent.tolist()),
+        loops=loops_of(flat),
+    )
+
+
+def _wrong(sink: Sink, before: int) -> bool:
+    return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
+
+
+@remembered
+def places_of(flat: FlatModel) -> dict[str, int]:
+    """The places in (q, qd, z) by the names of start values."""
+    coordinates = [c.name for c in flat.coordinates]
+    names = [*coordinates, *(f"der({name})" for name in coordinates), *(s.name for s in flat.states)]
+    return {name: place for place, name in enumerate(names)}
+
+
+def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[int, float]:
+    """Start values by their place in (q, qd, z); E0805 for a name that has none."""
+    places = places_of(flat)
+    for name in start:
+        if name not in places:
+            sink.report("E0805", None, name=name, known=", ".join(places))
+    return {places[name]: value for name, value in start.items() if name in places}
+
+
+def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float], sink: Sink) -> None:
+    """W0328 for start values outside of their bounds."""
+    n = len(flat.coordinates)
+    items = dict(enumerate(flat.coordinates)) | dict(enumerate(flat.states, 2 * n))
+    for place, item in items.items():
+        if place in given or item.start_explicit:
+            report_outside(item, f"{item.name}(start)", float(starts[place]), sink)
+
+
+@remembered
+def _flags(told: Start) -> tuple[Flags, Flags, NDArray[np.intp]]:
+    """Flags of fixed and of written starts (2 nq + nz,), and the places of the first rates of quaternions."""
+    flags = np.array(told.written, dtype=np.uint8)
+    return np.array(told.fixed, dtype=np.bool_), (flags & WRITTEN) != 0, np.flatnonzero(flags & QUATERNION)
+
+
+def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
+    n = len(flat.coordinates)
+    fixed, written, turning = _flags(run.settings.start)
+    if given:
+        written = written.copy()
+        written[list(given)] = True
+    return Starts(
+        flat=flat,
+        x=turned_rates(found.starts, found.x, turning - n, n),
+        sizes=run.settings.natural,
+        fixed=fixed,
+        written=written,
+        pattern=found.pattern,
+        count=n,
+    )
+
+
+def _cut_joints(flat: FlatModel, run: Run, t: float, found: Found) -> Floats:
+    """Outputs at the start, which hold the coordinates of cut joints, where there are some."""
+    if not any(output.joint for output in flat.outputs):
+        return np.zeros(0)
+    return run.evaluate("output", t, found.x, len(flat.outputs))

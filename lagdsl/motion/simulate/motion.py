@@ -1,0 +1,230 @@
+"""One motion: the runtime moves from break to break of the inputs, what it found becomes a trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from time import perf_counter
+from typing import NoReturn
+
+import numpy as np
+
+from lagdsl.derivation.structure.names import located, place
+from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.structures import Status
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.language.flat.admissible import EXACT_INTEGERS
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.spans import place as where
+from lagdsl.motion.signals.inputs import Signals
+from lagdsl.motion.signals.trajectory import Statistics, Trajectory
+from lagdsl.motion.simulate.control import Controls
+from lagdsl.motion.simulate.failure import SimulationFailed
+from lagdsl.motion.simulate.initialize import InitialState
+from lagdsl.motion.simulate.messages import Course, report_fault
+from lagdsl.motion.simulate.state_words import state_values, time_text
+from lagdsl.motion.simulate.table import trajectory
+from lagdsl.motion.simulate.unknown_outputs import State, UnknownOutputs
+
+# Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
+STEPS = 1000
+# Of the first call, after which it is known what a step takes.
+FIRST_STEPS = 50
+MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
+_PROGRESS_STEP = 0.002
+_STATE = ("coordinate", "rate", "state")
+
+
+@record(kw_only=True)
+class Asked:
+    """A motion but for its rows; `q` are the start values of coordinates."""
+
+    flat: FlatModel
+    engine: Engine
+    p: Floats
+    q: Floats
+    signals: Signals
+    start: Mapping[str, float]
+    tolerance: float
+    solver: str
+    step: float | None
+    max_steps: int
+    controls: Controls | None = None
+
+
+@record(kw_only=True)
+class Task:
+    """Everything one motion needs; `run` has not begun."""
+
+    asked: Asked
+    run: Run
+    initial: InitialState
+    times: Floats
+    sink: Sink
+    progress: Callable[[float], None] | None
+
+
+class Motion:
+    """Not to be used twice."""
+
+    def __init__(self, task: Task) -> None:
+        self._task, self._asked, self._run = task, task.asked, task.run
+        self._first, self._last = float(task.times[0]), float(task.times[-1])
+        self._steps = 0
+        self._shown = 0.0
+        self._notes: list[str] = []
+
+    def trajectory(self) -> Trajectory:
+        """From the first to the last of the requested times."""
+        task, run = self._task, self._run
+        status = self._ended(run.begin(self._first, task.initial.x))
+        self._tell_lost_rank()
+        controlled = self._asked.controls
+        for stop, acting in self._stops():
+            if status is Status.OK and stop > self._first:
+                status = self._segment(stop)
+            if status is Status.OK and stop < self._last:
+                if acting and controlled is not None:
+                    controlled.act(acting, run, task.sink)
+                status = self._ended(run.jump())
+        self._ended(run.end())
+        found = self._so_far()
+        found = self._check_outputs(found)
+        self._tell_rounded(found)
+        self._tell_doubted()
+        return found
+
+    def _stops(self) -> list[tuple[float, list[int]]]:
+        """Times at which inputs may jump, with the controllers that act then, and the end."""
+        found = {b: list[int]() for b in self._asked.signals.breaks if b > self._first}
+        if self._asked.controls is not None:
+            found |= dict(self._asked.controls.instants())
+        return [*sorted(found.items()), (self._last, [])]
+
+    def _inputs_at(self, t: float) -> Floats:
+        """u (nu,) of a row at time t."""
+        u = self._asked.signals.at(t)
+        return u if self._asked.controls is None else self._asked.controls.at(t, u)
+
+    def _tell_doubted(self) -> None:
+        """W0886 for each relation that turned by what may be the error of the method."""
+        relations = self._asked.flat.events.relations
+        for relation, time in zip(relations, self._run.doubted(len(relations)), strict=True):
+            if np.isfinite(time):
+                self._task.sink.report("W0886", where(relation), name=relation.name, time=time_text(time))
+
+    def _tell_rounded(self, found: Trajectory) -> None:
+        """W0859 for each discrete Integer that is beyond the whole numbers that are exact."""
+        for discrete in self._asked.flat.events.discretes:
+            values = found[discrete.name] if discrete.kind == "Integer" else np.zeros(0)
+            rows = np.flatnonzero(np.abs(values) >= EXACT_INTEGERS)
+            if len(rows):
+                value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
+                self._task.sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)
+
+    def _check_outputs(self, found: Trajectory) -> Trajectory:
+        """E0857 for the first output that is no number, with all rows; a note for each without a limit."""
+        columns = [column.values for column in found.columns if column.kind == "output"]
+        if not columns:
+            return found
+        asked = self._asked
+        states = [column.values for column in found.columns if column.kind in _STATE]
+
+        def state_of(row: int) -> State:
+            return np.array([values[row] for values in states]), self._inputs_at(float(found.time[row])), self._run.p
+
+        outputs = UnknownOutputs(asked.flat, asked.engine)
+        unknown = outputs.first(np.column_stack(columns), found.time, state_of)
+        if unknown is not None:
+            row, which = unknown
+            sink, t = Sink(), float(found.time[row])
+            name = outputs.report(which, t, float(columns[which][row]), sink)
+            state = {column.name: float(column.values[row]) for column in found.columns if column.kind in _STATE}
+            raise SimulationFailed(sink.diagnostics[-1], t, state, name, found)
+        notes = (outputs.note(which, float(found.time[row])) for row, which in outputs.left)
+        statistics = replace(found.statistics, notes=(*found.statistics.notes, *notes))
+        return replace(found, statistics=statistics)
+
+    def _segment(self, stop: float) -> Status:
+        """Up to `stop`; whether the motion goes on there."""
+        while True:
+            steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._asked.max_steps - self._steps)
+            status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
+            self._tell_progress()
+            if status is not Status.TOO_LONG or steps <= 0:
+                return self._ended(status)
+
+    def _on(self, stop: float, steps: int) -> Status:
+        """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
+        engine, run, before = self._asked.engine, self._run, self._run.t
+        started = perf_counter()
+        status = run.to(stop, steps)
+        self._steps += run.report.steps
+        if isinstance(engine, AutoEngine) and status in (Status.OK, Status.TOO_LONG):
+            seconds, reached = perf_counter() - started, max(run.t - before, 1e-9 * (self._last - self._first))
+            engine.worked(seconds, left=seconds * (self._last - run.t) / reached)
+            compiled = engine.hasten()
+            if compiled is not None:
+                run.change(compiled)
+        return status
+
+    def _ended(self, status: Status) -> Status:
+        """OK, or STOPPED where a `terminate` acted; all others end the run as an error."""
+        if status not in (Status.OK, Status.STOPPED):
+            self._fail(status)
+        return status
+
+    def _fail(self, status: Status) -> NoReturn:
+        asked, run = self._asked, self._run
+        course = Course(asked.flat, asked.engine.layout, run, self._last, asked.max_steps)
+        fault = run.explain(status)
+        sink = Sink()
+        name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
+        values = state_values(asked.flat, fault.x)
+        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
+
+    def _tell_progress(self) -> None:
+        part = (self._run.t - self._first) / (self._last - self._first)
+        if self._task.progress is not None and (part - self._shown >= _PROGRESS_STEP or part >= 1.0):
+            self._shown = part
+            self._task.progress(part)
+
+    def _tell_lost_rank(self) -> None:
+        """W0608 where rank is lost at the start."""
+        task = self._task
+        if not any(self._asked.engine.layout.position_level):
+            return
+        rank, general, row = self._run.rank()
+        if rank < general:
+            constraint = next(item.constraint for item in located(self._asked.flat) if row in item.rows)
+            name, time = self._asked.engine.layout.constraints[row].name, time_text(self._first)
+            task.sink.report("W0608", place(constraint), time=time, rank=rank, general=general, name=name)
+            self._notes.append(f"the constraints lost rank at t = {time} s ({rank} instead of {general}) at {name}")
+
+    # ---- what became of it -------------------------------------------------------------------------------------------
+
+    def _so_far(self) -> Trajectory:
+        run, report = self._run, self._run.report
+        automatic = "radau" if report.implicit else "dop853"
+        statistics = Statistics(
+            solver=automatic if self._asked.solver == "auto" else self._asked.solver,
+            steps=self._steps,
+            evaluations=report.counts.evaluations,
+            jacobians=report.counts.jacobians,
+            projections=report.projections,
+            notes=(*self._notes, *self._changes()),
+        )
+        return trajectory(self._asked.flat, self._asked.engine.layout, run, self._task.initial.moved, statistics)
+
+    def _changes(self) -> list[str]:
+        """Changes of the method, where the runtime chooses it."""
+        names = {False: "dop853", True: "radau"}
+        why = {False: "accuracy limits the steps again", True: "stability, not accuracy, limited the steps"}
+        return [
+            f"changed from {names[not to]} to {names[to]} at t = {time_text(t)} s: {why[to]}"
+            for t, to in self._run.changes()
+        ]

@@ -1,0 +1,117 @@
+"""A run of the runtime for a flat model: what the model says, in the terms of lag/run.h."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.structure.names import contact_rows
+from lagdsl.derivation.structure.scales import Scales, scales_of
+from lagdsl.engines.backends.start import Start, start_of
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.run_options import RunInputs, RunSettings
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record, remembered
+from lagdsl.language.flat.model import FlatModel
+
+# Residuals below this part of the tolerance need no projection.
+PROJECTION_PART = 1e-3
+# The default tolerance of an invariant in integration tolerances.
+_INVARIANT_FACTOR = 1e3
+
+
+def placed(
+    flat: FlatModel,
+    engine: Engine,
+    p: Floats,
+    inputs: RunInputs,
+    *,
+    t0: float | None = None,
+    q: Floats | None = None,
+    times: Floats | None = None,
+    tolerance: float | None = None,
+    solver: str = "auto",
+    step: float | None = None,
+) -> Run:
+    """A run that has not begun. Without `times` no rows are wanted, `q` (nq,) are the start values at t0 where they are
+    known; the rest that is left out says the experiment."""
+    t = flat.experiment.start_time if t0 is None else t0
+    if q is None:
+        q = engine.evaluate("start", t, p)[0]
+    settings = settings_of(
+        flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
+    )
+    return Run(engine.native, engine.layout, settings, engine.along)
+
+
+def settings_of(
+    flat: FlatModel,
+    layout: Layout,
+    p: Floats,
+    q: Floats,
+    inputs: RunInputs,
+    *,
+    t: float,
+    times: Floats | None,
+    tolerance: float | None,
+    solver: str,
+    step: float | None,
+) -> RunSettings:
+    """Settings of a run; q (nq,) are the start values for the parameters p. With leading axes of p, q and the inputs
+    those of many runs."""
+    experiment = flat.experiment
+    relative = experiment.tolerance if tolerance is None else tolerance
+    measures = _measures(flat, layout, q, t)
+    invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
+    asked = np.zeros(0) if times is None else times
+    length = float(asked[-1] - asked[0]) if len(asked) > 1 else max(experiment.stop_time - t, np.spacing(abs(t)))
+    return RunSettings(
+        p=p,
+        inputs=inputs,
+        start=measures.start,
+        group=measures.scales.groups,
+        natural=measures.scales.sizes,
+        cap=measures.scales.caps,
+        lasting=measures.lasting,
+        general=measures.general,
+        times=asked,
+        tolerance=relative,
+        part=PROJECTION_PART,
+        method=None if solver == "auto" else solver,
+        step=step or 0.0,
+        length=length,
+        invariant_tolerance=np.array(invariants),
+    )
+
+
+@record()
+class _Measures:
+    """Settings that follow from the model, its start values and their time. Nobody can write to the arrays."""
+
+    start: Start
+    scales: Scales
+    lasting: Floats
+    general: int
+
+
+@remembered
+def _last(flat: FlatModel) -> list[tuple[object, _Measures]]:
+    """Settings for the last start values, with these."""
+    return []
+
+
+def _measures(flat: FlatModel, layout: Layout, q: Floats, t: float) -> _Measures:
+    known, key = _last(flat), (t, q.shape, q.tobytes(), layout.components, layout.redundant)
+    for before, measures in known[:1]:
+        if before == key:
+            return measures
+    loose = contact_rows(flat)
+    scales = scales_of(flat, layout.components, q)
+    lasting = np.array([row not in loose for row in range(len(layout.constraints))], dtype=np.float64)
+    for array in (scales.groups, scales.sizes, scales.caps, lasting):
+        array.flags.writeable = False
+    general = sum(not (flag or row in loose) for row, flag in enumerate(layout.redundant))
+    measures = _Measures(start_of(flat, t, ()), scales, lasting, general)
+    known[:] = [(key, measures)]
+    return measures

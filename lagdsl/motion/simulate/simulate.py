@@ -1,0 +1,198 @@
+"""Motion from an initial state: the entry of the simulator."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.library import FIXED_METHODS, METHODS
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat.limits import check_clocks, check_limits
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.signals.inputs import Signal, report_missing, signals
+from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.commands import Commands
+from lagdsl.motion.simulate.control import Control, Controls
+from lagdsl.motion.simulate.initialize import find_start
+from lagdsl.motion.simulate.instants import equidistant
+from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
+from lagdsl.motion.simulate.placed import placed
+from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
+
+SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
+# Solvers of SciPy and SUNDIALS that there were, and what takes their place.
+_GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
+LARGEST_ROWS = 20_000_000
+
+
+def _number(name: str, value: object) -> float:
+    return float(value)  # type: ignore[arg-type]
+
+
+def simulate(
+    engine: Engine,
+    flat: FlatModel,
+    *,
+    stop: float | None = None,
+    interval: float | None = None,
+    tolerance: float | None = None,
+    p: Floats | None = None,
+    inputs: Mapping[str, Signal] | None = None,
+    start: Mapping[str, float] | None = None,
+    solver: str = "auto",
+    step: float | None = None,
+    max_steps: int = MOST_STEPS,
+    control: Sequence[Control] = (),
+    read: Callable[[str, object], float] = _number,
+    progress: Callable[[float], None] | None = None,
+    sink: Sink | None = None,
+) -> Trajectory:
+    """Integrate from the model's start time to `stop` and return rows every `interval`; what is left out comes from
+    the experiment.
+
+    `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
+    further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. The controllers of
+    `control` set inputs on the way; `read` makes a number of a value that they give an input by name. `progress` is
+    called with the part of the time that is done. An error before the first step raises CompilationFailed (warnings go
+    to `sink`), a failure on the way SimulationFailed, a bad option ValueError.
+    """
+    experiment = flat.experiment
+    t0 = experiment.start_time
+    end = experiment.stop_time if stop is None else float(stop)
+    relative = experiment.tolerance if tolerance is None else float(tolerance)
+    wanted = experiment.interval if interval is None else float(interval)
+    check_options(t0, end, relative, solver, step)
+    own = Sink() if sink is None else sink
+    parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
+    names = (slot.name for slot in engine.layout.parameters)
+    with np.errstate(all="ignore"):
+        values = dict(zip(names, parameters.tolist(), strict=True))
+        check_limits(flat, values, own)
+        own.raise_if_errors()
+        check_clocks(flat, values, (t0, end), max_steps, own)
+        q, _, _, defaults = engine.evaluate("start", t0, parameters)
+        given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
+        own.raise_if_errors()
+        if not control:
+            report_missing(flat, inputs or {}, own)
+    commands = Commands(flat, given.following, engine.layout.speeds, read)
+    asked = Asked(
+        flat=flat,
+        engine=engine,
+        p=parameters,
+        q=q,
+        signals=given,
+        start=start or {},
+        tolerance=relative,
+        solver=solver,
+        step=step,
+        max_steps=max_steps,
+        controls=Controls(control, flat, given, commands, (t0, end)) if control else None,
+    )
+    return _shown(asked, (t0, end), wanted, progress, own)
+
+
+def _shown(
+    asked: Asked,
+    span: tuple[float, float],
+    interval: float | None,
+    progress: Callable[[float], None] | None,
+    sink: Sink,
+) -> Trajectory:
+    """With rows as they are asked for; where nobody asks, with as many as show the motion."""
+    times = grid(*span, interval)
+    motion, turns = _motion(asked, times, progress, sink)
+    resolution = resolution_of(turns)
+
+    made: dict[int, Trajectory] = {}
+
+    def again(intervals: int) -> Trajectory:
+        if intervals not in made:
+            made[intervals] = _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
+        return made[intervals]
+
+    intervals = len(times) - 1
+    if interval is None and intervals < resolution.rows:
+        intervals = resolution.rows
+        motion = again(intervals)
+    motion = noted(motion, resolution, intervals)
+
+    def finer(smooth: bool) -> Trajectory:
+        needed = resolution.smooth if smooth else resolution.rows
+        return motion if intervals >= needed else again(needed)
+
+    return replace(motion, finer=finer)
+
+
+def _motion(
+    asked: Asked, times: Floats, progress: Callable[[float], None] | None, sink: Sink
+) -> tuple[Trajectory, Floats]:
+    """With rows at `times`; and how often every number of the state turns around."""
+    flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # Checks of the values detect those that are not numbers.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        run = placed(
+            flat,
+            engine,
+            asked.p,
+            given.course(t0) if asked.controls is None else given.held(t0),
+            t0=t0,
+            q=asked.q,
+            times=times,
+            tolerance=asked.tolerance,
+            solver=asked.solver,
+            step=asked.step,
+        )
+        initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
+        sink.raise_if_errors()
+        task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
+        return Motion(task).trajectory(), run.results.turns(run.size)
+
+
+def grid(t0: float, stop: float, interval: float | None) -> Floats:
+    """t0, t0 + interval, ...; the stop time is always the last."""
+    step = (stop - t0) / DEFAULT_ROWS if interval is None else interval
+    if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
+        raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
+    count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
+    if count == 0:
+        return np.array([t0, stop])
+    if count == 1 and stop - (t0 + step) <= 1e-9 * step:
+        return np.array([t0, stop])
+    times = equidistant(t0, step, count + 1)
+    if stop - times[-1] > 1e-9 * step:
+        return np.append(times, stop)
+    times[-1] = stop
+    return times
+
+
+def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:
+    """Raise ValueError for options that make no sense."""
+    if not np.isfinite(stop) or not stop > t0:
+        raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
+    if not 1e-13 <= tolerance <= 0.1:
+        raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")
+    if solver in _GONE:
+        raise ValueError(f"the solver `{solver}` was removed: use `{_GONE[solver]}`")
+    if solver not in SOLVERS:
+        raise ValueError(f"there is no solver `{solver}`; there are {', '.join(SOLVERS)}")
+    _check_step(solver, step, stop - t0)
+
+
+def _check_step(solver: str, step: float | None, span: float) -> None:
+    fixed = solver in FIXED_METHODS
+    if fixed and step is None:
+        raise ValueError(f"the solver `{solver}` does not choose the length of its steps: give a step, in seconds")
+    if step is not None and not fixed:
+        names = ", ".join(FIXED_METHODS)
+        raise ValueError(f"the solver `{solver}` chooses the length of its steps; give a step to {names} only")
+    if step is not None and not 0.0 < step <= span:
+        raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation, {span:g} s")
+    if step is not None and step < 1e-9 * span:
+        raise ValueError(f"the step {step:g} s is too short: {span:g} s would take {span / step:.3g} steps")

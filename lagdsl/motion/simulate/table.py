@@ -1,0 +1,129 @@
+"""From the rows and notes of a run to a trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+
+from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.run import Run
+from lagdsl.foundation.record import remembered
+from lagdsl.language.flat.display import Display, display, display_rate
+from lagdsl.language.flat.listing import discrete_outputs
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.settings.aliases import other_names
+from lagdsl.motion.signals.moved import MovedRow
+from lagdsl.motion.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+
+
+def trajectory(
+    flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
+) -> Trajectory:
+    """All rows so far."""
+    heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
+    rows, extremes = run.results.rows(), run.results.extremes()
+    table = np.ascontiguousarray(rows[:, places].T)
+    ends = np.full((2, 1 + rows.shape[1]), np.nan)
+    ends[:, 1 : 1 + extremes.shape[1]] = np.where(np.isfinite(extremes), extremes, np.nan)
+    low, high = ends[:, places]
+    energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
+    return Trajectory(
+        model=flat.name,
+        columns=tuple(
+            Column(
+                name=name,
+                unit=unit,
+                kind=kind,
+                display=shown,
+                values=values,
+                lowest=lowest,
+                highest=highest,
+                aliases=others.get(name, ()),
+            )
+            for (name, unit, kind, shown), values, lowest, highest in zip(
+                heads, table, low.tolist(), high.tolist(), strict=True
+            )
+        ),
+        position_residual=residuals[0],
+        velocity_residual=residuals[1],
+        energy=energy,
+        invariants=_invariants(flat, run),
+        moved=moved,
+        statistics=statistics,
+        events=events_of(flat, layout, run.results.notes),
+    )
+
+
+def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str, int]]) -> tuple[Event, ...]:
+    """The notes of a run with the names of what something happened to."""
+    return tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in notes)
+
+
+def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
+    """Drift of every invariant."""
+    start, size, drift = run.results.drifts
+    tolerance = run.settings.invariant_tolerance
+    limits = [] if tolerance is None else (tolerance * size).tolist()
+    return tuple(
+        InvariantRecord(name=i.name, start=at_start, drift=largest, limit=limit)
+        for i, at_start, largest, limit in zip(flat.invariants, start.tolist(), drift.tolist(), limits, strict=True)
+    )
+
+
+def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
+    """Of what something happened to."""
+    match what:
+        case "tick":
+            return flat.events.clocks[which].name
+        case "true" | "false" | "jump":
+            known = len(flat.events.relations)
+            return flat.events.relations[which].name if which < known else flat.events.timed[which - known].name
+        case "slips" | "sticks" | "reverses":
+            return flat.events.frictions[which].name
+        case "reinit":
+            return layout.instants.resets[which]
+        case "terminate":
+            return layout.instants.stops[which]
+        case _:
+            return flat.events.contacts[which].name
+
+
+@remembered
+def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
+    """Names, units and kinds of the columns, in the order of result files. Discrete outputs stand among the outputs."""
+    heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
+    heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
+    for c in flat.coordinates:
+        unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
+        heads.append((f"der({c.name})", unit, "rate", display_rate(c)))
+    heads += [(s.name, s.unit, "state", display(s)) for s in flat.states]
+    outputs = discrete_outputs(flat)
+    heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes if d.name not in outputs]
+    heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
+    return tuple(heads)
+
+
+def called_heads(flat: FlatModel) -> dict[str, tuple[str, str, Kind, Display]]:
+    """Heads of the columns by all names: those of the results, then other names of coordinates and rates, with the
+    other name in the head."""
+    heads = {head[0]: head for head in heads_of(flat)}
+    others = {other: heads[name] for name, each in other_names(flat).items() for other in each}
+    return heads | {other: (other, *head[1:]) for other, head in others.items()}
+
+
+def asked(flat: FlatModel, column: str, wanted: Collection[str] | None) -> list[str]:
+    """The names of a column that are wanted; its own where nothing is said."""
+    if wanted is None:
+        return [column]
+    return [name for name in (column, *other_names(flat).get(column, ())) if name in wanted]
+
+
+@remembered
+def places_of_columns(flat: FlatModel) -> list[int]:
+    """Place of each column in a row of the runtime, which has all discrete variables, then all outputs."""
+    outputs = discrete_outputs(flat)
+    first = 1 + 2 * len(flat.coordinates) + len(flat.states)
+    discretes = [first + k for k, item in enumerate(flat.events.discretes) if item.name not in outputs]
+    end = first + len(flat.events.discretes)
+    return [*range(first), *discretes, *range(end, end + len(flat.outputs))]

@@ -1,0 +1,227 @@
+"""Runs of one model that differ in numbers only: all of them in one call of C."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from itertools import groupby
+
+import numpy as np
+
+from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
+from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.engines.runtime.signal_tables import TabledInputs
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat.limits import check_clocks, check_limits
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.signals.inputs import given_inputs, is_allowed, signals
+from lagdsl.motion.simulate.initial_words import FAR
+from lagdsl.motion.simulate.initialize import places_of
+from lagdsl.motion.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
+from lagdsl.motion.simulate.placed import settings_of
+from lagdsl.motion.simulate.simulate import grid
+from lagdsl.motion.simulate.table import asked, heads_of, places_of_columns
+from lagdsl.motion.simulate.unknown_outputs import UnknownOutputs
+from lagdsl.motion.sweep.failure_words import FailureWords
+from lagdsl.motion.sweep.plan import Task
+from lagdsl.motion.sweep.run import Options, Outcome, failed, first_error, parameters_of
+
+# In the rows of one call of C.
+_NUMBERS = 4_000_000
+
+
+class Ensemble:
+    """The runs of one flat model, with the options that all of them share.
+
+    Raises ValueError and CompilationFailed for options that no run can be made with.
+    """
+
+    def __init__(self, flat: FlatModel, engine: BatchEngine, options: Options) -> None:
+        self._flat, self._engine, self._options = flat, engine, options
+        self._lock = threading.Lock()  # of the engine, which serves one thread at a time
+        heads = heads_of(flat)[1:]
+        names = [name for name, *_ in heads]
+        rows = len(grid(flat.experiment.start_time, options.stop, options.interval))
+        self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
+        chosen = [(k, name) for k, each in enumerate(names) for name in asked(flat, each, options.columns)]
+        places = places_of_columns(flat)[1:]
+        self._columns = [places[k] - 1 for k, _ in chosen]
+        self._unknown = UnknownOutputs(flat, engine)
+        self._names = tuple(name for _, name in chosen)
+        self._units = tuple(heads[k][1] for k, _ in chosen)
+
+    def run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
+        """The outcome of every task, None for one that has to be made by itself to tell what is wrong with it; fewer
+        outcomes where `stop` was set. All tasks set the same names."""
+        outcomes: list[Outcome | None] = []
+        for _, group in groupby(tasks, key=_form):
+            alike = list(group)
+            for first in range(0, len(alike), self._most):
+                outcomes += self._run(alike[first : first + self._most], bench, stop)
+                if stop.is_set:
+                    return outcomes
+        return outcomes
+
+    def _run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
+        tellable = [self._parameters(task) if self._has_inputs(task) else None for task in tasks]
+        known = [k for k, p in enumerate(tellable) if p is not None]
+        outcomes: list[Outcome | None] = [None] * len(tasks)
+        if not known:
+            return outcomes
+        with self._lock:
+            told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
+            model = self._engine.native
+        if told is None:
+            return outcomes
+        settings, inputs = told
+        reach = self._reach(settings)
+        words = FailureWords(self._flat, self._engine.layout, settings, inputs)
+        made = bench.run(model, self._engine.layout, settings, stop, words.hear)
+        if made is None:
+            return []
+        for row, k in enumerate(known):
+            if not made.went_well(row) or not made.kept[row] or reach(row, made.rows[row, 0]):
+                outcomes[k] = self._outcome(tasks[k].index, made, row, words, inputs)
+        return outcomes
+
+    def _reach(self, settings: EnsembleSettings) -> Callable[[int, Floats], bool]:
+        """True of a run by its number whose first row is not so far from its start values that the search for the start
+        may have run away (E0802), which a run that is made by itself tells."""
+        n = len(self._flat.coordinates)
+        with self._lock, np.errstate(all="ignore"):
+            q = self._engine.evaluate_many("start", settings.t, settings.settings.p)[0]
+        starts = np.where(settings.given[:n], settings.x[:, :n], q)
+        farthest = FAR * settings.settings.natural[:, :n]
+        return lambda run, row: bool(np.all(np.abs(row[:n] - starts[run]) <= farthest[run]))
+
+    def worked(self, seconds: float, left: float) -> None:
+        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""
+        if isinstance(self._engine, AutoEngine):
+            with self._lock:
+                self._engine.worked(seconds, left)
+                self._engine.hasten()
+
+    def _parameters(self, task: Task) -> Floats | None:
+        """The vector of parameters; None where they are not what the model allows."""
+        try:
+            p = parameters_of(self._flat, self._engine.layout, task.parameters)
+        except (ValueError, TypeError):
+            return None
+        sink = Sink()
+        names = (slot.name for slot in self._engine.layout.parameters)
+        values = dict(zip(names, p.tolist(), strict=True))
+        check_limits(self._flat, values, sink)
+        if not sink.diagnostics:
+            span = (self._flat.experiment.start_time, self._options.stop)
+            check_clocks(self._flat, values, span, MOST_STEPS, sink)
+        return None if sink.diagnostics else p
+
+    def _has_inputs(self, task: Task) -> bool:
+        """True if the inputs of the run that are numbers are what the model allows."""
+        items, sink = {item.name: item for item in self._flat.inputs}, Sink()
+        return all(
+            name in items and bool(np.isfinite(value)) and is_allowed(items[name], np.array([value]), None, sink)
+            for name, value in _numbers(task).items()
+        )
+
+    def _settings(
+        self, tasks: Sequence[Task], p: Floats
+    ) -> tuple[EnsembleSettings, Callable[[int, float], Floats]] | None:
+        """Settings for C of runs whose inputs have one form, and the inputs (nu,) of a run at a time; None if each run
+        must report errors of its options by itself."""
+        flat, engine, options = self._flat, self._engine, self._options
+        t0, sink = flat.experiment.start_time, Sink()
+        with np.errstate(all="ignore"):
+            q, _, _, u = engine.evaluate_many("start", t0, p)
+        own = {**options.inputs, **tasks[0].inputs}
+        inputs = signals(flat, u[0], own, (t0, options.stop), sink, speeds=engine.layout.speeds)
+        places = places_of(flat)
+        if sink.has_errors or inputs.tables is None or not all(name in places for name in tasks[0].start):
+            return None
+        u = np.where(given_inputs(flat, own), inputs.at(t0), u)
+        columns = {item.name: k for k, item in enumerate(flat.inputs)}
+        numbers = [_numbers(task) for task in tasks]
+        for name in numbers[0]:
+            u[:, columns[name]] = [each[name] for each in numbers]
+        tables = None if inputs.constant else TabledInputs(u, inputs.tables)
+        given = np.zeros(len(places), dtype=np.bool_)
+        x = np.zeros((len(tasks), len(places)))
+        for name in tasks[0].start:
+            given[places[name]] = True
+            x[:, places[name]] = [task.start[name] for task in tasks]
+        settings = settings_of(
+            flat,
+            engine.layout,
+            p,
+            q,
+            tables or u,
+            t=t0,
+            times=grid(t0, options.stop, options.interval),
+            tolerance=options.tolerance,
+            solver=options.solver,
+            step=None,
+        )
+        told = EnsembleSettings(
+            settings=settings,
+            t=t0,
+            stop=float(settings.times[-1]),
+            breaks=tuple(b for b in inputs.breaks if b > t0),
+            x=x,
+            given=given,
+            equations=bool(flat.initial_equations),
+            first_piece=FIRST_STEPS,
+            piece=STEPS,
+            most_steps=MOST_STEPS,
+        )
+        return told, lambda run, t: np.where(inputs.following, inputs.at(t), u[run])
+
+    def _unknown_output(self, rows: Floats, p: Floats, u: Callable[[float], Floats]) -> str | None:
+        """Words for the first output that is no number; the motion itself goes on."""
+        values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
+        times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)[: len(values)]
+        size = 2 * len(self._flat.coordinates) + len(self._flat.states)
+        with self._lock:
+            unknown = self._unknown.first(values, times, lambda row: (rows[row, :size], u(float(times[row])), p))
+        if unknown is None:
+            return None
+        self._unknown.report(unknown[1], float(times[unknown[0]]), float(values[unknown]), sink)
+        return first_error(sink.diagnostics)
+
+    def _outcome(
+        self, index: int, made: Made, row: int, words: FailureWords, inputs: Callable[[int, float], Floats]
+    ) -> Outcome | None:
+        """None where nothing is known of a failure."""
+        ended: float | None = float(made.ended[row])
+        if made.went_well(row):
+            message = words.wrong(made.p[row])
+            ended = ended if message is None else None
+            kept = made.rows[row, : made.kept[row]]
+            message = message or self._unknown_output(kept, made.p[row], lambda t: inputs(row, t))
+        elif row in words.told:
+            message, ended = words.told[row]
+        else:
+            return None
+        if ended is None:
+            return failed(index, message or "")
+        return Outcome(
+            index=index,
+            status="ok" if message is None else "failed",
+            ended=ended,
+            message=message or "",
+            names=self._names,
+            units=self._units,
+            values=made.rows[row, : made.kept[row], self._columns].T.copy(),
+        )
+
+
+def _numbers(task: Task) -> dict[str, float]:
+    """The inputs of the run that are numbers."""
+    return {name: float(signal) for name, signal in task.inputs.items() if isinstance(signal, (int, float))}
+
+
+def _form(task: Task) -> tuple[tuple[str, int | None], ...]:
+    """Equal for runs whose own inputs have the same names and the same tables: one call of C can make them."""
+    numbers = _numbers(task)
+    return tuple((name, None if name in numbers else id(signal)) for name, signal in task.inputs.items())

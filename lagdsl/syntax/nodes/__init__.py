@@ -1,8 +1,0 @@
-"""The syntax tree: product of the syntax floor.
-
-Source shape only: nothing is resolved. Every node carries its span, which does not take part in comparison, so
-`parse(print(tree)) == tree`. Trees are immutable; children are tuples.
-"""
-
-from lagdsl.syntax.nodes.expression import *  # noqa: F403 this package is one vocabulary, in two files
-from lagdsl.syntax.nodes.item import *  # noqa: F403

@@ -1,0 +1,78 @@
+"""Networks: which coordinates move without kinetic energy, which potentials are open, and what to do."""
+
+from __future__ import annotations
+
+import lagdsl
+from lagdsl.foundation.diagnostics import Diagnostic
+
+RING = """
+model Ring
+  parameter Resistance R = 1 kOhm;
+  parameter Capacitance C = 1 uF;
+  parameter Inductance L = {inductance};
+  coordinate Charge capacitor(start = 1 uC), resistor, coil;
+  potential capacitor^2/(2*C);
+  dissipation 1/2*R*der(resistor)^2;
+  kinetic 1/2*L*der(coil)^2;
+  constraint first: capacitor + resistor = 1 uC;
+  constraint second: {second};
+end Ring;
+"""
+
+
+def _errors(text: str) -> list[Diagnostic]:
+    return [d for d in lagdsl.check(text) if d.severity == "error"]
+
+
+def test_a_loop_with_an_inductance_is_sound() -> None:
+    assert not _errors(RING.format(inductance="1 mH", second="coil = resistor"))
+
+
+def test_a_loop_without_one_is_told_with_all_its_charges_once() -> None:
+    (error,) = _errors(RING.format(inductance="1 mH", second="coil = 0"))
+    assert error.code == "E0503"
+    assert error.notes == ("der(capacitor) and der(resistor) can change together without kinetic energy",)
+    assert error.help is not None and "inductance" in error.help
+
+
+def test_a_loose_flange_is_told_with_its_component() -> None:
+    (error,) = _errors(
+        """
+        model Shafts
+          import Lag.Rotational.{Rotor, Damper};
+          Rotor rotor(J = 2 kg.m2);
+          Damper oil(c = 1 N.m.s/rad);
+          constraint joined: rotor.phi = oil.phi_a;
+        end Shafts;
+        """
+    )
+    assert error.code == "E0503" and error.message == "`oil.phi_b` has no inertia"
+    assert [label.span.text for label in error.labels] == ["phi_b", "oil"]
+    assert error.help is not None and error.help.startswith("connect it")
+
+
+CIRCUIT = """
+model Circuit
+  import Lag.Electrical.*;
+  Capacitor C1(C = 10 uF, q(start = 1 mC));
+  {coil}
+  {ground}
+  connect(C1.p, other.p);
+  connect(C1.n, other.n{to_ground});
+end Circuit;
+"""
+
+
+def test_a_circuit_without_ground_is_told_what_is_missing() -> None:
+    text = CIRCUIT.format(coil="Inductor other(L = 10 mH);", ground="", to_ground="")
+    (note,) = lagdsl.check(text)
+    assert note.code == "N0607" and note.help is not None and "Ground" in note.help
+
+
+def test_a_resistor_across_a_capacitor_is_told_with_both() -> None:
+    text = CIRCUIT.format(coil="Resistor other(R = 1 Ohm);", ground="Ground ground;", to_ground=", ground.p")
+    (error,) = _errors(text)
+    assert error.code == "E0503" and error.message == "`other.q` has no inertia"
+    assert error.notes == ("der(C1.q) and der(other.q) can change together without kinetic energy",)
+    assert [label.span.text for label in error.labels] == ["q", "other"]
+    assert not _errors(text.replace("Resistor other(R = 1 Ohm)", "Inductor other(L = 1 mH)"))
