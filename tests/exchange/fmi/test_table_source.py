@@ -17,7 +17,7 @@ from lagdsl.exchange.fmi.description.table import table_source
 from lagdsl.exchange.fmi.variables.builtin_variables import indicator_count
 from lagdsl.exchange.fmi.variables.scalar import Role
 from lagdsl.exchange.fmi.variables.variables import Table, Version
-from lagdsl.foundation.resources import c_folder
+from lagdsl.foundation.resources import c_folder, fmi_folder
 from lagdsl.language.flat.model import Definition
 
 VERSIONS = pytest.mark.parametrize("version", [2, 3])
@@ -46,7 +46,7 @@ def printed(given: Table, folder: Path, token: str = "{1}") -> dict[str, list[li
     }
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
-    includes = [f"-I{folder}", f"-I{c_folder()}", f"-I{c_folder().parents[1] / 'fmi' / 'c'}"]
+    includes = [f"-I{folder}", f"-I{c_folder()}", f"-I{fmi_folder()}"]
     sources = [folder / "Model_fmu.c", folder / "rest.c", Path(__file__).with_name("print_table.c")]
     subprocess.run([*find_compiler().command, *STRICT, *includes, *sources, "-o", folder / "print"], check=True)
     text = subprocess.run([folder / "print"], check=True, capture_output=True).stdout.decode()
