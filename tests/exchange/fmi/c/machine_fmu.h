@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "../../c/machine.h"
+#include "../../../c/machine.h"
 #include "lag/fmu.h"
 
 enum { MACH_TIME, MACH_H, MACH_X, MACH_HD, MACH_XD, MACH_A, MACH_PUSH, MACH_CLOSED, MACH_BLOWS, MACH_FORCE, MACH_OFF, MACH_VARIABLES };
