@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from _pytest.runner import runtestprotocol
-from choice import ALL, EXPLORE, examples
+from choice import ALL, EXPLORE, examples, leave_out
 from costs import Costs
 from hypothesis import settings
 from shared_folder import make_shared_folder
@@ -57,7 +57,9 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     return True
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not ALL and "LAGDSL_UPDATE" not in os.environ:
+        config.hook.pytest_deselected(items=leave_out(items))
     folders = tuple(f"tests/{name}/" for name in UNTRACED)
     for item in items:
         if item.nodeid.startswith(folders):

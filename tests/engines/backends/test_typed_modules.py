@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from choice import ALL
 from foreign_programs import PEERS, has
 
 import lagdsl
@@ -46,6 +48,7 @@ def _with_terms(folder: Path) -> None:
     (folder / "knife_edge_numpy.py").write_text(text, encoding="utf-8")
 
 
+@pytest.mark.skipif(not ALL, reason="it takes mypy eight seconds")
 def test_generated_modules_and_their_callers_are_typed(tmp_path: Path) -> None:
     _with_terms(tmp_path)
     names = _written(tmp_path)
