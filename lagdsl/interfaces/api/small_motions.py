@@ -77,12 +77,10 @@ class SmallMotions(Shown):
         discrete variables together, just before its ticks; `every` is then a multiple of the common period, and `trim`
         takes a fixed point of the loop.
         """
-        from lagdsl.language.settings.literal import seconds
         from lagdsl.motion.analysis.where import linearize
 
         where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
-        period = seconds("every", every) if isinstance(every, str) else every
-        return linearize(self._system, where, Sink() if sink is None else sink, every=period)
+        return linearize(self._system, where, Sink() if sink is None else sink, every=_period(every))
 
     @with_starts
     def modes(
@@ -137,14 +135,12 @@ class SmallMotions(Shown):
         `every` samples the system as for `linearize`. Warnings go to `sink`. Raises UnknownName and CompilationFailed.
         """
         from lagdsl.interfaces.api.frequency_response import FrequencyResponse
-        from lagdsl.language.settings.literal import seconds
         from lagdsl.motion.analysis.where import bode
 
         where = replace(self._where(t, (q, qd, z), u, p, start, parameters, inputs), trim=trim)
         omega = None if frequencies is None else 2.0 * np.pi * np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
         told = Sink() if sink is None else sink
-        period = seconds("every", every) if isinstance(every, str) else every
-        found = bode(self._system, where, told, channel=(source, target), omega=omega, every=period)
+        found = bode(self._system, where, told, channel=(source, target), omega=omega, every=_period(every))
         return FrequencyResponse.of(found)
 
     @with_starts
@@ -239,3 +235,10 @@ class SmallMotions(Shown):
         time = flat.experiment.start_time if t is None else t
         given = entries("u", u, self._named("input")) if inputs is None else inputs_at(flat, inputs, time)
         return Where(p=self._parameter_vector(p), t=t, start=found, inputs=given)
+
+
+def _period(every: float | str | None) -> float | None:
+    """In seconds. Raises CallRefused."""
+    from lagdsl.motion.simulate.control import seconds
+
+    return None if every is None else seconds("`every`", every)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import lagdsl
 from lagdsl import CompilationFailed
-from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.diagnostics import CallRefused, Sink
 from lagdsl.interfaces.api.model import Model
 from lagdsl.motion.analysis.modes import Modes
 
@@ -330,3 +330,13 @@ def test_what_is_set_anew_is_no_state() -> None:
     assert [each.name for each in found.states] == ["x", "der(x)"]
     assert [each.name for each in found.left_out] == ["u"]
     np.testing.assert_allclose(np.sort_complex(found.poles), multipliers(model.modes()), rtol=1e-12)
+
+
+@pytest.mark.parametrize("every", [-0.1, 0.0, float("nan"), "2 mm", "soon"])
+@pytest.mark.parametrize("clauses", ["", "when sample(0, h) then u = -k*x; end when;"])
+def test_a_period_is_a_positive_time(clauses: str, every: float | str) -> None:
+    """A negative one would lead back in time."""
+    model = plant(clauses)
+    for call in (model.linearize, model.bode):
+        with pytest.raises(CallRefused, match="`every` must be a positive time"):
+            call(every=every)
