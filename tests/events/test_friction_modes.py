@@ -14,6 +14,10 @@ FEET = """gravity = {0, -10, 0}; coordinate Real x, h, p; mass 2 at {x, h, 0}; k
 contact a: h - p >= 0 with restitution = 0, friction = 0.5, slip = der(x);
 contact b: h >= 0 with restitution = 0, friction = 0.5, slip = der(x);
 contact c: h + p >= 0 with restitution = 0, friction = 0.5, slip = der(x);"""
+# What the floor may hold follows the force of the wall, and the other way round.
+CORNER = """gravity = {0, -10, 0}; coordinate Real x, y; mass 1 at {x, y, 0}; force time on x;
+contact floor: y >= 0 with restitution = 0, friction = 0.4, slip = der(x);
+contact wall: x >= 0 with restitution = 0, friction = 0.4, slip = der(y);"""
 BLOCK = "coordinate Real x; kinetic 1/2*der(x)^2;"
 MOVING = "coordinate Real x(der(start = 1)); kinetic 1/2*der(x)^2;"
 PUCK = "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2);"
@@ -24,6 +28,14 @@ discrete Integer n(start = 0); friction two: {der(y) + 0.1*der(s), der(z)} with 
 # name, body, clauses, stop, end values, modes of friction that are told
 CASES = [
     ("three feet slip together", FEET, "", 6.0, {"der(x)": 0.5, "x": 1 / 6}, [(5.0, "slips")] * 3),
+    (
+        "a block beside a wall that it touches",
+        CORNER,
+        "",
+        8.0,
+        {"x": 4.0**3 / 6, "y": 0.0},
+        [(4.0, "slips")],
+    ),
     (
         "a blow by a clause",
         BLOCK + "friction dry: der(x) with limit = 5;",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import ceil, cos, pi, sin
+from typing import Any
 
 import numpy as np
 import pytest
@@ -53,3 +54,31 @@ def test_a_window_narrower_than_round_off_of_a_step_is_entered_and_left() -> Non
     motion = lagdsl.compile(text).simulate(stop=1.0, interval=0.5)
     assert [event.kind for event in motion.events] == ["true", "false"]
     assert motion["n"][-1] == 1.0
+
+
+SETTINGS = [
+    *({"tolerance": tolerance} for tolerance in (1e-3, 1e-6, 1e-10)),
+    {},
+    {"solver": "radau"},
+    {"solver": "rk4", "step": 0.01},
+]
+
+
+@pytest.mark.parametrize("settings", SETTINGS, ids=str)
+@pytest.mark.parametrize("start", [0.0, 1e-6, 0.3, -7.1])
+def test_a_relation_between_accelerations_turns_once_at_each_crossing(start: float, settings: dict[str, Any]) -> None:
+    """cos(20 s) at s = start + t. Nothing gives the rate of an acceleration; at s = 0 its gradient is zero as well."""
+    text = model(
+        "coordinate Real s(der(start = 1)), x; kinetic 1/2*(der(s)^2 + der(x)^2); force 0.3*cos(20*s) on x;"
+        "discrete Integer n(start = 0);",
+        "when der(der(x)) < 0 then n = pre(n) + 1; end when;",
+    )
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=10.0, start={"s": start}, **settings)
+    first = ceil(20 * start / pi - 0.5)
+    places = np.pi / 20 * (0.5 + np.arange(first, first + 80)) - start
+    crossings = places[(places > 0) & (places < 10)]
+    falling = cos(20 * (start + crossings[0]) + 1e-3) < 0
+    assert [event.kind for event in motion.events][:2] == (["true", "false"] if falling else ["false", "true"])
+    assert len(motion.events) == len(crossings)
+    assert [event.time for event in motion.events] == pytest.approx(crossings, abs=1e-9)
+    assert motion["n"][-1] == len(crossings[0 if falling else 1 :: 2])

@@ -63,8 +63,8 @@ static int is_moved(const lag_event_iteration *iteration, size_t i)
 }
 
 /*
- * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or this instant has not
- * moved it, and it was located at its zero, or is near zero and disagrees with the mode: a projection has moved it.
+ * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or it is near zero,
+ * disagrees with the mode, and this instant has not moved it: a projection has.
  */
 static int is_at_border(const lag_event_iteration *iteration, size_t i, double window)
 {
@@ -73,8 +73,7 @@ static int is_at_border(const lag_event_iteration *iteration, size_t i, double w
     const double g = noise->value[i];
     const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
     const int disagrees = holds(iteration->motion->model, i, g) != (iteration->motion->w[iteration->places.relation + i] != 0.0);
-    const int located = iteration->sides.located != NULL && iteration->sides.located[i] != 0.0;
-    const int is_off = (located || disagrees) && fabs(g) <= lag_noise_known(noise, i) && !is_moved(iteration, i);
+    const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(iteration, i);
     return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
 
@@ -100,12 +99,18 @@ static lag_status evaluate_before(lag_event_iteration *iteration, double t)
     return status;
 }
 
-/* True if all relations are clear of their round-off as it was known last, and of what they move in the window. */
+/*
+ * True if all relations are clear of their round-off as it was known last, and of what they move in the window. One that was located is not: where it was known
+ * last, its gradient may have been zero.
+ */
 static int are_clear(const lag_event_iteration *iteration, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const double *rate = noise->value + count + iteration->motion->model->ncorner;
+    if (iteration->sides.located != NULL && lag_any(count, iteration->sides.located)) {
+        return 0;
+    }
     size_t i = 0;
     while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(LAG_CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
         ++i;

@@ -243,7 +243,7 @@ static int ends_at_zero(const lag_zero_crossing *crossings, size_t i)
         (crossings->motion->w[crossings->places.relation + i] != 0.0) == (model->strict[i] != 0);
 }
 
-/* True if guard i may have left its mode, by what may be its rounding error here, which is not known. */
+/* True if guard i may have left its mode: its rounding error here is not known. */
 static int is_unclear(const lag_zero_crossing *crossings, size_t i)
 {
     if (crossings->band[i] != 0.0 || !lag_zero_crossing_has_noise(crossings, i)) {
@@ -253,10 +253,7 @@ static int is_unclear(const lag_zero_crossing *crossings, size_t i)
     if (value > 0.0) {
         return 0;
     }
-    const double beyond = -value - crossings->depth[i];
-    const double sigma = lag_zero_crossing_noise(crossings, i);
-    const int is_clear = sigma > 0.0 && beyond > LAG_CLEARLY * sigma;
-    return (beyond > 0.0 && !is_clear) || ends_at_zero(crossings, i);
+    return -value > crossings->depth[i] || ends_at_zero(crossings, i);
 }
 
 /* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */
