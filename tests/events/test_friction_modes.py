@@ -14,7 +14,7 @@ FEET = """gravity = {0, -10, 0}; coordinate Real x, h, p; mass 2 at {x, h, 0}; k
 contact a: h - p >= 0 with restitution = 0, friction = 0.5, slip = der(x);
 contact b: h >= 0 with restitution = 0, friction = 0.5, slip = der(x);
 contact c: h + p >= 0 with restitution = 0, friction = 0.5, slip = der(x);"""
-# What the floor may hold follows the force of the wall, and the other way round.
+# The limit on the floor follows the force of the wall, and the other way round.
 CORNER = """gravity = {0, -10, 0}; coordinate Real x, y; mass 1 at {x, y, 0}; force time on x;
 contact floor: y >= 0 with restitution = 0, friction = 0.4, slip = der(x);
 contact wall: x >= 0 with restitution = 0, friction = 0.4, slip = der(y);"""

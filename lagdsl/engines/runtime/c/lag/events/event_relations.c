@@ -99,19 +99,16 @@ static lag_status evaluate_before(lag_event_iteration *iteration, double t)
     return status;
 }
 
-/*
- * True if all relations are clear of their round-off as it was known last, and of what they move in the window. One that was located is not: where it was known
- * last, its gradient may have been zero.
- */
+/* True if all relations are clear of their round-off as it was known last, and of their motion in the window; one that was located is at its border. */
 static int are_clear(const lag_event_iteration *iteration, double window)
 {
     const lag_noise *noise = iteration->noise;
     const size_t count = iteration->motion->model->nindicator;
     const double *rate = noise->value + count + iteration->motion->model->ncorner;
-    if (iteration->sides.located != NULL && lag_any(count, iteration->sides.located)) {
-        return 0;
-    }
     size_t i = 0;
+    if (iteration->sides.located != NULL && lag_any(count, iteration->sides.located)) {
+        return 0; /* where it was known last, the gradient may have been zero */
+    }
     while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(LAG_CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
         ++i;
     }
