@@ -351,7 +351,7 @@ DOING = {
 CERTIFIED = {row.name: row.text for row in (*FOLLOWING, STARTED[1]) if not row.refused} | DOING
 
 
-@pytest.mark.parametrize("name", spread(CERTIFIED, 8))
+@pytest.mark.parametrize("name", spread(CERTIFIED, 4))
 def test_certificates_and_derivations_of_states(name: str) -> None:
     """Derivations count rows with states; the power of what states do is part of the balance."""
     attacked = lagdsl.compile(CERTIFIED[name])

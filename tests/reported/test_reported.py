@@ -123,8 +123,7 @@ def test_turns_of_many_runs_and_after_a_sweep_of_rates() -> None:
     assert motions["back.q"][:, -1] == pytest.approx([-12.0, -200.0], abs=1e-5)
 
 
-@pytest.mark.parametrize("version", [2, 3])
-@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize(("kind", "version"), paired(["CoSimulation", "ModelExchange"], [2, 3]))
 def test_turns_in_fmus(kind: str, version: int, tmp_path: Path) -> None:
     for text, name, right in ((READS, "twice", -24.0), (PLAIN, "back.q", -12.0)):
         path = tmp_path / f"{name}{version}.fmu"

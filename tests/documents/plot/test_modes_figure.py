@@ -50,7 +50,7 @@ def test_the_command_of_the_manual_warns_of_nothing(tmp_path: Path) -> None:
     (line,) = (line for line in text.splitlines() if line.startswith("lag modes "))
     words = [word.replace("models/", f"{MODELS}/") for word in shlex.split(line)[1:]]
     words[words.index("--page") + 1] = str(tmp_path / "modes.html")
-    if not ALL:  # seven values of P instead of a hundred, each with an equilibrium to find
-        words[words.index("P=0:3 N")] = "P=0:0.5:3 N"
+    if not ALL:  # three values of P instead of a hundred, each with an equilibrium to find
+        words[words.index("P=0:3 N")] = "P=0:1.5:3 N"
     done = CliRunner().invoke(lag, words)
     assert (done.exit_code, done.stderr) == (0, "")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from choice import chosen
+from choice import chosen, repeats
 from PIL import Image
 
 from lagdsl.documents.plot.picture.draw import draw, prepared
@@ -138,6 +138,7 @@ def test_pictures_and_films_have_the_same_bytes_under_any_hash_seed(form: str, t
         assert (tmp_path / "1.gif").stat().st_size < 1e6
 
 
+@repeats("test_every_machine_has_a_picture_that_holds_all_of_it")
 def test_a_film_shows_the_machine_where_it_is(tmp_path: Path) -> None:
     """The lower ball of two pendulums, in its place and blue, in the first picture and in one later."""
     own = stage("double_pendulum")

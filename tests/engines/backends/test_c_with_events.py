@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from choice import ALL, chosen, spread
+from choice import ALL, chosen, repeats, spread
 from click.testing import CliRunner
 from made_modules import PLAIN, SANITIZED, Made
 
@@ -220,6 +220,7 @@ def test_the_angle_of_a_cut_joint_is_continuous_from_row_to_row(build: Build) ->
         assert row["b.q"] == pytest.approx(30 * row["time"] - 1, abs=1e-7)
 
 
+@repeats("test_the_same_events_as_numpy")
 @pytest.mark.parametrize("name", chosen(EVENTFUL, EVENTFUL[:1]))
 def test_models_with_events_run_as_under_numpy(build: Build, root: Path, name: str) -> None:
     text = (root / "models" / f"{name}.lag").read_text(encoding="utf-8")

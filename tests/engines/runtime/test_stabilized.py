@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
-from choice import chosen
+from choice import ALL, EXPLORE, chosen
 from derivatives_in_c import GROUPS, MOVED, TIME, Probe, program_of
 
 from lagdsl.algebra.graph.evaluate import evaluate
@@ -161,7 +160,7 @@ BRANCHING = ("parallelogram", "library/forces_gas_spring", "library/forces_zero_
 FOLDER = Path(__file__).parents[3] / "models"
 EVERY = [str(path.relative_to(FOLDER).with_suffix("")) for path in sorted(FOLDER.rglob("*.lag"))]
 SOME = ("slider_crank", "gyroscope_in_gimbals", "clutch", "library/tank_circuit", "library/spatial_differential")
-CHOSEN = [name for name in EVERY if name not in BRANCHING] if os.environ.get("LAGDSL_EXPLORE") else SOME
+CHOSEN = [name for name in EVERY if name not in BRANCHING] if EXPLORE else SOME if ALL else SOME[::2]
 
 
 @pytest.mark.parametrize("name", CHOSEN)

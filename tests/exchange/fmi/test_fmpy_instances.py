@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from choice import chosen
+from choice import chosen, repeats
 from fmpy.simulation import FMICallException
 
 from fmi.exported import EVERY, SAMPLE, VERSIONS, exported, in_versions
@@ -76,6 +76,7 @@ def test_a_state_taken_back_goes_on_with_the_same_bits(name: str, version: int) 
         np.testing.assert_array_equal(other.rows(names, rest), expected)
 
 
+@repeats("tests/motion/sessions/test_saved.py")
 @in_versions(chosen(FEW, FEW[1:2]))
 def test_a_state_goes_on_in_another_process_with_the_same_bits(name: str, version: int, tmp_path: Path) -> None:
     fmu = exported(name, version)
@@ -178,6 +179,7 @@ def test_parameters_and_starts_that_are_set_are_those_of_a_run(version: int) -> 
     assert not off.first(SAME, 1e-4), off.first(SAME, 1e-4)
 
 
+@repeats("tests/motion/simulate/test_failures.py")
 @pytest.mark.parametrize("version", chosen(VERSIONS, [2]))
 def test_a_step_of_too_many_steps_is_given_up(version: int) -> None:
     """An oscillation of 160 kHz, for a second."""

@@ -31,7 +31,7 @@ FILES = sorted(_folder().glob("*.xml"))
 DRAGGED = "swimmer"
 
 
-@pytest.mark.parametrize("path", spread(FILES, 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(FILES, 2), ids=lambda path: path.stem)
 def test_equations_are_those_of_mujoco(path: Path) -> None:
     """The swimmer without the drag of the water, for which it is refused."""
     if path.stem == DRAGGED:
@@ -45,7 +45,7 @@ def test_equations_are_those_of_mujoco(path: Path) -> None:
     assert [each.code for each in lagdsl.check(text) if each.severity != "note"] == []
 
 
-@pytest.mark.parametrize("path", spread(FILES, 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(FILES, 2), ids=lambda path: path.stem)
 def test_terms_of_equations(path: Path) -> None:
     text = lagdsl.import_robot(path, lenient=path.stem == DRAGGED, actuators="none")
     plan = plan_of_mjcf(path, path.stem == DRAGGED)

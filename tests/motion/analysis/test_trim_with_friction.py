@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import repeats
 from click.testing import CliRunner
 
 import lagdsl
@@ -164,6 +165,7 @@ def test_friction_on_a_belt_slides_at_an_equilibrium() -> None:
     assert (found.frictions[0].mode, found.frictions[0].margin) == ("slides", 0.0)
 
 
+@repeats("test_a_wedge_that_slides_has_no_equilibrium_and_says_why")
 def test_a_body_that_would_roll_has_no_equilibrium() -> None:
     """Rates of rounding errors gave friction a sense, and with it any force."""
     text = """model Rolling
