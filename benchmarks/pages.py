@@ -7,6 +7,7 @@ import calls
 import living_page
 import motion
 import sizes_page
+import steps
 from dynamics import OURS, family, ratio_name
 from targets import Results, table, targets
 
@@ -50,6 +51,7 @@ def page(found: dict[str, Results]) -> str:
     for key, section in (
         ("arm", _arm),
         ("calls", calls.section),
+        ("steps", steps.section),
         ("chains", _chains),
         ("text", _text),
         ("growth", _growth),

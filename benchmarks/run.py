@@ -30,6 +30,7 @@ import pages
 import peers
 import sizes
 import start
+import steps
 import tape
 import text
 
@@ -40,6 +41,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "tape": tape.measure,
     "arm": arm.measure,
     "calls": calls.measure,
+    "steps": steps.measure,
     "chains": chains.measure,
     "accuracy": accuracy.measure,
     "growth": growth.measure,

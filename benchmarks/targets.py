@@ -146,6 +146,7 @@ def targets(found: Results) -> list[Target]:
             "growth",
         ),
         *_calls(found.get("calls", {})),
+        *_steps(found.get("steps", {})),
         *_starts(found.get("start", {})),
         *_motions(found),
         *_tapes(found),
@@ -225,6 +226,16 @@ def _calls(found: Results) -> list[Target]:
             (max(ahead, default=None),),
             "calls",
         ),
+    ]
+
+
+def _steps(found: Results) -> list[Target]:
+    own = found.get("runtime")
+    above = found["session"] - own if own else None
+    ratio = found["session"] / found["fmpy"] if own else None
+    return [
+        Target("a step of a session above the integrator, double pendulum [us]", (10,), (3,), (above,), "steps"),
+        Target("the same, all of it, against an FMU under FMPy", (1,), (0.8,), (ratio,), "steps"),
     ]
 
 
