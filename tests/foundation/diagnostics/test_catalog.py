@@ -15,13 +15,13 @@ from lagdsl.foundation.diagnostics.catalog import (
     assembly,
     constraints,
     dimensions,
+    engines,
     events,
     export,
-    initial,
     names,
     physics,
     robots,
-    runtime,
+    starts_and_runs,
     syntax,
     values,
 )
@@ -30,7 +30,8 @@ from lagdsl.interfaces.cli.main import lag
 
 FAMILIES = {
     "01": (syntax,), "02": (names,), "03": (values, events), "04": (dimensions,), "05": (physics,),
-    "06": (constraints,), "07": (assembly,), "08": (initial, analysis), "09": (export, runtime), "10": (robots,),
+    "06": (constraints,), "07": (assembly,), "08": (starts_and_runs, analysis), "09": (export, engines),
+    "10": (robots,),
 }  # fmt: skip
 FILE = SourceFile("a.lag", "one two three")
 HERE, THERE = Span(FILE, 0, 3), Span(FILE, 4, 7)

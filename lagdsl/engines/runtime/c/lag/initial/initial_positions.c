@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
@@ -143,7 +143,7 @@ static int is_given(const lag_initialization *b, size_t j)
 }
 
 /* Coordinates that may move; written ones only if they need not be held. */
-static void choose(positions *p, int hold)
+static void choose_movable(positions *p, int hold)
 {
     const lag_initialization *b = p->b;
     p->count = 0;
@@ -198,7 +198,7 @@ static int open_parts(positions *p, double *memory)
     lag_initialization *b = p->b;
     double *open = lag_take(&memory, b->rows + b->motion->model->nq);
     int any = 0;
-    choose(p, 0);
+    choose_movable(p, 0);
     double *pattern = lag_take(&memory, b->rows * p->count);
     const lag_parts parts = find_parts(p, pattern, memory);
     lag_fill(parts.count, 0.0, open);
@@ -249,7 +249,7 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
         return;
     }
     const int hold = any_written(b);
-    choose(&p, hold);
+    choose_movable(&p, hold);
     if (!hold || p.count > 0) {
         worst = search(&p, point, memory);
     }
