@@ -10,7 +10,7 @@
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
-/* Sweeps of Gauss-Seidel's method, and those between two trials of Newton's, which takes so many steps. */
+/* Sweeps of Gauss-Seidel's method, and those between two trials of Newton's, which takes so many steps to a solution. */
 enum { MOST_SWEEPS = 4000, SWEEPS = 10, MOST_STEPS = 20 };
 /* Newton's method goes on down to this part. */
 static const double ROUNDING = 1e-15;
@@ -240,7 +240,7 @@ static double improve(scaled *s)
     const size_t n = s->size;
     double least = evaluate_projection(s) / size_of(s);
     memcpy(s->best, s->lam, n * sizeof(double));
-    for (int k = 0; k < MOST_STEPS && least > ROUNDING; ++k) {
+    for (int k = 0; (k < MOST_STEPS || least < LAG_SOLVED) && least > ROUNDING; ++k) {
         const lag_svd svd = lag_svd_of(n, n, s->slope, s->work);
         lag_svd_solve(&svd, s->rest, LAG_KNOWN_ROWS, 0.0, s->change);
         lag_axpy(n, -1.0, s->change, s->lam);
