@@ -1,4 +1,7 @@
-"""Every diagnostic by its code: one module per family, first letter = severity, next two digits = family."""
+"""Every diagnostic by its code: first letter = severity, next two digits = family.
+
+A family has one module, but 03 has `values` and `events`, 08 `starts_and_runs`, `analysis` and `settings`, 09 `export`
+and `engines`, which has E0911 to E0914."""
 
 from lagdsl.foundation.diagnostics.catalog import (
     analysis,

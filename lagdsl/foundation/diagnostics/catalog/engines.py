@@ -1,4 +1,4 @@
-"""Family 09: export, engines and files."""
+"""Family 09, engines: compilers, libraries and what they refuse."""
 
 from lagdsl.foundation.diagnostics.catalog.row import Row, error
 

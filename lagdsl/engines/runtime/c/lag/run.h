@@ -26,7 +26,7 @@
 #include "lag/run/turns.h"
 #include "lag/stepper.h"
 #include "lag/methods/stiffness.h"
-#include "lag/run/invariants.h"
+#include "lag/run/conditions.h"
 
 typedef struct lag_run lag_run;
 struct lag_initial;
@@ -157,7 +157,7 @@ struct lag_run {
     lag_accuracy accuracy;
     lag_run_sizes sizes;
     lag_run_ranks ranks;
-    lag_invariants invariants;
+    lag_conditions conditions;
     lag_guards guards;
     lag_instants instants;
     lag_methods methods;

@@ -18,7 +18,7 @@ size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_rank_estimate_memory(model) + lag_guards_memory(model) + lag_instants_memory(model) + lag_invariants_memory(model) +
+           lag_rank_estimate_memory(model) + lag_guards_memory(model) + lag_instants_memory(model) + lag_conditions_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
            2 * lag_guard_count(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
@@ -41,15 +41,15 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     const lag_run_invariants *invariants = &run->options.invariants;
     const size_t ni = model->ni;
     double *own = lag_take(memory, 3 * ni);
-    run->invariants.motion = &run->motion;
-    run->invariants.begun = invariants->continued;
-    run->invariants.start = invariants->start != NULL ? invariants->start : own;
-    run->invariants.size = invariants->size != NULL ? invariants->size : own + ni;
-    run->invariants.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
-    run->invariants.tolerance = invariants->tolerance;
-    run->invariants.value = lag_take(memory, lag_invariants_memory(model));
-    run->invariants.scale = run->invariants.value + ni;
-    run->invariants.held = run->invariants.scale + ni;
+    run->conditions.motion = &run->motion;
+    run->conditions.begun = invariants->continued;
+    run->conditions.start = invariants->start != NULL ? invariants->start : own;
+    run->conditions.size = invariants->size != NULL ? invariants->size : own + ni;
+    run->conditions.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
+    run->conditions.tolerance = invariants->tolerance;
+    run->conditions.value = lag_take(memory, lag_conditions_memory(model));
+    run->conditions.scale = run->conditions.value + ni;
+    run->conditions.held = run->conditions.scale + ni;
 }
 
 static lag_status report_event(void *context, const lag_event_notice *notice)

@@ -11,20 +11,6 @@ void lag_run_lose(lag_run *run, double t, const double *x)
     memmove(run->lost.x, x, run->stepper.ode->size * sizeof(double));
 }
 
-lag_status lag_run_watch(lag_run *run, double t, const double *x)
-{
-    const lag_status status = lag_invariants_check(&run->invariants, t, x);
-    if (status == LAG_VIOLATED) {
-        lag_invariants_count(&run->invariants);
-        lag_run_lose(run, t, x);
-        if (run->options.results != NULL) {
-            const lag_status told = lag_results_end(run->options.results, run, t, x);
-            return told == LAG_OK ? status : told;
-        }
-    }
-    return status;
-}
-
 lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results)
 {
     lag_motion *motion = &run->motion;
@@ -118,7 +104,7 @@ static void explain_off(lag_run *run, int switched, lag_fault *fault)
 static void explain_violated(lag_run *run, lag_fault *fault)
 {
     const lag_model *model = run->motion.model;
-    lag_invariants *watch = &run->invariants;
+    lag_conditions *watch = &run->conditions;
     fault->which = model->na + model->ni;
     for (size_t i = model->ni; i-- > 0;) {
         const double drift = fabs(watch->value[i] - watch->start[i]);

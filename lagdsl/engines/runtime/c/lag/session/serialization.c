@@ -129,7 +129,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->ranks.estimate.rank);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
-    RECORD(run->invariants.begun);
+    RECORD(run->conditions.begun);
     RECORD(run->counts.begun);
     RECORD(run->methods.stiffness.signs);
     RECORD(run->methods.stiffness.wait);

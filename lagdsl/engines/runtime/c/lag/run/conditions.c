@@ -1,14 +1,16 @@
-#include "lag/run/invariants.h"
+#include "lag/run/conditions.h"
 
 #include <math.h>
 
-size_t lag_invariants_memory(const lag_model *model)
+#include "lag/run.h"
+
+size_t lag_conditions_memory(const lag_model *model)
 {
     return 2 * model->ni + model->na;
 }
 
 /* True if all invariants are within their tolerances; with `count`, also records their departures and scales. */
-static int invariants(lag_invariants *watch, int count)
+static int invariants(lag_conditions *watch, int count)
 {
     int within = 1;
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
@@ -23,12 +25,12 @@ static int invariants(lag_invariants *watch, int count)
     return within;
 }
 
-void lag_invariants_count(lag_invariants *watch)
+void lag_conditions_count(lag_conditions *watch)
 {
     (void)invariants(watch, 1);
 }
 
-lag_status lag_invariants_check(lag_invariants *watch, double t, const double *x)
+lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {
@@ -50,6 +52,20 @@ lag_status lag_invariants_check(lag_invariants *watch, double t, const double *x
     }
     if (status == LAG_OK) {
         (void)invariants(watch, 1);
+    }
+    return status;
+}
+
+lag_status lag_run_watch(lag_run *run, double t, const double *x)
+{
+    const lag_status status = lag_conditions_check(&run->conditions, t, x);
+    if (status == LAG_VIOLATED) {
+        lag_conditions_count(&run->conditions);
+        lag_run_lose(run, t, x);
+        if (run->options.results != NULL) {
+            const lag_status told = lag_results_end(run->options.results, run, t, x);
+            return told == LAG_OK ? status : told;
+        }
     }
     return status;
 }
