@@ -1,4 +1,5 @@
-"""Motions: the C runtime against CVODE and SciPy. Time for an error of GOAL; where it is stiff, right-hand sides."""
+"""Motions: the C runtime against CVODE and SciPy. Time for an error of GOAL at the end; where it is stiff, right-hand
+sides for errors along the whole motion, dense output of all included."""
 
 import json
 import statistics
@@ -53,13 +54,13 @@ def _run(
     """One motion in C."""
     repeats = 1 if problem.stiff else REPEATS
     command = [str(contest.built("run")), str(made.library), made.symbols[0], way, repr(tolerance)]
-    command += [repr(problem.stop), str(repeats), *map(repr, problem.start)]
+    command += [repr(problem.stop), str(repeats), str(len(problem.times)), *map(repr, problem.start)]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
     status, evaluations, jacobians, steps, seconds, *state = done.stdout.split()
     error = None
     if reference is not None:
-        apart = np.abs(np.array(state, dtype=float) - reference) / np.maximum(1.0, np.abs(reference))
-        error = float(np.max(apart))
+        apart = np.abs(np.array(state, dtype=float).reshape(reference.shape) - reference)
+        error = float(np.max(apart / np.maximum(1.0, np.abs(reference))))
     return {
         "way": way,
         "status": int(status),

@@ -9,6 +9,7 @@ import motion
 import sizes_page
 import steps
 from dynamics import OURS, family, ratio_name
+from problems import ROWS
 from targets import Results, table, targets
 
 PEERS = (
@@ -270,6 +271,7 @@ def _runtime(found: Results) -> list[str]:
     lines += [
         "",
         "Right-hand sides for an error, Newton iterations included, between the runs of the frontier; Jacobians apart.",
+        f"An error is the largest at {ROWS} equidistant times of the motion, by the dense output of each.",
         "CVODE is the best of CasADi's and scikit-sundae's, exact Jacobian, three absolute tolerances.",
         "",
         "| | error | Radau | automatic | CVODE | Radau to CVODE |",

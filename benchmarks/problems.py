@@ -8,7 +8,8 @@ from math import asin, cos, sin, sqrt
 class Problem:
     """A model of models/, with `n` as its size; the state at the start, q and qd, and the time at the end [s].
 
-    `stiff`: right-hand sides are counted, over all tolerances; else time is measured, for an error of GOAL.
+    `stiff`: right-hand sides are counted, over all tolerances, for errors along the whole motion; else time is
+    measured, for an error of GOAL at the end.
     """
 
     title: str
@@ -18,8 +19,15 @@ class Problem:
     stop: float
     stiff: bool
 
+    @property
+    def times(self) -> list[float]:
+        """Where states are compared: ROWS equidistant times of a stiff one, with the end; else the end."""
+        rows = ROWS if self.stiff else 1
+        return [self.stop * (k + 1) / rows for k in range(rows - 1)] + [self.stop]
+
 
 GOAL = 1e-6
+ROWS = 60
 _RATIO = 0.3  # throw by rod
 _ROD = -asin(_RATIO * sin(0.3))
 _ROD_RATE = -50.0 * _RATIO * cos(0.3) / sqrt(1.0 - (_RATIO * sin(0.3)) ** 2)

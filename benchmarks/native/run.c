@@ -1,7 +1,8 @@
 /*
- * A motion by the C runtime: run LIBRARY MODEL METHOD TOLERANCE STOP REPEATS [X...]
+ * A motion by the C runtime: run LIBRARY MODEL METHOD TOLERANCE STOP REPEATS ROWS [X...]
  *
- * METHOD: auto, dop853, radau. Prints status, right-hand sides, Jacobians, steps, least seconds of one run, then the state at the end.
+ * METHOD: auto, dop853, radau. Prints status, right-hand sides, Jacobians, steps, least seconds of one run, then the states at so many
+ * equidistant times, the last one at the end.
  */
 #include <dlfcn.h>
 #include <stdio.h>
@@ -20,7 +21,7 @@ static double now(void)
 
 int main(int count, char **word)
 {
-    if (count < 7) {
+    if (count < 8) {
         return 2;
     }
     void *library = dlopen(word[1], RTLD_NOW | RTLD_LOCAL);
@@ -41,11 +42,20 @@ int main(int count, char **word)
     options.method = strcmp(word[3], "auto") == 0 ? NULL : dlsym(library, strncat(name, word[3], 32));
     const double stop = atof(word[5]);
     const int repeats = atoi(word[6]);
+    const size_t rows = (size_t)atoi(word[7]);
+    const size_t size_of_state = 2 * model->nq + model->nz;
+    double *times = malloc(rows * sizeof *times);
+    options.rows = malloc(rows * size_of_state * sizeof *options.rows);
+    options.times = times;
+    options.count = rows;
+    for (size_t k = 0; k < rows; ++k) {
+        times[k] = k + 1 == rows ? stop : stop * (double)(k + 1) / (double)rows;
+    }
     double *start = NULL;
-    if (count > 7) {
-        start = malloc((size_t)(count - 7) * sizeof *start);
-        for (int i = 7; i < count; ++i) {
-            start[i - 7] = atof(word[i]);
+    if (count > 8) {
+        start = malloc((size_t)(count - 8) * sizeof *start);
+        for (int i = 8; i < count; ++i) {
+            start[i - 8] = atof(word[i]);
         }
     }
     void *block = malloc(size(model, &options));
@@ -62,11 +72,13 @@ int main(int count, char **word)
         tell(run, &report);
     }
     (void)printf("%d %zu %zu %zu %.17g", (int)status, report.counts.evaluations, report.counts.jacobians, report.counts.steps, least);
-    for (size_t i = 0; i < 2 * model->nq + model->nz; ++i) {
-        (void)printf(" %.17g", report.x[i]);
+    for (size_t i = 0; i < rows * size_of_state; ++i) {
+        (void)printf(" %.17g", options.rows[i]);
     }
     (void)printf("\n");
     free(block);
+    free(times);
+    free(options.rows);
     free(start);
     return 0;
 }
