@@ -91,7 +91,7 @@ GIVEN = [
     ),
     Situation(
         "a latch is set at its own zero",
-        "events/event_relations.c",
+        "events/event_sides.c",
         mass("der(start = 1)") + "discrete Boolean locked(start = false); discrete Integer n(start = 0); "
         "constraint latch: (if locked then x - 2 else 0) = 0;",
         5.0,
@@ -198,7 +198,7 @@ CHOSEN = [
     ),
     Situation(
         "an impact turns a condition on a rate",
-        "events/event_relations.c",
+        "events/event_sides.c",
         FALLS + "coordinate Real h(start = 0.8); mass 1 at {0, h}; contact floor: h >= 0 with restitution = 0.5; "
         "discrete Integer n(start = 0);",
         0.7,
