@@ -21,7 +21,7 @@ class Problem:
 
     @property
     def times(self) -> list[float]:
-        """Where states are compared: ROWS equidistant times of a stiff one, with the end; else the end."""
+        """States are compared at ROWS equidistant times of a stiff problem, with the end, and at the end of others."""
         rows = ROWS if self.stiff else 1
         return [self.stop * (k + 1) / rows for k in range(rows - 1)] + [self.stop]
 

@@ -11,6 +11,7 @@ import os
 import re
 import shlex
 from collections.abc import Iterator
+from math import inf
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,6 +19,7 @@ import pytest
 from click.testing import CliRunner
 
 import lagdsl
+from lagdsl.interfaces.cli import progress
 from lagdsl.interfaces.cli.main import lag
 
 ROOT = Path(__file__).parents[2]
@@ -71,6 +73,7 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
     text = path.read_text(encoding="utf-8")
     (tmp_path / "models").symlink_to(ROOT / "models")
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(progress, "_PATIENCE_OF_LOGS", inf)  # a page shows no lines of machines that are slow
     names: dict[str, object] = {}
     for block in blocks(text):
         match block.language:
