@@ -46,7 +46,9 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     equations: dict[Instance, list[Placed]] = {}
     for placed in contents.closure:
         equations.setdefault(placed.instance, []).append(placed)
-    uses = Uses(ctx, contents)
+    uses = Uses(ctx)
+    if net.links:  # else no coordinate follows from frames
+        uses.search(contents)
     solvable = [
         able and uses.required.isdisjoint(link.own)
         for able, link in zip(_solvable(net, equations), net.links, strict=True)

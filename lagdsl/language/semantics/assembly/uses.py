@@ -22,11 +22,13 @@ class Uses:
     `values` are the angles found, `required` those that must be unknowns whatever it costs.
     """
 
-    def __init__(self, ctx: Context, contents: Contents) -> None:
+    def __init__(self, ctx: Context) -> None:
         self._ctx = ctx
         self._seen: set[tuple[Symbol, bool]] = set()
         self.values: set[Symbol] = set()
         self.required: set[Symbol] = set()
+
+    def search(self, contents: Contents) -> None:
         for placed in (*contents.items, *contents.initial, *contents.closure):
             if not isinstance(placed.node, nodes.Draw):
                 self._item(placed.scope, placed.node)
