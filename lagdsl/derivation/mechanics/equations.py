@@ -10,6 +10,7 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.derivation.mechanics import constraints
 from lagdsl.derivation.mechanics.builtin_quantities import Provider
 from lagdsl.derivation.mechanics.lagrange import energies, lagrange
+from lagdsl.derivation.mechanics.lagrange.required import RequiredForces
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering
 from lagdsl.derivation.mechanics.lowering.symbols import Symbols
 from lagdsl.derivation.mechanics.shared_position_sums import share_positions
@@ -36,6 +37,7 @@ def form_equations(flat: FlatModel) -> Equations:
     symbols = Symbols(graph, flat)
     lowering = Lowering(graph, flat, symbols)
     share_positions(lowering, flat)
+    lowering.require = RequiredForces(lowering, flat)
     found = lagrange.dynamics(lowering, flat, symbols.directions)
     totals = energies.system_energies(graph, found, symbols.directions)
     lowering.provide = Provider(lowering, flat, symbols, found, totals)
@@ -53,6 +55,7 @@ def with_row_factors(equations: Equations, factors: Sequence[float]) -> Equation
     symbols = copy(equations.symbols)
     symbols.rows = {name: graph.multiply(by, lam) for (name, lam), by in zip(symbols.rows.items(), powers, strict=True)}
     lowering = Lowering(graph, flat, symbols)
+    lowering.require = equations.lowering.require
     share_positions(lowering, flat)
     lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies)
     residuals = tuple(graph.multiply(by, row) for by, row in zip(powers, equations.rows.residuals, strict=True))

@@ -27,6 +27,7 @@ def with_observed(equations: Equations, program: Program, flat: FlatModel) -> tu
     symbols = Symbols(equations.graph, flat)
     symbols.rows = equations.symbols.rows
     lowering = Lowering(equations.graph, flat, symbols)
+    lowering.require = equations.lowering.require
     share_positions(lowering, flat)
     lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies)
     equations = replace(equations, flat=flat, symbols=symbols, lowering=lowering)

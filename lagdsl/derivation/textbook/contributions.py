@@ -13,7 +13,8 @@ from lagdsl.derivation.textbook.convert import Converter
 from lagdsl.derivation.textbook.differentiate import partial
 from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
-from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
+from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced, symbols
+from lagdsl.language.flat.expression import RequiredForce
 from lagdsl.language.flat.model import (
     FlatModel,
     FrameTorque,
@@ -24,6 +25,7 @@ from lagdsl.language.flat.model import (
     RateForce,
     RigidBody,
 )
+from lagdsl.language.flat.traversal import operands
 
 HALF = Rational(1, 2)
 
@@ -101,7 +103,11 @@ class Contributions:
 
 
 def contributions(flat: FlatModel, converter: Converter, loads: Converter | None = None) -> Contributions:
-    """Gather; the values of loads (not their places) are converted by `loads` where it is given."""
+    """Gather; the values of loads (not their places) are converted by `loads` where it is given. From here on both
+    convert forces that motions require."""
+    for each in (converter, loads or converter):
+        if each.required is None:
+            each.required = RequiredForces(flat, each)
     inertial_elements: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
     inertials = tuple(_inertial(item, converter) for item in inertial_elements)
     declared = {
@@ -153,6 +159,42 @@ def held_rates(flat: FlatModel, table: Symbols, parts: Contributions) -> HeldRat
     converter = Converter(model=flat, symbols=table, release=given.release, style=style)
     rates = {rate: given.rates[symbol] for symbol, rate in held.items()}
     return HeldRates(parts=contributions(flat, converter), rates=rates)
+
+
+class RequiredForces:
+    """Forces that motions require of the loads, for what `asking` converts: the left sides of Lagrange's equations with
+    the parts of the motion in place of the symbols."""
+
+    def __init__(self, flat: FlatModel, asking: Converter) -> None:
+        self._flat, self._asking = flat, asking
+        self._mechanisms: dict[tuple[str, ...], tuple[Symbols, Contributions, HeldRates]] = {}
+
+    def __call__(self, force: RequiredForce) -> Expr:
+        """d/dt(dL/dqd) - dL/dq + dD/dqd, of `bias` without D and accelerations."""
+        motion, asking = force.motion, self._asking
+        table, parts, held = self._mechanism(tuple(name for name, _ in motion.parameters))
+        places = [[each.name for each in self._flat.coordinates].index(name) for name in motion.coordinates]
+        q, qd = table.q[places[force.place]], table.qd[places[force.place]]
+        bias = motion.function == "bias"
+        left = parts.converter.rate(partial(parts.lagrangian, qd), bias=bias) - held.partial(held.parts.lagrangian, q)
+        left += 0 if bias else held.partial(held.parts.dissipation, qd)
+        own = [group[place] for group in (table.q, table.qd) for place in places]
+        own += [table.qdd[place] for place in places] if motion.accelerations else []
+        own += [Symbol(name) for name, _ in motion.parameters]
+        return replaced(left, dict(zip(own, map(asking.scalar, operands(motion)), strict=True)))
+
+    def _mechanism(self, names: tuple[str, ...]) -> tuple[Symbols, Contributions, HeldRates]:
+        """Without loads and constraints; parameters of these `names` are symbols, even if they were fixed."""
+        if names not in self._mechanisms:
+            parameters = tuple(
+                replace(p, structural=p.structural and p.name not in names) for p in self._flat.parameters
+            )
+            model = replace(self._flat, parameters=parameters, loads=(), constraints=())
+            table = replace(self._asking.symbols, p=symbols(model).p)
+            style = replace(self._asking.style, opaque={})
+            parts = contributions(model, Converter(model=model, symbols=table, style=style))
+            self._mechanisms[names] = table, parts, held_rates(model, table, parts)
+        return self._mechanisms[names]
 
 
 def _inertial(item: PointMass | RigidBody, converter: Converter) -> Inertial:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias, assert_never
@@ -114,7 +115,8 @@ class Style:
 class Converter:
     """Converts expressions of one flat model.
 
-    `mechanical` evaluates what only the derivation knows (multipliers, reactions, energies) and is set by it.
+    `mechanical` evaluates what only the derivation knows (multipliers, reactions, energies) and is set by it, as is
+    `required` for forces that motions require.
     """
 
     model: FlatModel
@@ -122,6 +124,7 @@ class Converter:
     release: Release | None = None
     style: Style = field(default_factory=Style)
     mechanical: Callable[[Mechanical | flat.Component], Expr | Vector] | None = None
+    required: Callable[[flat.RequiredForce], Expr] | None = None
     rates: dict[Symbol, Expr] = field(init=False)
     kinematics: Kinematics = field(init=False)
     _values: dict[str, Expr] = field(init=False)
@@ -144,14 +147,21 @@ class Converter:
                 self._values[parameter.name] = self.style.number(parameter.value)
         self._items = {item.name: item for item in self.model.named}
         for item in self.model.named:
-            try:
+            with suppress(_NotDerivedYetError):
                 self._define(item.name)
-            except _NotDerivedYetError:
-                self._items[item.name] = item
 
     def _define(self, name: str) -> None:
         """Make a definition, point or frame, once; order and need both lead here."""
-        match self._items.pop(name, None):
+        item = self._items.pop(name, None)
+        try:
+            self._make_item(name, item)
+        except _NotDerivedYetError:
+            if item is not None:
+                self._items[name] = item
+            raise
+
+    def _make_item(self, name: str, item: Definition | Point | Frame | None) -> None:
+        match item:
             case Definition(value=value):
                 self._values[name] = self.style.opaque[name] if name in self.style.opaque else self.scalar(value)
             case Point() as point:
@@ -234,7 +244,11 @@ class Converter:
                 if self.mechanical is None:
                     raise _NotDerivedYetError(type(node).__name__)
                 return self.mechanical(node)
-            case flat.Binary() | flat.Previous():
+            case flat.RequiredForce():
+                if self.required is None:
+                    raise _NotDerivedYetError(type(node).__name__)
+                return self.required(node)
+            case flat.Binary() | flat.Previous() | flat.Motion():
                 raise AssertionError(node)
             case _:
                 assert_never(node)

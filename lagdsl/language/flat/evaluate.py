@@ -162,7 +162,7 @@ class _Instant:
                 arm = self.vector(point_expression) - self.frame(frame)[0]
                 origin_velocity = self._rate(lambda moment: moment.frame(frame)[0])
                 return origin_velocity + np.cross(self._angular_velocity(frame), arm)
-            case fx.Previous() | fx.Mechanical():
+            case fx.Previous() | fx.Mechanical() | fx.OfMechanism():
                 raise NotEvaluable(type(expression).__name__)
             case _:
                 assert_never(expression)
