@@ -181,6 +181,7 @@ class RequiredForces:
         own = [group[place] for group in (table.q, table.qd) for place in places]
         own += [table.qdd[place] for place in places] if motion.accelerations else []
         own += [Symbol(name) for name, _ in motion.parameters]
+        left = asking.style.tidy(left)
         return replaced(left, dict(zip(own, map(asking.scalar, operands(motion)), strict=True)))
 
     def _mechanism(self, names: tuple[str, ...]) -> tuple[Symbols, Contributions, HeldRates]:

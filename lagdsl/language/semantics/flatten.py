@@ -227,7 +227,10 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     sampled = sampled_corners(flat, met)
     flat = discontinuities(flat, [each for each in met if each.moves], ctx.sink)
     flat = replace(flat, events=replace(flat.events, sampled=sampled))
-    flat = with_required_forces(flat, ctx.sink) if ctx.product.requires else flat
+    if ctx.product.requires:
+        flat = with_required_forces(flat, ctx.sink)
+        if ctx.sink.has_errors:
+            return None
     dependence = Dependence(flat)
     flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)

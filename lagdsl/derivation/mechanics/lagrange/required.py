@@ -97,7 +97,7 @@ class RequiredForces:
         if missing:
             sink = Sink()
             reason = f"it depends on accelerations that it is not given: of {listing('', missing)}"
-            way = f"add the coordinate and its acceleration: `inverse_dynamics(q, a, {missing[0].strip('`')}, a_2)`"
+            way = f"add {missing[0]} and its acceleration as two more arguments, or to the two arrays"
             sink.report("E0528", motion.span, function=motion.function, reason=reason, help=way)
             raise CompilationFailed(sink.diagnostics)
         self._closed.add(motion.coordinates)

@@ -126,7 +126,7 @@ def _given(
     for _ in range(rates):
         dimension = ctx.conventions.rate(dimension)
     shape = like.shape if isinstance(like, Array) else ()
-    value = bound(ctx, scope, node, Expected(what, dimension, shape))
+    value = bound(ctx, scope, node, Expected(what, dimension, shape, code="E0415"))
     return value if isinstance(value, Scalar | Array) else None
 
 
