@@ -165,7 +165,7 @@ def renamed(lowering: Lowering, flat: FlatModel, known: Mapping[str, int]) -> Lo
     symbols = copy(lowering.symbols)
     symbols.by_name = {**lowering.symbols.by_name, **known}
     fresh = Lowering(lowering.graph, flat, symbols)
-    fresh.provide, fresh.require = lowering.provide, lowering.require
+    fresh.provide = lowering.provide
     return fresh
 
 

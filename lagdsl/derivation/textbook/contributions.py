@@ -9,12 +9,12 @@ from typing import TypeAlias, assert_never
 from sympy import Add, Expr, Integer, Rational, Symbol
 
 from lagdsl.derivation.textbook import geometry
-from lagdsl.derivation.textbook.convert import Converter
+from lagdsl.derivation.textbook.convert import Converter, Mechanical, NotDerivedYetError
 from lagdsl.derivation.textbook.differentiate import partial
 from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
 from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced, symbols
-from lagdsl.language.flat.expression import RequiredForce
+from lagdsl.language.flat.expression import Component, RequiredForce
 from lagdsl.language.flat.model import (
     FlatModel,
     FrameTorque,
@@ -96,6 +96,7 @@ class Contributions:
     dissipation: Expr
     actions: tuple[tuple[Applied, ...], ...]
     residuals: tuple[Expr, ...]
+    required: RequiredForces
 
     @property
     def lagrangian(self) -> Expr:
@@ -105,9 +106,9 @@ class Contributions:
 def contributions(flat: FlatModel, converter: Converter, loads: Converter | None = None) -> Contributions:
     """Gather; the values of loads (not their places) are converted by `loads` where it is given. From here on both
     convert forces that motions require."""
+    required = RequiredForces(flat, converter)
     for each in (converter, loads or converter):
-        if each.required is None:
-            each.required = RequiredForces(flat, each)
+        each.mechanical = each.mechanical or required
     inertial_elements: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
     inertials = tuple(_inertial(item, converter) for item in inertial_elements)
     declared = {
@@ -126,6 +127,7 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
         residuals=tuple(rows),
+        required=required,
     )
 
 
@@ -162,16 +164,20 @@ def held_rates(flat: FlatModel, table: Symbols, parts: Contributions) -> HeldRat
 
 
 class RequiredForces:
-    """Forces that motions require of the loads, for what `asking` converts: the left sides of Lagrange's equations with
-    the parts of the motion in place of the symbols."""
+    """Forces that motions require of the loads: the left sides of Lagrange's equations, with the parts of the motion in
+    place of the symbols, as the converter that asks has them."""
 
-    def __init__(self, flat: FlatModel, asking: Converter) -> None:
-        self._flat, self._asking = flat, asking
+    def __init__(self, flat: FlatModel, converter: Converter) -> None:
+        self._flat, self._symbols = flat, converter.symbols
+        self._style = replace(converter.style, opaque={})
         self._mechanisms: dict[tuple[str, ...], tuple[Symbols, Contributions, HeldRates]] = {}
 
-    def __call__(self, force: RequiredForce) -> Expr:
-        """d/dt(dL/dqd) - dL/dq + dD/dqd, of `bias` without D and accelerations."""
-        motion, asking = force.motion, self._asking
+    def __call__(self, force: Mechanical | Component, asking: Converter) -> Expr:
+        """d/dt(dL/dqd) - dL/dq + dD/dqd, of `bias` without D and accelerations. Raises NotDerivedYetError for other
+        quantities."""
+        if not isinstance(force, RequiredForce):
+            raise NotDerivedYetError(type(force).__name__)
+        motion = force.motion
         table, parts, held = self._mechanism(tuple(name for name, _ in motion.parameters))
         places = [[each.name for each in self._flat.coordinates].index(name) for name in motion.coordinates]
         q, qd = table.q[places[force.place]], table.qd[places[force.place]]
@@ -181,7 +187,7 @@ class RequiredForces:
         own = [group[place] for group in (table.q, table.qd) for place in places]
         own += [table.qdd[place] for place in places] if motion.accelerations else []
         own += [Symbol(name) for name, _ in motion.parameters]
-        left = asking.style.tidy(left)
+        left = self._style.tidy(left)
         return replaced(left, dict(zip(own, map(asking.scalar, operands(motion)), strict=True)))
 
     def _mechanism(self, names: tuple[str, ...]) -> tuple[Symbols, Contributions, HeldRates]:
@@ -191,9 +197,8 @@ class RequiredForces:
                 replace(p, structural=p.structural and p.name not in names) for p in self._flat.parameters
             )
             model = replace(self._flat, parameters=parameters, loads=(), constraints=())
-            table = replace(self._asking.symbols, p=symbols(model).p)
-            style = replace(self._asking.style, opaque={})
-            parts = contributions(model, Converter(model=model, symbols=table, style=style))
+            table = replace(self._symbols, p=symbols(model).p)
+            parts = contributions(model, Converter(model=model, symbols=table, style=self._style))
             self._mechanisms[names] = table, parts, held_rates(model, table, parts)
         return self._mechanisms[names]
 

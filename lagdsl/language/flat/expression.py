@@ -284,9 +284,9 @@ class AdmissibleMotion(Mechanical):
 
 @record()
 class Motion(OfMechanism):
-    """What `inverse_dynamics` and `bias` ask about: a state, and for the first accelerations of the named coordinates.
-    All else of the state is as it is. `parameters` have other values there than in the model. It has no value by
-    itself; its parts are shared by the forces of all of its coordinates."""
+    """A motion that `inverse_dynamics` and `bias` ask about: a state and, for the first, accelerations of the named
+    coordinates. All else of the state is as it is. `parameters` have other values there than in the model. A motion has
+    no value by itself; its parts are shared by the forces of all of its coordinates."""
 
     function: Literal["inverse_dynamics", "bias"]
     coordinates: tuple[str, ...]

@@ -227,7 +227,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     sampled = sampled_corners(flat, met)
     flat = discontinuities(flat, [each for each in met if each.moves], ctx.sink)
     flat = replace(flat, events=replace(flat.events, sampled=sampled))
-    if ctx.product.requires:
+    if ctx.counts.motions:
         flat = with_required_forces(flat, ctx.sink)
         if ctx.sink.has_errors:
             return None

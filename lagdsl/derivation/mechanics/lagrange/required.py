@@ -14,7 +14,7 @@ from lagdsl.algebra.graph.operation import Group, Op
 from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.derivation.mechanics.lagrange import lagrange
 from lagdsl.derivation.mechanics.lagrange.inverse import bias_forces, inverse_dynamics
-from lagdsl.derivation.mechanics.lowering.lowering import Lowering
+from lagdsl.derivation.mechanics.lowering.lowering import Lowering, Provided
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.diagnostics.suggest import listing
 from lagdsl.foundation.record import record
@@ -40,8 +40,9 @@ class RequiredForces:
         self._closed: set[tuple[str, ...]] = set()
         self._moved: dict[tuple[tuple[int, int], ...], Substitution] = {}
 
-    def __call__(self, force: RequiredForce, nodes: Sequence[int]) -> int:
+    def __call__(self, force: Provided, nodes: Sequence[int]) -> int:
         """`nodes` are those of the operands of the motion, in the lowering that asks."""
+        assert isinstance(force, RequiredForce), force
         motion, symbols = force.motion, self._lowering.symbols
         mechanism = self._mechanism(motion)
         places = [symbols.coordinate_index[name] for name in motion.coordinates]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 from lagdsl.foundation.record import record
@@ -89,15 +90,11 @@ def _modified(call: nodes.Call, component: nodes.Expression) -> Iterator[_Change
 
 def _member(component: nodes.Expression, path: nodes.Expression) -> nodes.Expression:
     """The name `path` as it is seen from `component`."""
-    match path:
-        case nodes.Reference(name=name):
-            return _inside(component, name, path)
-        case nodes.Index(target=target, subscripts=subscripts):
-            return nodes.Index(span=path.span, target=_member(component, target), subscripts=subscripts)
-        case nodes.Member(target=target, name=name, name_span=place):
-            return nodes.Member(span=path.span, target=_member(component, target), name=name, name_span=place)
-        case _:
-            return path
+    if isinstance(path, nodes.Reference):
+        return _inside(component, path.name, path)
+    if isinstance(path, nodes.Index | nodes.Member):
+        return replace(path, target=_member(component, path.target))
+    return path
 
 
 def _inside(component: nodes.Expression, name: str, place: nodes.Node) -> nodes.Member:
@@ -166,7 +163,7 @@ def _forces(
         parameters,
         node.span,
     )
-    ctx.product.requires = True
+    ctx.counts.motions += 1
     forces = tuple(flat.RequiredForce(motion, place) for place in range(count))
     dimension = ctx.conventions.dimension(ENERGY) / (moved[0].dimension or DIMENSIONLESS)
     order = max(Order.RATE, highest(*values))

@@ -51,7 +51,6 @@ class Product:
 
     `forces` are those of compliant contacts and of friction. `solved` are the loads that depend on the motion that
     they cause, each with the dimension of its value. `met` are the discontinuities, operands before what reads them.
-    `requires`: something reads a force that a motion requires.
     `names` are taken; `unlabelled` counts the constraints, contacts and frictions that get a number for a name.
     """
 
@@ -63,7 +62,6 @@ class Product:
     solved: list[tuple[flat_model.Load, Dimension]] = field(default_factory=list)
     occurrences: Occurrences = field(default_factory=Occurrences)
     met: list[Met] = field(default_factory=list)
-    requires: bool = False
     names: set[str] = field(default_factory=set)
     unlabelled: Counter[str] = field(default_factory=Counter)
 

@@ -1,5 +1,5 @@
-"""What `inverse_dynamics` and `bias` ask about must have an answer: names of coordinates and parameters, no constraint
-on the motion, no circle (E0528)."""
+"""Motions that `inverse_dynamics` and `bias` ask about must have forces (E0528): they name coordinates and parameters,
+no constraint acts on them, and the forces have no part in themselves."""
 
 from __future__ import annotations
 
