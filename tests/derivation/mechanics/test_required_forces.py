@@ -9,7 +9,11 @@ import pytest
 from sympy import Symbol, cos, sin
 
 import lagdsl
-from lagdsl.foundation.diagnostics import CompilationFailed
+from lagdsl.derivation.mechanics.equations import form_equations
+from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.foundation.source import SourceFile
+from lagdsl.language.semantics.flatten import flatten
+from lagdsl.language.syntax.parser import parse
 from lagdsl.motion.pipeline import Route
 
 ARM = """
@@ -203,3 +207,28 @@ def test_what_has_no_value_is_refused_with_its_reason(statements: str, reason: s
 def test_what_constraints_do_not_touch_has_a_value() -> None:
     held = lagdsl.compile(BODY.replace("STATEMENTS", "constraint x = l; force inverse_dynamics(y, 3) on y;"))
     np.testing.assert_allclose(held.forward_dynamics(0.0, [1.0, 0.2, 0.3], [0.0, 0.4, 0.0])[1], 3.0, rtol=1e-12)
+
+
+def test_the_size_grows_with_the_number_of_links() -> None:
+    """Each further link adds as many nodes as the one before: no mass matrix is formed."""
+
+    def size(count: int) -> int:
+        names = range(1, count + 1)
+        chain = f"""
+model Chain
+  import Lag.Planar.*;
+  {" ".join(f"Revolute j{k}(tau = tau[{k}]); Link l{k}(l = 1 m, m = 1 kg);" for k in names)}
+  gravity = -g_n*world.y;
+  connect(world, {", ".join(f"j{k}, l{k}" for k in names)});
+  Angle q[{count}] = {{{", ".join(f"j{k}.q" for k in names)}}};
+  Torque tau[{count}] = inverse_dynamics(q, {{-(1 /s)*der(q[k]) for k in 1:{count}}});
+end Chain;
+"""
+        sink = Sink()
+        flat = flatten(parse(SourceFile("chain.lag", chain), sink), sink)
+        assert flat is not None, sink.diagnostics
+        equations = form_equations(flat)
+        return len(equations.graph.live(equations.dynamics.terms.load))
+
+    small, middle, large = (size(count) for count in (6, 9, 12))
+    assert large - middle == middle - small
