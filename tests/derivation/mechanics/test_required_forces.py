@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from choice import together
 from sympy import Symbol, cos, sin
 
 import lagdsl
@@ -184,7 +185,7 @@ end T;
 """
 
 
-@pytest.mark.parametrize(
+@together(
     ("statements", "reason"),
     [
         ("force inverse_dynamics(x, 1) on x;", "accelerations that it is not given: of `q`"),
@@ -193,6 +194,10 @@ end T;
         ("constraint der(y) = 2*der(x); force inverse_dynamics(y, 1) on y;", "`constraint_1` holds `y`"),
         ("input Length u = 0; output Force F = bias(u);", "`u` is no coordinate"),
         ("output Force F = bias(y, m2 = 2 kg);", "`m2` is no parameter whose value may be changed"),
+        (
+            "potential if y > 0 then 3 N*y else 5 N*y; output Force F = bias(y, positions = -1);",
+            "it depends on `y > 0`, which is true or false for the present state",
+        ),
         ("Force F = bias(y); potential F*(1 m);", "masses and energies depend on its value"),
         ("state Length z; mass 1 kg at {x, z}; equation der(z) = bias(y)*(1 m/N.s);", "masses and energies"),
     ],

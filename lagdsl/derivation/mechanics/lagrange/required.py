@@ -31,13 +31,13 @@ class _Mechanism:
 
 
 class RequiredForces:
-    """Answers for one model. Raises CompilationFailed (E0528) where accelerations of other coordinates are needed."""
+    """Answers for one model. Raises CompilationFailed (E0528) where the state does not tell the force."""
 
     def __init__(self, lowering: Lowering, flat: FlatModel) -> None:
         self._lowering = lowering
         self._flat = flat
         self._formed: dict[tuple[str, ...], _Mechanism] = {}
-        self._closed: set[tuple[str, ...]] = set()
+        self._sound: set[tuple[str, tuple[str, ...], bool]] = set()
         self._moved: dict[tuple[tuple[int, int], ...], Substitution] = {}
 
     def __call__(self, force: Provided, nodes: Sequence[int]) -> int:
@@ -46,15 +46,19 @@ class RequiredForces:
         motion, symbols = force.motion, self._lowering.symbols
         mechanism = self._mechanism(motion)
         places = [symbols.coordinate_index[name] for name in motion.coordinates]
-        if motion.function == "inverse_dynamics" and motion.coordinates not in self._closed:
-            self._require_closed(motion, [mechanism.forces[place] for place in places])
-        qdd = self._lowering.graph.symbols(Group.QDD, len(symbols.q))
+        graph = self._lowering.graph
+        qdd = graph.symbols(Group.QDD, len(symbols.q))
         own = [group[place] for group in (symbols.q, symbols.qd) for place in places]
         own += [qdd[place] for place in places] if motion.accelerations else []
         own += [mechanism.parameters[name] for name, _ in motion.parameters]
         changed = tuple((old, new) for old, new in zip(own, nodes, strict=True) if old != new)
+        elsewhere = any(graph.group(old) is not Group.QDD for old, _ in changed)
+        asked = (motion.function, motion.coordinates, elsewhere)
+        if asked not in self._sound:
+            self._require_value(motion, set(graph.live([mechanism.forces[x] for x in places])), elsewhere)
+            self._sound.add(asked)
         if changed not in self._moved:
-            self._moved[changed] = Substitution(self._lowering.graph, dict(changed))
+            self._moved[changed] = Substitution(graph, dict(changed))
         return self._moved[changed].of(mechanism.forces[places[force.place]])
 
     def _mechanism(self, motion: Motion) -> _Mechanism:
@@ -85,20 +89,24 @@ class RequiredForces:
         symbols.by_name = {**symbols.by_name, **parameters}
         return Lowering(graph, self._flat, symbols), parameters
 
-    def _require_closed(self, motion: Motion, forces: Sequence[int]) -> None:
-        """E0528 where a force of the motion reads the acceleration of a coordinate that the motion does not give."""
-        graph, index = self._lowering.graph, self._lowering.symbols.coordinate_index
-        given = {index[name] for name in motion.coordinates}
-        live = set(graph.live(forces))
-        missing = [
-            f"`{each.name}`"
-            for place, each in enumerate(self._flat.coordinates)
-            if place not in given and graph.symbol(Group.QDD, place) in live
-        ]
+    def _require_value(self, motion: Motion, live: set[int], elsewhere: bool) -> None:
+        """E0528 where a force of the motion reads an acceleration that the motion does not give or, `elsewhere` than in
+        the state, a relation, whose truth is that of the state."""
+        graph, symbols = self._lowering.graph, self._lowering.symbols
+        given = set(motion.coordinates)
+        others = [each.name for each in self._flat.coordinates if each.name not in given]
+        missing = [x for x in others if graph.symbol(Group.QDD, symbols.coordinate_index[x]) in live]
+        turning = [each.name for each in self._flat.events.relations if symbols.previous[each.name] in live]
         if missing:
-            sink = Sink()
-            reason = f"it depends on accelerations that it is not given: of {listing('', missing)}"
-            way = f"add {missing[0]} and its acceleration as two more arguments, or to the two arrays"
-            sink.report("E0528", motion.span, function=motion.function, reason=reason, help=way)
-            raise CompilationFailed(sink.diagnostics)
-        self._closed.add(motion.coordinates)
+            reason = f"it depends on accelerations that it is not given: of {listing('', missing, '`{}`')}"
+            way = f"add `{missing[0]}` and its acceleration as two more arguments, or to the two arrays"
+        elif turning and elsewhere:
+            reason = (
+                f"it depends on `{turning[0]}`, which is true or false for the present state, not for the given one"
+            )
+            way = "ask for the forces at the present state, or write the energy without a relation"
+        else:
+            return
+        sink = Sink()
+        sink.report("E0528", motion.span, function=motion.function, reason=reason, help=way)
+        raise CompilationFailed(sink.diagnostics)
