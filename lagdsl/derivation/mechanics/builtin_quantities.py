@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from lagdsl.algebra.graph.differentiate import jacobian
@@ -10,6 +10,7 @@ from lagdsl.derivation.mechanics.kinematics.vectors import Vector
 from lagdsl.derivation.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.derivation.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
 from lagdsl.derivation.mechanics.lagrange.lagrange import Dynamics
+from lagdsl.derivation.mechanics.lagrange.required import RequiredForces
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering, Provided
 from lagdsl.derivation.mechanics.lowering.symbols import Symbols
 from lagdsl.derivation.mechanics.lowering.values import Value
@@ -30,19 +31,23 @@ class Provider:
         symbols: Symbols,
         found: Dynamics,
         totals: SystemEnergies,
+        required: RequiredForces,
     ) -> None:
         self._lowering = lowering
         self._model = model
         self._symbols = symbols
         self._dynamics = found
         self._totals = totals
+        self._required = required
         self._releases: Releases | None = None
         self._reactions: list[int] = []
 
-    def __call__(self, expression: Provided) -> Value:
+    def __call__(self, expression: Provided, nodes: Sequence[int]) -> Value:
         symbols = self._symbols
         found = self._dynamics.energies.inertial_elements
         match expression:
+            case flat.RequiredForce():
+                return self._required(expression, nodes)
             case flat.Multiplier(row):
                 return symbols.rows[row]
             case flat.FrameReaction(frame, kind):

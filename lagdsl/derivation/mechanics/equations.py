@@ -10,6 +10,7 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.derivation.mechanics import constraints
 from lagdsl.derivation.mechanics.builtin_quantities import Provider
 from lagdsl.derivation.mechanics.lagrange import energies, lagrange
+from lagdsl.derivation.mechanics.lagrange.required import RequiredForces
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering
 from lagdsl.derivation.mechanics.lowering.symbols import Symbols
 from lagdsl.derivation.mechanics.shared_position_sums import share_positions
@@ -26,6 +27,7 @@ class Equations:
     symbols: Symbols
     lowering: Lowering
     dynamics: lagrange.Dynamics
+    required: RequiredForces
     energies: energies.SystemEnergies
     rows: constraints.Rows
 
@@ -36,12 +38,20 @@ def form_equations(flat: FlatModel) -> Equations:
     symbols = Symbols(graph, flat)
     lowering = Lowering(graph, flat, symbols)
     share_positions(lowering, flat)
+    required = lowering.provide = RequiredForces(lowering, flat)
     found = lagrange.dynamics(lowering, flat, symbols.directions)
     totals = energies.system_energies(graph, found, symbols.directions)
-    lowering.provide = Provider(lowering, flat, symbols, found, totals)
+    lowering.provide = Provider(lowering, flat, symbols, found, totals, required)
     rows = constraints.constraint_rows(lowering, flat)
     return Equations(
-        flat=flat, graph=graph, symbols=symbols, lowering=lowering, dynamics=found, energies=totals, rows=rows
+        flat=flat,
+        graph=graph,
+        symbols=symbols,
+        lowering=lowering,
+        dynamics=found,
+        required=required,
+        energies=totals,
+        rows=rows,
     )
 
 
@@ -54,6 +64,6 @@ def with_row_factors(equations: Equations, factors: Sequence[float]) -> Equation
     symbols.rows = {name: graph.multiply(by, lam) for (name, lam), by in zip(symbols.rows.items(), powers, strict=True)}
     lowering = Lowering(graph, flat, symbols)
     share_positions(lowering, flat)
-    lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies)
+    lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies, equations.required)
     residuals = tuple(graph.multiply(by, row) for by, row in zip(powers, equations.rows.residuals, strict=True))
     return replace(equations, symbols=symbols, lowering=lowering, rows=replace(equations.rows, residuals=residuals))

@@ -28,7 +28,7 @@ def with_observed(equations: Equations, program: Program, flat: FlatModel) -> tu
     symbols.rows = equations.symbols.rows
     lowering = Lowering(equations.graph, flat, symbols)
     share_positions(lowering, flat)
-    lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies)
+    lowering.provide = Provider(lowering, flat, symbols, equations.dynamics, equations.energies, equations.required)
     equations = replace(equations, flat=flat, symbols=symbols, lowering=lowering)
     results = {name: tuple(blocks) for name, blocks in (observed(equations) | start(equations)).items()}
     program = replace(

@@ -54,6 +54,7 @@ def reactions(lowering: Lowering, flat: FlatModel, symbols: Symbols, releases: R
     """The generalized force of each release, with qdd and lambda as symbols."""
     graph = lowering.graph
     released = Lowering(graph, flat, symbols, releases.release)
+    released.provide = lowering.provide
     directions = Directions(
         tuple(graph.symbols(Group.RELEASE, releases.count)),
         tuple(graph.symbols(Group.RELEASE_RATE, releases.count)),

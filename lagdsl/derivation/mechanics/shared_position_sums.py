@@ -82,7 +82,7 @@ class _Plain:
                 return operator in _ARITHMETIC
             case fx.Function(name):
                 return name in _SMOOTH
-            case fx.Previous() | fx.Derivative() | fx.Operation() | fx.OfFrame() | fx.Mechanical():
+            case fx.Previous() | fx.Derivative() | fx.Operation() | fx.OfFrame() | fx.Mechanical() | fx.OfMechanism():
                 return False
             case _:
                 assert_never(node)

@@ -9,11 +9,12 @@ from typing import TypeAlias, assert_never
 from sympy import Add, Expr, Integer, Rational, Symbol
 
 from lagdsl.derivation.textbook import geometry
-from lagdsl.derivation.textbook.convert import Converter
+from lagdsl.derivation.textbook.convert import Converter, Mechanical, NotDerivedYetError
 from lagdsl.derivation.textbook.differentiate import partial
 from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
-from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
+from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced, symbols
+from lagdsl.language.flat.expression import Component, RequiredForce
 from lagdsl.language.flat.model import (
     FlatModel,
     FrameTorque,
@@ -24,6 +25,7 @@ from lagdsl.language.flat.model import (
     RateForce,
     RigidBody,
 )
+from lagdsl.language.flat.traversal import operands
 
 HALF = Rational(1, 2)
 
@@ -94,6 +96,7 @@ class Contributions:
     dissipation: Expr
     actions: tuple[tuple[Applied, ...], ...]
     residuals: tuple[Expr, ...]
+    required: RequiredForces
 
     @property
     def lagrangian(self) -> Expr:
@@ -101,7 +104,11 @@ class Contributions:
 
 
 def contributions(flat: FlatModel, converter: Converter, loads: Converter | None = None) -> Contributions:
-    """Gather; the values of loads (not their places) are converted by `loads` where it is given."""
+    """Gather; the values of loads (not their places) are converted by `loads` where it is given. From here on both
+    convert forces that motions require."""
+    required = RequiredForces(flat, converter)
+    for each in (converter, loads or converter):
+        each.mechanical = each.mechanical or required
     inertial_elements: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
     inertials = tuple(_inertial(item, converter) for item in inertial_elements)
     declared = {
@@ -120,6 +127,7 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
         residuals=tuple(rows),
+        required=required,
     )
 
 
@@ -153,6 +161,46 @@ def held_rates(flat: FlatModel, table: Symbols, parts: Contributions) -> HeldRat
     converter = Converter(model=flat, symbols=table, release=given.release, style=style)
     rates = {rate: given.rates[symbol] for symbol, rate in held.items()}
     return HeldRates(parts=contributions(flat, converter), rates=rates)
+
+
+class RequiredForces:
+    """Forces that motions require of the loads: the left sides of Lagrange's equations, with the parts of the motion in
+    place of the symbols, as the converter that asks has them."""
+
+    def __init__(self, flat: FlatModel, converter: Converter) -> None:
+        self._flat, self._symbols = flat, converter.symbols
+        self._style = replace(converter.style, opaque={})
+        self._mechanisms: dict[tuple[str, ...], tuple[Symbols, Contributions, HeldRates]] = {}
+
+    def __call__(self, force: Mechanical | Component, asking: Converter) -> Expr:
+        """d/dt(dL/dqd) - dL/dq + dD/dqd, of `bias` without D and accelerations. Raises NotDerivedYetError for other
+        quantities."""
+        if not isinstance(force, RequiredForce):
+            raise NotDerivedYetError(type(force).__name__)
+        motion = force.motion
+        table, parts, held = self._mechanism(tuple(name for name, _ in motion.parameters))
+        places = [[each.name for each in self._flat.coordinates].index(name) for name in motion.coordinates]
+        q, qd = table.q[places[force.place]], table.qd[places[force.place]]
+        bias = motion.function == "bias"
+        left = parts.converter.rate(partial(parts.lagrangian, qd), bias=bias) - held.partial(held.parts.lagrangian, q)
+        left += 0 if bias else held.partial(held.parts.dissipation, qd)
+        own = [group[place] for group in (table.q, table.qd) for place in places]
+        own += [table.qdd[place] for place in places] if motion.accelerations else []
+        own += [Symbol(name) for name, _ in motion.parameters]
+        left = self._style.tidy(left)
+        return replaced(left, dict(zip(own, map(asking.scalar, operands(motion)), strict=True)))
+
+    def _mechanism(self, names: tuple[str, ...]) -> tuple[Symbols, Contributions, HeldRates]:
+        """Without loads and constraints; parameters of these `names` are symbols, even if they were fixed."""
+        if names not in self._mechanisms:
+            parameters = tuple(
+                replace(p, structural=p.structural and p.name not in names) for p in self._flat.parameters
+            )
+            model = replace(self._flat, parameters=parameters, loads=(), constraints=())
+            table = replace(self._symbols, p=symbols(model).p)
+            parts = contributions(model, Converter(model=model, symbols=table, style=self._style))
+            self._mechanisms[names] = table, parts, held_rates(model, table, parts)
+        return self._mechanisms[names]
 
 
 def _inertial(item: PointMass | RigidBody, converter: Converter) -> Inertial:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias, assert_never
@@ -28,6 +29,7 @@ Mechanical: TypeAlias = (
     | flat.LinearMomentum
     | flat.AngularMomentum
     | flat.AdmissibleMotion
+    | flat.RequiredForce
 )
 _Geometric: TypeAlias = (
     flat.Vector
@@ -94,7 +96,7 @@ class NoDerivativeError(ValueError):
     """An input's derivative is asked for and the model does not provide it; the checker refuses such models before."""
 
 
-class _NotDerivedYetError(Exception):
+class NotDerivedYetError(Exception):
     """A multiplier, reaction or energy is read before the derivation has it; such a definition is made later."""
 
 
@@ -114,14 +116,15 @@ class Style:
 class Converter:
     """Converts expressions of one flat model.
 
-    `mechanical` evaluates what only the derivation knows (multipliers, reactions, energies) and is set by it.
+    `mechanical` evaluates for the converter that asks what only the derivation knows, and is set by it: first forces
+    that motions require, then multipliers, reactions, energies.
     """
 
     model: FlatModel
     symbols: Symbols
     release: Release | None = None
     style: Style = field(default_factory=Style)
-    mechanical: Callable[[Mechanical | flat.Component], Expr | Vector] | None = None
+    mechanical: Callable[[Mechanical | flat.Component, Converter], Expr | Vector] | None = None
     rates: dict[Symbol, Expr] = field(init=False)
     kinematics: Kinematics = field(init=False)
     _values: dict[str, Expr] = field(init=False)
@@ -144,14 +147,21 @@ class Converter:
                 self._values[parameter.name] = self.style.number(parameter.value)
         self._items = {item.name: item for item in self.model.named}
         for item in self.model.named:
-            try:
+            with suppress(NotDerivedYetError):
                 self._define(item.name)
-            except _NotDerivedYetError:
-                self._items[item.name] = item
 
     def _define(self, name: str) -> None:
         """Make a definition, point or frame, once; order and need both lead here."""
-        match self._items.pop(name, None):
+        item = self._items.pop(name, None)
+        try:
+            self._make_item(name, item)
+        except NotDerivedYetError:
+            if item is not None:
+                self._items[name] = item
+            raise
+
+    def _make_item(self, name: str, item: Definition | Point | Frame | None) -> None:
+        match item:
             case Definition(value=value):
                 self._values[name] = self.style.opaque[name] if name in self.style.opaque else self.scalar(value)
             case Point() as point:
@@ -221,7 +231,7 @@ class Converter:
             case flat.Conditional(condition, value, otherwise):
                 return self._select(self.scalar(condition), self._convert(value), self._convert(otherwise))
             case flat.Component(flat.FrameReaction(), _) if self.mechanical is not None:
-                return self.mechanical(node)
+                return self.mechanical(node, self)
             case flat.Component(vector, axis):
                 return self.vector(vector)[axis]
             case flat.Dot(left, right):
@@ -230,11 +240,11 @@ class Converter:
                 return self.style.tidy(geometry.norm(self.vector(vector)))
             case flat.Vector() | flat.Cross() | flat.PointReference() | flat.OfFrame():
                 return self._make_vector(node)
-            case flat.Mechanical():
+            case flat.Mechanical() | flat.RequiredForce():
                 if self.mechanical is None:
-                    raise _NotDerivedYetError(type(node).__name__)
-                return self.mechanical(node)
-            case flat.Binary() | flat.Previous():
+                    raise NotDerivedYetError(type(node).__name__)
+                return self.mechanical(node, self)
+            case flat.Binary() | flat.Previous() | flat.Motion():
                 raise AssertionError(node)
             case _:
                 assert_never(node)

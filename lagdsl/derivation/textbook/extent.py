@@ -99,7 +99,7 @@ def _name(node: fx.FlatExpression) -> str:
             return name
         case fx.OfFrame():
             return node.frame
-        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
+        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical() | fx.OfMechanism():
             return ""
         case _:
             assert_never(node)

@@ -37,8 +37,11 @@ class MechanicalValues:
     momenta: Sequence[Expr]
     _known: dict[Mechanical | flat.Component, Expr | Vector] = field(default_factory=dict)
 
-    def __call__(self, node: Mechanical | flat.Component) -> Expr | Vector:
-        """A reaction that several outputs read is formed once; of a component the other ones are not."""
+    def __call__(self, node: Mechanical | flat.Component, asking: Converter) -> Expr | Vector:
+        """A reaction that several outputs read is formed once; of a component the other ones are not. The parts of a
+        motion are as `asking` has them."""
+        if isinstance(node, flat.RequiredForce):
+            return self.parts.required(node, asking)
         if node not in self._known:
             self._known[node] = self._value(node)
         return self._known[node]
@@ -66,6 +69,8 @@ class MechanicalValues:
             case flat.FrameReaction():
                 x, y, z = (self._of_frame(node, axis) for axis in range(3))
                 return (x, y, z)
+            case flat.RequiredForce():
+                raise AssertionError(node)
             case flat.Component(vector, axis):
                 assert isinstance(vector, flat.FrameReaction)
                 return self._of_frame(vector, axis)

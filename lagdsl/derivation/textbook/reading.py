@@ -95,7 +95,8 @@ def read(flat: FlatModel, *, written_out: bool = False) -> Reading:
     style = Style(number=number, tidy=tidy, settle=settle, opaque=constants | abbreviations)
     values = Converter(model=flat, symbols=table, style=style)
     for name, symbol in abbreviations.items():
-        values.rates[symbol] = Symbol(f"der({name})")
+        rate = Symbol(f"der({name})")
+        values.rates |= {symbol: rate, rate: Symbol(f"der({rate.name})")}
     parts = contributions(flat, places, values)
     tidy.keep_whole(tuple(_whole(flat, places, tidy.constants)))
     return Reading(flat, table, tidy, parts, values, constants, abbreviations)
@@ -165,7 +166,8 @@ def _parameter_values(flat: FlatModel, table: Symbols) -> list[tuple[Symbol, flo
 def needed(definitions: tuple[tuple[Symbol, Expr], ...], printed: Iterable[Expr]) -> tuple[tuple[Symbol, Expr], ...]:
     """Definitions that stand in what is printed, directly or through others."""
     wanted = {symbol for value in printed for symbol in value.free_symbols}
-    wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}
+    for _ in range(2):
+        wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}
     for symbol, value in reversed(definitions):
         if symbol in wanted:
             wanted |= value.free_symbols

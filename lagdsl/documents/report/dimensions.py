@@ -37,7 +37,9 @@ class Units:
         named = {item.name: item for item in self.flat.named if isinstance(item, Definition)}
         for symbol, _ in (*derivation.dependent_parameters, *derivation.definitions):
             own = named[symbol.name]
-            found |= {symbol: own.unit, Symbol(f"der({symbol.name})"): rate_text(own.dimension, own.unit)}
+            rate = rate_text(own.dimension, own.unit)
+            found |= {symbol: own.unit, Symbol(f"der({symbol.name})"): rate}
+            found[Symbol(f"der(der({symbol.name}))")] = rate_text(own.dimension / TIME, rate)
         found |= {row.multiplier: self.multiplier(row) for row in derivation.constraints if row.restricts}
         return {table.time: "s", STANDARD_GRAVITY: "m/s2", **found}
 

@@ -112,7 +112,8 @@ def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...
     made = Notation(boxes, bare, indexed, {symbols.time: "t"} | dict.fromkeys(symbols.lam, "λ"))
     for q, qd, qdd in zip(symbols.q, symbols.qd, symbols.qdd, strict=True):
         boxes |= {qd: dotted(boxes[q], 1), qdd: dotted(boxes[q], 2)}
-    boxes |= {Symbol(f"der({symbol.name})"): dotted(boxes[symbol], 1) for symbol in abbreviations}
+    for symbol in abbreviations:
+        boxes |= {Symbol(f"{'der(' * k}{symbol.name}{')' * k}"): dotted(boxes[symbol], k) for k in (1, 2)}
     for item, symbol in zip(flat.inputs, symbols.u, strict=True):
         if item.derivative_of is not None:
             inner = symbol.name.count("der(")

@@ -29,7 +29,7 @@ class RateDegree:
             self._known[id(node)] = (node, self._compute(node))
         return self._known[id(expression)][1]
 
-    def _compute(self, expression: fx.FlatExpression) -> float:
+    def _compute(self, expression: fx.FlatExpression) -> float:  # noqa: C901, PLR0912 one case per node
         orders = self.dependence.of(expression)
         if not any(name in self._moving for name in orders.differentiated()):
             return 0
@@ -52,7 +52,9 @@ class RateDegree:
                 return self.of(left) + self.of(right)
             case fx.Vector(x, y, z):
                 return max(self.of(x), self.of(y), self.of(z))
-            case fx.Number() | fx.Previous() | fx.PointReference() | fx.OfFrame() | fx.Operation() | fx.Mechanical():
+            case fx.Number() | fx.Previous() | fx.PointReference() | fx.OfFrame() | fx.Operation():
+                return INFINITE
+            case fx.Mechanical() | fx.OfMechanism():
                 return INFINITE
             case _:
                 assert_never(expression)

@@ -49,6 +49,10 @@ class Orders(Mapping[str, int]):
         """Of the time derivative."""
         return Orders(self._variables, (*self._levels[:1], *self._levels))
 
+    def with_rates(self) -> Orders:
+        """The same with the rate of each variable."""
+        return Orders(self._variables, (*self._levels[:1] * 2, *self._levels[2:]))
+
     def merged(self, *others: Orders) -> Orders:
         """Of what depends on this and on the others."""
         levels = [orders._levels for orders in (self, *others)]
@@ -117,6 +121,20 @@ class Dependence:
             self._by_name[key] = orders
         return self._by_name[key]
 
+    def _of_mechanism(self) -> Orders:
+        """Of the forces that masses, bodies and energies require, with accelerations that are given."""
+        key = ("", "mechanism")
+        if key not in self._by_name:
+            flat = self.flat
+            self._by_name[key] = self.nothing  # an energy that reads such a force is refused with better words
+            bodies = [x for body in flat.bodies for x in (body.mass, *body.com, *body.inertia)]
+            energies = [term.value for term in flat.energies]
+            gravity = [flat.gravity] if flat.gravity is not None else []
+            masses = [x for mass in flat.masses for x in (mass.mass, mass.position)]
+            frames = [self.of_frame(body.frame) for body in flat.bodies]
+            self._by_name[key] = self.of_all([*energies, *gravity, *masses, *bodies]).merged(*frames).with_rates()
+        return self._by_name[key]
+
     def _compute(self, expression: fx.FlatExpression) -> Orders:
         match expression:
             case fx.Variable(name):
@@ -134,8 +152,10 @@ class Dependence:
                 return self.of_frame(frame, turning_only=True).raised()
             case fx.MaterialVelocity(point_expression, frame):
                 return self.of(point_expression).merged(self.of_frame(frame).raised())
-            case fx.Number() | fx.Previous() | fx.Operation() | fx.Mechanical():
+            case fx.Number() | fx.Previous() | fx.Operation() | fx.Mechanical() | fx.Motion():
                 return self.of_all(operands(expression))
+            case fx.RequiredForce(motion):
+                return self.of(motion).merged(self._of_mechanism())
             case _:
                 assert_never(expression)
 

@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import field
+from functools import partial
 from typing import TypeAlias, assert_never
 
 import numpy as np
@@ -99,6 +100,7 @@ class _Instant:
             "world": (np.zeros(3, np.complex128), np.eye(3, dtype=np.complex128))
         }
         self._later: _Instant | None = None
+        self._waiting: dict[str, Callable[[], complex]] = {}
 
     # ---- expressions -------------------------------------------------------------------------------------------------
 
@@ -162,7 +164,7 @@ class _Instant:
                 arm = self.vector(point_expression) - self.frame(frame)[0]
                 origin_velocity = self._rate(lambda moment: moment.frame(frame)[0])
                 return origin_velocity + np.cross(self._angular_velocity(frame), arm)
-            case fx.Previous() | fx.Mechanical():
+            case fx.Previous() | fx.Mechanical() | fx.OfMechanism():
                 raise NotEvaluable(type(expression).__name__)
             case _:
                 assert_never(expression)
@@ -171,6 +173,8 @@ class _Instant:
         item = self.named.get(name)
         if isinstance(item, fm.Definition):
             return self.scalar(item.value)
+        if name in self._waiting:
+            self.variables[name] = self._waiting.pop(name)()
         if name in self.variables:
             return complex(self.variables[name])
         return self._discrete(name)
@@ -265,12 +269,18 @@ class _Instant:
         if self.accelerations is None:
             raise NotEvaluable("a derivative of a derivative")
         if self._later is None:
-            rates = {**{state.name: self.scalar(state.derivative) for state in self.flat.states}, **self.rates}
+            rates = {**self.rates}
             rates.update({i.derivative_of: self.variables[i.name] for i in self.flat.inputs if i.derivative_of})
             variables = {name: value + 1j * _STEP * rates.get(name, 0.0) for name, value in self.variables.items()}
             later = {name: rate + 1j * _STEP * self.accelerations.get(name, 0.0) for name, rate in self.rates.items()}
             self._later = _Instant(self.flat, self.named, variables, later, None)
+            moving = (state for state in self.flat.states if state.name in variables and state.name not in rates)
+            self._later._waiting = {state.name: partial(self._state_later, state) for state in moving}
         return self._later
+
+    def _state_later(self, state: fm.State) -> complex:
+        """Asked for where it is read only: equations of states may read rates of other quantities."""
+        return self.variables[state.name] + 1j * _STEP * self.scalar(state.derivative)
 
 
 # ---- functions of complex numbers next to the real line --------------------------------------------------------------

@@ -7,9 +7,11 @@ values 0 and 1. Nodes are immutable and may be shared; they compare by value, lo
 
 from __future__ import annotations
 
+from dataclasses import field
 from typing import Literal, TypeAlias
 
 from lagdsl.foundation.record import record
+from lagdsl.foundation.source import Span
 
 # ---- groups: a case over all nodes names the nodes it treats alike by these ------------------------------------------
 
@@ -28,6 +30,12 @@ class OfFrame:
 
 class Mechanical:
     """A node that the derivation evaluates; in outputs, invariants and assertions only."""
+
+    __slots__ = ()
+
+
+class OfMechanism:
+    """A node about the forces of the mechanism without its loads: they are known with the state."""
 
     __slots__ = ()
 
@@ -271,11 +279,38 @@ class AdmissibleMotion(Mechanical):
     coordinate: str
 
 
+# ---- forces of the mechanism itself ----------------------------------------------------------------------------------
+
+
+@record()
+class Motion(OfMechanism):
+    """A motion that `inverse_dynamics` and `bias` ask about: a state and, for the first, accelerations of the named
+    coordinates. All else of the state is as it is. `parameters` have other values there than in the model. A motion has
+    no value by itself; its parts are shared by the forces of all of its coordinates."""
+
+    function: Literal["inverse_dynamics", "bias"]
+    coordinates: tuple[str, ...]
+    positions: tuple[FlatExpression, ...]
+    rates: tuple[FlatExpression, ...]
+    accelerations: tuple[FlatExpression, ...]
+    parameters: tuple[tuple[str, FlatExpression], ...]
+    span: Span = field(compare=False, repr=False)
+
+
+@record()
+class RequiredForce(OfMechanism):
+    """d/dt(dL/dqd) - dL/dq + dD/dqd of one of the coordinates of `motion`, by its place: the generalized force that
+    all loads together have to be. Of `bias` without D, and with no accelerations."""
+
+    motion: Motion
+    place: int
+
+
 FlatExpression: TypeAlias = (
     "Number | Variable | Previous | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm "
     "| Vector | PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
     "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum "
-    "| AdmissibleMotion"
+    "| AdmissibleMotion | Motion | RequiredForce"
 )
 
 ZERO = Number(0.0)

@@ -52,7 +52,7 @@ def number_text(value: float) -> str:
     return text.removesuffix(".0")
 
 
-def _text(node: fx.FlatExpression, parts: list[_Text]) -> _Text:
+def _text(node: fx.FlatExpression, parts: list[_Text]) -> _Text:  # noqa: C901, PLR0912 one case per node
     match node:
         case fx.Number(value):
             text = number_text(value)
@@ -75,6 +75,10 @@ def _text(node: fx.FlatExpression, parts: list[_Text]) -> _Text:
             return f"{frame}.origin", _ATOM
         case fx.FrameAxis(frame, axis):
             return f"{frame}.{_AXES[axis]}", _ATOM
+        case fx.Motion():
+            return _motion(node, [text for text, _ in parts]), _ATOM
+        case fx.RequiredForce(motion, place):
+            return parts[0][0] if len(motion.coordinates) == 1 else f"{parts[0][0]}[{place + 1}]", _ATOM
         case (
             fx.Previous()
             | fx.Derivative()
@@ -124,6 +128,21 @@ def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case
             return f"d({arguments})/d({coordinate})"
         case _:
             assert_never(node)
+
+
+def _motion(motion: fx.Motion, parts: list[str]) -> str:
+    """The call; positions and rates that the state has are not written."""
+    count = len(motion.coordinates)
+    lists = [list(motion.coordinates), parts[2 * count : 2 * count + len(motion.accelerations)]]
+    given = [each[0] if len(each) == 1 else f"{{{', '.join(each)}}}" for each in lists if each]
+    own = tuple(map(fx.Variable, motion.coordinates))
+    if motion.positions != own:
+        given.append(f"positions = {{{', '.join(parts[:count])}}}")
+    if motion.rates != tuple(map(fx.Derivative, own)):
+        given.append(f"rates = {{{', '.join(parts[count : 2 * count])}}}")
+    names = [name for name, _ in motion.parameters]
+    given += [f"{name} = {text}" for name, text in zip(names, parts[len(parts) - len(names) :], strict=True)]
+    return f"{motion.function}({', '.join(given)})"
 
 
 def _unary(operator: str, operand: _Text) -> _Text:

@@ -38,7 +38,7 @@ def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[f
             item = named.get(name)
         case fx.OfFrame():
             item = named.get(expression.frame)
-        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
+        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical() | fx.OfMechanism():
             item = None
         case _:
             assert_never(expression)

@@ -44,6 +44,11 @@ def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  #
             return ()
         case fx.GeneralizedMomentum() | fx.LinearMomentum():
             return ()
+        case fx.Motion():
+            given = tuple(value for _, value in expression.parameters)
+            return (*expression.positions, *expression.rates, *expression.accelerations, *given)
+        case fx.RequiredForce():
+            return (expression.motion,)
         case _:
             assert_never(expression)
 

@@ -42,6 +42,7 @@ from lagdsl.language.semantics.variables.resolver import Definitions, every
 from lagdsl.language.semantics.variables.scale_points import check_difference
 from lagdsl.language.semantics.wellformed.corners import check_changing_inertia, check_corners
 from lagdsl.language.semantics.wellformed.feedback import with_feedback
+from lagdsl.language.semantics.wellformed.required_forces import with_required_forces
 from lagdsl.language.syntax import nodes
 from lagdsl.language.syntax.recursion import deep_recursion
 
@@ -226,6 +227,10 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     sampled = sampled_corners(flat, met)
     flat = discontinuities(flat, [each for each in met if each.moves], ctx.sink)
     flat = replace(flat, events=replace(flat.events, sampled=sampled))
+    if ctx.counts.motions:
+        flat = with_required_forces(flat, ctx.sink)
+        if ctx.sink.has_errors:
+            return None
     dependence = Dependence(flat)
     flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)

@@ -143,6 +143,17 @@ def test_derivatives_of_definitions_states_inputs_and_time():
     assert at(der(times(Q, der(Q))), flat=flat) == pytest.approx(1.3**2 + 0.7 * 0.4)
 
 
+def test_the_equation_of_a_state_may_read_rates_of_definitions():
+    """z' = 2 q q' + z with z = 0.5; (z^2)' = 2 z z'."""
+    rate = plus(der(var("area")), var("z"))
+    state = fm.State(
+        name="z", dimension=EMPTY.coordinates[0].dimension, start=num(0), start_explicit=False, fixed=False,
+        derivative=rate, spans=(),
+    )  # fmt: skip
+    flat = model(coordinates=(coordinate("q"),), states=(state,), named=(definition("area", square(Q)),))
+    assert at(der(square(var("z"))), flat=flat, z=0.5) == pytest.approx(2 * 0.5 * (2 * 0.7 * 1.3 + 0.5))
+
+
 def test_velocities_of_points_and_frames():
     arm = vec(times(var("l"), sin(Q)), times(var("l"), fx.Unary("-", cos(Q))))
     flat = model(

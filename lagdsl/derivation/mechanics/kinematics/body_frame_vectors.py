@@ -132,7 +132,7 @@ class OwnVectors:
                 return None
             case flat.Number() | flat.Variable() | flat.Previous() | flat.Operation():
                 return None
-            case flat.PointReference() | flat.OfFrame() | flat.Mechanical():
+            case flat.PointReference() | flat.OfFrame() | flat.Mechanical() | flat.OfMechanism():
                 return None
             case _:
                 assert_never(expression)
@@ -216,7 +216,7 @@ class OwnVectors:
                 return self._sum(self._scaled(factor, self._velocity_of(vector)), grown, "+")
             case flat.Number() | flat.Variable() | flat.Previous() | flat.Derivative() | flat.Operation():
                 return None
-            case flat.OfFrame() | flat.Mechanical():
+            case flat.OfFrame() | flat.Mechanical() | flat.OfMechanism():
                 return None
             case _:
                 assert_never(expression)
@@ -243,7 +243,7 @@ def _operands(
             return [(left, moving), (right, moving)]
         case flat.Number() | flat.Variable() | flat.Previous() | flat.Derivative() | flat.Operation():
             return []
-        case flat.PointReference() | flat.OfFrame() | flat.Mechanical():
+        case flat.PointReference() | flat.OfFrame() | flat.Mechanical() | flat.OfMechanism():
             return []
         case _:
             assert_never(expression)

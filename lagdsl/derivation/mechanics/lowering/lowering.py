@@ -6,7 +6,7 @@ long sums nor long chains of frames meet a limit. `der` of anything is the total
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeAlias, assert_never, cast
 
 from lagdsl.algebra.graph.graph import Graph
@@ -29,7 +29,7 @@ from lagdsl.language.flat.traversal import operands, step_expressions
 
 Provided: TypeAlias = (
     "flat.Multiplier | flat.FrameReaction | flat.ReactionAlong | flat.SystemEnergy | flat.GeneralizedMomentum "
-    "| flat.LinearMomentum | flat.AngularMomentum | flat.AdmissibleMotion"
+    "| flat.LinearMomentum | flat.AngularMomentum | flat.AdmissibleMotion | flat.RequiredForce"
 )
 
 
@@ -59,14 +59,15 @@ class Lowering:
     """Values of expressions of one model on one graph, memoised by identity.
 
     With `release` points and frames are displaced by symbols that stand for zero, see `reactions`. `provide` computes
-    quantities of the mechanics (energies, momenta, reactions); it is set once the equations are formed. `place` is the
-    span of the item that is being lowered, for diagnostics.
+    quantities of the mechanics from the nodes of their operands: forces that motions require at all times; energies,
+    momenta, reactions once the equations are formed. `place` is the span of the item that is being lowered, for
+    diagnostics.
     """
 
     def __init__(self, graph: Graph, model: FlatModel, symbols: Symbols, release: Release | None = None) -> None:
         self.graph = graph
         self.symbols = symbols
-        self.provide: Callable[[Provided], Value] | None = None
+        self.provide: Callable[[Provided, Sequence[int]], Value] | None = None
         self.place: Spans = ()
         self.rate = TimeDerivative(graph, self._rate_of_symbol)
         self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True)
@@ -112,7 +113,9 @@ class Lowering:
 
     def with_held_states(self, model: FlatModel) -> Lowering:
         """The same for values in which rates of states are symbols."""
-        return _HeldStates(self.graph, model, self.symbols, self._poses.release)
+        held = _HeldStates(self.graph, model, self.symbols, self._poses.release)
+        held.provide = self.provide
+        return held
 
     def velocity(self, position: Vector) -> Vector:
         of = self.rate.of
@@ -137,8 +140,12 @@ class Lowering:
                 return [self._items.origins[frame]] if frame in self._items.origins else []
             case flat.MaterialVelocity(point, frame):
                 return [point, *([self._items.origins[frame]] if frame in self._items.origins else [])]
+            case flat.RequiredForce(motion):
+                return list(operands(motion))
             case flat.Number() | flat.Previous() | flat.Derivative() | flat.Operation() | flat.Mechanical():
                 return list(operands(expression))
+            case flat.Motion():
+                raise AssertionError(expression)
             case _:
                 assert_never(expression)
 
@@ -171,7 +178,12 @@ class Lowering:
                 return self._geometry(expression)
             case flat.Mechanical():
                 assert self.provide is not None, expression
-                return self.provide(expression)
+                return self.provide(expression, ())
+            case flat.RequiredForce(motion):
+                assert self.provide is not None, expression
+                return self.provide(expression, [self.values.node(x) for x in operands(motion)])
+            case flat.Motion():
+                raise AssertionError(expression)
             case _:
                 assert_never(expression)
 

@@ -87,10 +87,13 @@ def written_out(derivation: Derivation, expressions: Sequence[Expr]) -> tuple[Ex
     """The expressions without definitions of the model; those that grow beyond the bound keep some."""
     table = derivation.symbols
     rates = dict(zip((*table.q, *table.qd), (*table.qd, *table.qdd), strict=True)) | {table.time: Integer(1)}
-    rates |= {symbol: Symbol(f"der({symbol.name})") for symbol, _ in derivation.abbreviations}
+    for symbol, _ in derivation.abbreviations:
+        rate = Symbol(f"der({symbol.name})")
+        rates |= {symbol: rate, rate: Symbol(f"der({rate.name})")}
     result = tuple(expressions)
     for symbol, value in reversed(derivation.abbreviations):
-        pair = {symbol: value, Symbol(f"der({symbol.name})"): along(value, rates)}
+        rate = along(value, rates)
+        pair = {symbol: value, rates[symbol]: rate, rates[rates[symbol]]: along(rate, rates)}
         result = tuple(each.xreplace(pair) if size(each) <= LONGEST else each for each in result)
     return result
 

@@ -142,4 +142,9 @@ ROWS: dict[str, Row] = {
         label="perpendicular to every motion",
         help="write `gravity = -g_n*world.y;`, or `gravity = 0;` for motion in a horizontal plane",
     ),
+    "E0528": error(
+        "`{function}` has no value here: {reason}",
+        label="asks for forces that a motion requires",
+        help="name independent coordinates of the equations of motion",
+    ),
 }

@@ -10,6 +10,7 @@ from lagdsl.foundation.units import Dimension
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.flat.quantity import Variability
+from lagdsl.language.semantics.expressions import required_forces
 from lagdsl.language.semantics.operators.arguments import is_one, labelled, named, named_element, positional
 from lagdsl.language.semantics.operators.arrays import select, subscript_indices
 from lagdsl.language.semantics.operators.conditions import condition_of
@@ -293,6 +294,8 @@ SPECIALS: dict[str, Special] = {
     "potential_energy": _energy("potential"),
     "jacobi_integral": _energy("jacobi"),
     "momentum": _momentum,
+    "inverse_dynamics": required_forces.inverse_dynamics,
+    "bias": required_forces.bias,
     "reaction": _reaction,
     "multiplier": _multiplier,
     "linear_momentum": _linear_momentum,

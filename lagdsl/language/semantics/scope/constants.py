@@ -94,7 +94,7 @@ class _Evaluation:
                 return sum(x * y for x, y in zip(self.vector(left), self.vector(right), strict=True))
             case flat.Component(vector, axis):
                 return self.vector(vector)[axis]
-            case flat.Variable() | flat.Previous() | flat.Derivative() | flat.Mechanical():
+            case flat.Variable() | flat.Previous() | flat.Derivative() | flat.Mechanical() | flat.OfMechanism():
                 raise NoValue("not known while compiling")
             case flat.Vector() | flat.Cross() | flat.PointReference() | flat.OfFrame():
                 raise NoValue("not known while compiling")

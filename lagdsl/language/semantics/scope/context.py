@@ -82,12 +82,14 @@ class Conventions:
 
 @mutable_record()
 class Counts:
-    """Sizes of the expansion so far; `limits` has the bounds. `exceeded` are the bounds that were reported."""
+    """Sizes of the expansion so far; `limits` has the bounds. `exceeded` are the bounds that were reported. `motions`
+    are those whose forces are read."""
 
     turns: int = 0
     calls: int = 0
     components: int = 0
     coordinates: int = 0
+    motions: int = 0
     exceeded: set[str] = field(default_factory=set)
 
 
