@@ -9,6 +9,7 @@ from lagdsl.engines.runtime.building.compiler import FLAGS, failure, find_compil
 from lagdsl.engines.runtime.building.linking import libraries, link_flags, zig_program
 from lagdsl.engines.runtime.building.platforms import Platform, this_machine
 from lagdsl.foundation.record import record
+from lagdsl.foundation.resources import fmi_folder
 
 _LONGEST_NOTE = 2000
 # The linker drops functions that nobody calls; all processors round alike.
@@ -16,6 +17,8 @@ COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
+# What MinGW's library, which is not linked, would have brought.
+WINDOWS_LIBRARY = fmi_folder() / "windows" / "library.c"
 _EXPORTED = "exported.map"
 _EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
 
@@ -42,6 +45,10 @@ class Toolchain:
         if self.opens and not opened:
             (folder / _EXPORTED).write_text(_EXPORTS, encoding="ascii")
             more.append(f"-Wl,--version-script={_EXPORTED}")
+        if system == "windows" and self.by_zig:
+            made = f"{target}.library.o"
+            self._run(folder, [*FLAGS, "-fno-builtin", "-c", "-o", made, str(WINDOWS_LIBRARY)])
+            more.append(made)
         after = libraries(system, by_zig=self.by_zig)
         self._run(folder, [*link_flags(system, target), *more, "-o", target, *objects, *after])
 
