@@ -1,6 +1,6 @@
 """Libraries of FMUs: what they show and ask for, on every platform; the same sources, the same bytes.
 
-Only this machine's own is made in every run; the first one for another takes the compiler minutes (LAGDSL_EXPLORE=1).
+Only this machine's own is made of a model in every run; all others take the compiler a minute (LAGDSL_EXPLORE=1).
 """
 
 from __future__ import annotations
