@@ -20,7 +20,7 @@ _SHARED_FILES = "lag/"
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
-# What MinGW's library, which is not linked, would have brought.
+# The few functions for which MinGW's library would be linked.
 WINDOWS_LIBRARY = fmi_folder() / "windows" / "library.c"
 _EXPORTED = "exported.map"
 _EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
