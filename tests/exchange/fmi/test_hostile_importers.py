@@ -20,7 +20,7 @@ from lagdsl.foundation.resources import fmi_folder
 
 RUNTIME = Path(__file__).parents[3] / "lagdsl" / "engines" / "runtime" / "c"
 SHELLS = fmi_folder()
-ARCHIVE = "build/sanitized/all.a"
+SHELL, LIBRARY = "build/sanitized/all.a", str(RUNTIME / "build/sanitized/all.so")
 FLAGS = ("-std=c11", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
 MODELS = EVERY if EXPLORE else ("newtons_cradle",)
@@ -39,7 +39,7 @@ def run(*command: str, folder: Path) -> None:
 @pytest.mark.parametrize("name", MODELS)
 def test_calls_at_random_get_a_status(name: str, tmp_path: Path) -> None:
     """By the table of FMI 3, which has arrays, too."""
-    run("make", "--silent", f"PYTHON={sys.executable}", ARCHIVE, folder=SHELLS)
+    run("make", "--silent", f"PYTHON={sys.executable}", "objects", folder=SHELLS)
     exported = export_model(compiled(name).compilation, 3, ("me", "cs"), {}, {}, Sink())
     _, sources = texts(exported)
     own = {path: text for path, text in sources.items() if "/" not in path and path.startswith(exported.stem)}
@@ -49,6 +49,18 @@ def test_calls_at_random_get_a_status(name: str, tmp_path: Path) -> None:
     host = Path(__file__).with_name("c") / "visit.c"
     generated = sorted(path for path in own if path.endswith(".c"))
     includes = [f"-I{folder}" for folder in found]
-    run("cc", *FLAGS, *includes, "-o", "visit", str(host), *generated, str(SHELLS / ARCHIVE), "-lm", folder=tmp_path)
+    run(
+        "cc",
+        *FLAGS,
+        *includes,
+        "-o",
+        "visit",
+        str(host),
+        *generated,
+        str(SHELLS / SHELL),
+        LIBRARY,
+        "-lm",
+        folder=tmp_path,
+    )
     for seed in (1, 2, 3) if EXPLORE else (1,):
         run("./visit", str(seed), str(LIVES), folder=tmp_path)

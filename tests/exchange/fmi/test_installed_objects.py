@@ -78,7 +78,7 @@ def test_an_edited_header_is_compiled_with_all_that_read_it(compiled):
 
 
 def test_other_flags_are_compiled(compiled, monkeypatch):
-    monkeypatch.setattr(toolchain, "COMPILE", (*toolchain.COMPILE, "-DOTHER"))
+    monkeypatch.setattr(toolchain, "SHARED", (*toolchain.SHARED, "-DOTHER"))
     libraries()
     assert set(compiled) >= {"lag/part/twice.c", "lag/part/other.c"}
 

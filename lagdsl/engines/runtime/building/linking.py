@@ -18,9 +18,14 @@ _LINK = {
     "macos": ("-dynamiclib", "-Wl,-dead_strip", "-Wl,-x"),
 }
 _LIBRARIES = {"linux": ("-lm",), "windows": (), "macos": ("-lm",)}
-# The package ziglang compiles a library of its own for what processors lack, of which nothing is needed, for as long as
-# everything else together takes. Windows needs that one, but not another for tests of undefined behavior.
-_BARE = {"linux": ("-nostdlib", "-lc"), "windows": ("-fno-sanitize=undefined",), "macos": ("-nostdlib", "-lc")}
+# The package ziglang compiles libraries of its own for what processors and Windows lack, of which little is needed: for
+# Windows in two minutes. The Universal C Runtime is part of Windows; what it lacks is in WINDOWS_LIBRARY of
+# `lagdsl.exchange.fmi.package.toolchain`.
+_BARE = {
+    "linux": ("-nostdlib", "-lc"),
+    "windows": ("-nostdlib", *(f"-lapi-ms-win-crt-{part}-l1-1-0" for part in ("heap", "math", "stdio", "string"))),
+    "macos": ("-nostdlib", "-lc"),
+}
 
 
 def link_flags(system: str, name: str) -> tuple[str, ...]:

@@ -76,7 +76,7 @@ def objects_of(
     tools = tuple(toolchain(platform) for platform in platforms)
     kept = cache_folder()
     jobs = [
-        Job(tool, path, installed_object(tool, path, sources) or kept / object_name(tool.flags, path, sources))
+        Job(tool, path, installed_object(tool, path, sources) or kept / object_name(tool.flags(path), path, sources))
         for tool in tools
         for path in sorted(sources)
         if path.endswith(".c")

@@ -25,9 +25,10 @@ from lagdsl.foundation.resources import c_folder, fmi_folder, fmi_objects_folder
 
 def installed_object(tool: Toolchain, path: str, sources: Mapping[str, str]) -> Path | None:
     """The object of the C file `path` if the installation brings it."""
-    if tool.target_flags is None:
+    flags = tool.target_flags(path)
+    if flags is None:
         return None
-    found = fmi_objects_folder() / object_name(tool.target_flags, path, sources)
+    found = fmi_objects_folder() / object_name(flags, path, sources)
     return found if found.exists() else None
 
 
@@ -38,7 +39,7 @@ def make_installed_objects(folder: Path, platform: Platform) -> list[Path]:
     Raises CompilationFailed: E0905, E0906, E0911, E0913.
     """
     tool = toolchain(platform)
-    if tool.target_flags is None:
+    if not tool.by_zig:
         return []
     folder.mkdir(parents=True, exist_ok=True)
     sources = {
@@ -47,9 +48,9 @@ def make_installed_objects(folder: Path, platform: Platform) -> list[Path]:
         for path, file in sources_in(top).items()
     }
     jobs = [
-        Job(tool, path, folder / object_name(tool.target_flags, path, sources))
+        Job(tool, path, folder / object_name(flags, path, sources))
         for path in sources
-        if _whole(path, sources)
+        if _whole(path, sources) and (flags := tool.target_flags(path)) is not None
     ]
     with work_folder(folder) as work:
         compile_missing(jobs, sources, work)

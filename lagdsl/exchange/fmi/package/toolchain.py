@@ -9,13 +9,19 @@ from lagdsl.engines.runtime.building.compiler import FLAGS, failure, find_compil
 from lagdsl.engines.runtime.building.linking import libraries, link_flags, zig_program
 from lagdsl.engines.runtime.building.platforms import Platform, this_machine
 from lagdsl.foundation.record import record
+from lagdsl.foundation.resources import fmi_folder
 
 _LONGEST_NOTE = 2000
 # The linker drops functions that nobody calls; all processors round alike.
 COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
+# Files of the runtime and of the shells are the same for all models: an installation brings them, compiled with these.
+SHARED = COMPILE
+_SHARED_FILES = "lag/"
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
+# The few functions for which MinGW's library would be linked.
+WINDOWS_LIBRARY = fmi_folder() / "windows" / "library.c"
 _EXPORTED = "exported.map"
 _EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
 
@@ -32,7 +38,7 @@ class Toolchain:
 
     def compile(self, folder: Path, source: str, target: str) -> None:
         """The C file `source` into the object file `target`, both in `folder`. Raises CompilationFailed (E0906)."""
-        self._run(folder, [*self._flags, "-c", "-o", target, source])
+        self._run(folder, [*self._flags(source), "-c", "-o", target, source])
 
     def link(self, folder: Path, objects: list[str], target: str, *, opened: bool = False) -> None:
         """Object files into the library `target`, which depends on C's own libraries only, and shows what the headers
@@ -42,6 +48,10 @@ class Toolchain:
         if self.opens and not opened:
             (folder / _EXPORTED).write_text(_EXPORTS, encoding="ascii")
             more.append(f"-Wl,--version-script={_EXPORTED}")
+        if system == "windows" and self.by_zig:
+            made = f"{target}.library.o"
+            self._run(folder, [*FLAGS, "-fno-builtin", "-c", "-o", made, str(WINDOWS_LIBRARY)])
+            more.append(made)
         after = libraries(system, by_zig=self.by_zig)
         self._run(folder, [*link_flags(system, target), *more, "-o", target, *objects, *after])
 
@@ -50,19 +60,16 @@ class Toolchain:
         """True if the linker decides what is seen from outside."""
         return self.platform.system == "linux"
 
-    @property
-    def _flags(self) -> tuple[str, ...]:
-        return (*COMPILE, _HIDING[self.platform.system])
+    def flags(self, source: str) -> tuple[str, ...]:
+        """All that the object of the C file `source` depends on beside texts."""
+        return (*self.command, self.identity, *self._flags(source))
 
-    @property
-    def flags(self) -> tuple[str, ...]:
-        """All that objects depend on beside the text."""
-        return (*self.command, self.identity, *self._flags)
-
-    @property
-    def target_flags(self) -> tuple[str, ...] | None:
+    def target_flags(self, source: str) -> tuple[str, ...] | None:
         """The same on every machine: for any version of the package ziglang. None of another compiler."""
-        return ("zig", self.platform.target, *self._flags) if self.by_zig else None
+        return ("zig", self.platform.target, *self._flags(source)) if self.by_zig else None
+
+    def _flags(self, source: str) -> tuple[str, ...]:
+        return (*(SHARED if source.startswith(_SHARED_FILES) else COMPILE), _HIDING[self.platform.system])
 
     def _run(self, folder: Path, arguments: list[str]) -> None:
         command = [*self.command, *arguments]
