@@ -28,7 +28,7 @@ UNTRACED = ("attack", "benchmarks", "fuzz", "models", "oracle", "packaging", "ph
 
 
 if not ALL:
-    # ziglang compiles the runtime of FMUs in half of the time. Without optimization it looks for undefined behavior of
+    # ziglang compiles the models of FMUs in half of the time. Without optimization it looks for undefined behavior of
     # C, which needs a library, unless it is told not to.
     toolchain.COMPILE = (*toolchain.COMPILE, "-O0", "-fno-sanitize=undefined", "-fno-stack-protector")
 
