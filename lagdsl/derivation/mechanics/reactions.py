@@ -60,6 +60,7 @@ def reactions(lowering: Lowering, flat: FlatModel, symbols: Symbols, releases: R
         Group.RELEASE,
         Group.RELEASE_RATE,
     )
+    released.provide = lambda _: graph.zero  # balances of forces, in constraints only: their multipliers are zero
     terms = dynamics(released, flat, directions).terms
     constrained = constraint_forces(graph, constraint_rows(released, flat), list(symbols.lam), directions)
     at_zero = _at_zero(graph, directions)

@@ -39,6 +39,8 @@ def report_integrable(
     for item in located(flat):
         if item.constraint.level != "velocity" or item.constraint.node:  # Kirchhoff's law is known to be
             continue
+        if item.constraint.is_balance:  # nobody wrote it
+            continue
         if item.constraint.switched:  # it may be there at some times only
             continue
         if item.constraint.spans and item.constraint.spans[0].file is not item.constraint.spans[-1].file:

@@ -10,12 +10,13 @@ from dataclasses import field, replace
 import numpy as np
 
 from lagdsl.derivation.program.program import Program
+from lagdsl.derivation.structure.balances import balances
 from lagdsl.derivation.structure.constraints import report_impossible, report_inconsistent_rates
 from lagdsl.derivation.structure.count import Count, balance_text, count, count_text, counted
 from lagdsl.derivation.structure.degenerate import report_degenerate
 from lagdsl.derivation.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.derivation.structure.functions import ProgramFunctions
-from lagdsl.derivation.structure.inertia import report_massless
+from lagdsl.derivation.structure.inertia import massless
 from lagdsl.derivation.structure.moments import other_moments
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.derivation.structure.points import Geometry, Probe, geometry, probes
@@ -23,7 +24,7 @@ from lagdsl.derivation.structure.rates import report_integrable, report_nonlinea
 from lagdsl.derivation.structure.rigid import report_rigid
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.record import record
-from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.model import Constraint, FlatModel
 
 
 @record(kw_only=True)
@@ -31,8 +32,8 @@ class Structure:
     """Degrees of freedom that the constraints leave.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
-    the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of
-    `space`.
+    the latter those that hold identically; `contacts` are the rows that come and go. `balances` are constraints that
+    the model lacks: those of forces along directions without inertia. `points` lie on the constraints of `space`.
     """
 
     coordinates: int
@@ -42,6 +43,7 @@ class Structure:
     empty: tuple[bool, ...]
     contacts: frozenset[int]
     count: Count | None
+    balances: tuple[Constraint, ...]
     space: Geometry = field(compare=False, repr=False)
     points: tuple[Probe, ...] = field(compare=False, repr=False)
 
@@ -75,6 +77,7 @@ def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
+        balances=found.balances,
         space=space,
         points=tuple(found.points),
     )
@@ -93,6 +96,7 @@ class _Examination:
     position_rank: int
     rank: int
     points: list[Probe]
+    balances: tuple[Constraint, ...]
 
 
 def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
@@ -112,10 +116,11 @@ def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
             report_dependence(flat, space, points, found, sink)
             report_integrable(flat, space, points, found.redundant, sink)
             report_rigid(flat, found, sink)
-    report_massless(flat, space, points, sink)
+    idle = massless(flat, space, points)
+    wanting = () if idle is None else balances(flat, space, points, idle, sink)
     holonomic = set(rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
-    return _Examination(found, sum(row in holonomic for row in kept), len(kept), points)
+    return _Examination(found, sum(row in holonomic for row in kept), len(kept), points, wanting)
 
 
 def structure_text(structure: Structure) -> str:

@@ -9,11 +9,12 @@ from typing import TypeAlias, assert_never
 from sympy import Add, Expr, Integer, Rational, Symbol
 
 from lagdsl.derivation.textbook import geometry
-from lagdsl.derivation.textbook.convert import Converter
+from lagdsl.derivation.textbook.convert import Converter, plain_number
 from lagdsl.derivation.textbook.differentiate import partial
 from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
 from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
+from lagdsl.language.flat.expression import FlatExpression, ForceBalance
 from lagdsl.language.flat.model import (
     FlatModel,
     FrameTorque,
@@ -108,10 +109,9 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         kind: [converter.scalar(term.value) for term in flat.energies if term.kind == kind]
         for kind in ("kinetic", "potential", "lagrangian", "dissipation")
     }
-    rows = [converter.scalar(residual) for constraint in flat.constraints for residual in constraint.residuals]
     gravity = geometry.ZERO if flat.gravity is None else converter.vector(flat.gravity)
     weights = [-item.mass * geometry.dot(gravity, item.position) for item in inertials]
-    return Contributions(
+    parts = Contributions(
         converter=converter,
         inertials=inertials,
         kinetic=Add(*(item.kinetic_energy for item in inertials), *declared["kinetic"]),
@@ -119,8 +119,36 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         extra=Add(*declared["lagrangian"]),
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
-        residuals=tuple(rows),
+        residuals=(),
     )
+    rows = (residual for constraint in flat.constraints for residual in constraint.residuals)
+    return replace(parts, residuals=tuple(_residual(row, flat, converter, parts) for row in rows))
+
+
+def _residual(row: FlatExpression, flat: FlatModel, converter: Converter, parts: Contributions) -> Expr:
+    if not isinstance(row, ForceBalance):
+        return converter.scalar(row)
+    if converter.release is not None or converter.style.held:
+        return Integer(0)  # its multiplier is zero, and held rates are for energies
+    return force_balance(flat, parts, row)
+
+
+def force_balance(flat: FlatModel, parts: Contributions, balance: ForceBalance) -> Expr:
+    """f of M qdd - J' lam = f along a direction without inertia."""
+    converter, table = parts.converter, parts.converter.symbols
+    held = held_rates(flat, table, parts)
+    index = {coordinate.name: number for number, coordinate in enumerate(flat.coordinates)}
+    chosen = [
+        (plain_number(weight), table.q[index[name]], table.qd[index[name]]) for name, weight in balance.weights
+    ]
+    momentum = Add(*(weight * partial(parts.lagrangian, qd) for weight, _, qd in chosen))
+    force = Add(
+        *(weight * generalized_force(parts, q, qd) for weight, q, qd in chosen),
+        *(weight * held.partial(held.parts.lagrangian, q) for weight, q, _ in chosen),
+        *(-weight * held.partial(held.parts.dissipation, qd) for weight, _, qd in chosen),
+        -converter.rate(momentum, bias=True),
+    )
+    return replaced(force, dict.fromkeys(table.qd, Integer(0))) if balance.still else force
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -251,6 +251,15 @@ class GeneralizedMomentum(Mechanical):
 
 
 @record()
+class ForceBalance(Mechanical):
+    """Force along a direction without inertia, in the residual of its constraint: the sum over coordinates of their
+    weights times f of M qdd - J' lam = f. `still`: it holds no rates, and none is left of terms that cancel."""
+
+    weights: tuple[tuple[str, float], ...]
+    still: bool
+
+
+@record()
 class LinearMomentum(Mechanical):
     """Vector: sum of m v over all masses and bodies."""
 
@@ -274,8 +283,8 @@ class AdmissibleMotion(Mechanical):
 FlatExpression: TypeAlias = (
     "Number | Variable | Previous | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm "
     "| Vector | PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
-    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum "
-    "| AdmissibleMotion"
+    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | ForceBalance | LinearMomentum "
+    "| AngularMomentum | AdmissibleMotion"
 )
 
 ZERO = Number(0.0)

@@ -31,6 +31,7 @@ _Called: TypeAlias = (
     | fx.ReactionAlong
     | fx.SystemEnergy
     | fx.GeneralizedMomentum
+    | fx.ForceBalance
     | fx.LinearMomentum
     | fx.AngularMomentum
     | fx.AdmissibleMotion
@@ -116,6 +117,8 @@ def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case
             return {"total": "energy()", "jacobi": "jacobi_integral()"}.get(kind, f"{kind}_energy()")
         case fx.GeneralizedMomentum(coordinate):
             return f"momentum({coordinate})"
+        case fx.ForceBalance(weights, _):
+            return " + ".join(f"{weight:g}*force({name})" for name, weight in weights)
         case fx.LinearMomentum():
             return "linear_momentum()"
         case fx.AngularMomentum(body, _):

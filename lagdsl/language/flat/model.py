@@ -14,7 +14,7 @@ from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
-from lagdsl.language.flat.expression import FlatExpression
+from lagdsl.language.flat.expression import FlatExpression, ForceBalance
 from lagdsl.language.flat.quantity import Item, Quantity, Variability
 
 
@@ -321,6 +321,11 @@ class Constraint(Item):
     def of_law(self) -> bool:
         """True if the law of a contact or of dry friction says when it is there."""
         return self.contact or self.friction
+
+    @property
+    def is_balance(self) -> bool:
+        """True if it is the balance of forces along a direction without inertia: its multiplier is zero."""
+        return any(isinstance(residual, ForceBalance) for residual in self.residuals)
 
 
 @record(kw_only=True)
