@@ -197,6 +197,7 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         [_look(each, q) for each in [*moments, *_branches(flat, plain)]],
         sizes,
         plain.components,
+        np.array([item.constraint.is_balance for item in located(flat) for _ in item.rows], dtype=np.bool_),
     )
     pattern, factors = found.pattern, found.factors
     for item in located(flat):
