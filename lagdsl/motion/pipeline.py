@@ -176,8 +176,8 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     structure = analyze(flat, space, sink)
     if sink.has_errors:
         return None
-    if structure.balances:
-        return compile_flat(replace(flat, constraints=(*flat.constraints, *structure.balances)), sink, route)
+    if lacking := [each for each in structure.balances if each not in flat.constraints]:
+        return compile_flat(replace(flat, constraints=(*flat.constraints, *lacking)), sink, route)
     program = flag_redundant(program, structure)
     if route == "graph" and flat.constraints:
         program = solve(equations, program, structure)

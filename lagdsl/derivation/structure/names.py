@@ -36,6 +36,11 @@ def contact_rows(flat: FlatModel) -> frozenset[int]:
     return frozenset(row for item in located(flat) if comes_and_goes(item.constraint) for row in item.rows)
 
 
+def balance_rows(flat: FlatModel) -> frozenset[int]:
+    """The rows that balance forces along directions without inertia."""
+    return frozenset(row for item in located(flat) if item.constraint.is_balance for row in item.rows)
+
+
 def comes_and_goes(constraint: Constraint) -> bool:
     return constraint.of_law or constraint.switched
 

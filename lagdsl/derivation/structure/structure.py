@@ -32,8 +32,9 @@ class Structure:
     """Degrees of freedom that the constraints leave.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
-    the latter those that hold identically; `contacts` are the rows that come and go. `balances` are constraints that
-    the model lacks: those of forces along directions without inertia. `points` lie on the constraints of `space`.
+    the latter those that hold identically; `contacts` are the rows that come and go. `balances` are the constraints
+    that balance forces along directions without inertia, also those that the model lacks. `points` lie on the
+    constraints of `space`.
     """
 
     coordinates: int
@@ -77,7 +78,7 @@ def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
-        balances=found.balances,
+        balances=(*(each for each in flat.constraints if each.is_balance), *found.balances),
         space=space,
         points=tuple(found.points),
     )
@@ -126,13 +127,15 @@ def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
 def structure_text(structure: Structure) -> str:
     """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`; where conditions
     such as rolling hold rates only, how many coordinates are left to choose at the start."""
-    constrained = len(structure.redundant) > len(structure.contacts)
-    parts = [balance_text(structure.coordinates, structure.rank if constrained else None)]
+    forces = len(structure.balances)
+    constrained = len(structure.redundant) > len(structure.contacts) + forces
+    parts = [balance_text(structure.coordinates, structure.rank - forces if constrained else None, forces)]
     if structure.configuration_freedom == structure.freedom:
         parts += [f"({count_text(structure.count)})"] if structure.count is not None else []
         return " ".join(parts)
     rates, free = structure.configuration_freedom - structure.freedom, structure.configuration_freedom
     verb = "holds rates only and leaves" if rates == 1 else "hold rates only and leave"
     count = f": {count_text(structure.count)}" if structure.count is not None else ""
-    told = f"{rates} of the constraints {verb} {counted(free, 'coordinate')} to choose at the start{count}"
+    conditions = "conditions" if forces else "constraints"
+    told = f"{rates} of the {conditions} {verb} {counted(free, 'coordinate')} to choose at the start{count}"
     return f"{' '.join(parts)} ({told})"

@@ -11,7 +11,7 @@ Everything is bounded: what would not fit a page is counted and named, not expan
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
@@ -117,6 +117,13 @@ class Derivation:
     sources: tuple[Source, ...]
     terms: tuple[Term, ...]
 
+    @property
+    def balanced(self) -> tuple[Symbol, ...]:
+        """Coordinates whose equations hold neither accelerations nor multipliers: they balance forces."""
+        solved = {*self.symbols.qdd, *self.symbols.lam}
+        pairs = zip(self.coordinates, self.rights, strict=True)
+        return tuple(step.q for step, right in pairs if solved.isdisjoint(occurring(step.left - right)))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recipe:
@@ -134,8 +141,10 @@ class Recipe:
 
 
 def recipe(flat: FlatModel) -> Recipe:
-    """The derivation of `flat`, written out if the model is of modest extent."""
-    prepared = familiar(flat)
+    """The derivation of `flat`, written out if the model is of modest extent. Balances of forces along directions
+    without inertia are no constraints on paper: they stand among Lagrange's equations."""
+    written = tuple(constraint for constraint in flat.constraints if not constraint.is_balance)
+    prepared = familiar(replace(flat, constraints=written))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
     short = short_equations(prepared.flat, found) if found.reasons else None

@@ -93,8 +93,10 @@ def accelerations(page: Page) -> list[Block]:
             for symbol, value in found.values
         )
         blocks.append(Equations(tuple(lines)))
-    if found.left_out:
-        names = listed([page.notation.of(symbol) for symbol in found.left_out])
+    derivation = page.derivation
+    told = {x for q, x in zip(derivation.symbols.q, derivation.symbols.qdd, strict=True) if q in derivation.balanced}
+    if left_out := [symbol for symbol in found.left_out if symbol not in told]:
+        names = listed([page.notation.of(symbol) for symbol in left_out])
         words = f": more than {LONGEST_SOLUTION} terms and factors, or not determined; they are solved in numbers."
         blocks.append(Paragraph((Text("Not written out are "), *names, Text(words))))
     return blocks
@@ -158,7 +160,8 @@ def _unless(page: Page, equilibrium: Equilibrium) -> Paragraph:
 
 
 def _nowhere(page: Page, singular: Sequence[Equilibrium]) -> Paragraph:
-    words: list[Text | Math] = [Text(_SINGULAR if singular else _NOWHERE)]
+    hold = "They hold at " if page.derivation.balanced else _SINGULAR
+    words: list[Text | Math] = [Text(hold if singular else _NOWHERE)]
     for number, place in enumerate(_places(page, singular)):
         words += [Text(" and at "), *place] if number else place
     return Paragraph((*words, Text(".")) if singular else tuple(words))
