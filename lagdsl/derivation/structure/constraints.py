@@ -252,6 +252,6 @@ def report_row_factors(flat: FlatModel, factors: Floats, sink: Sink) -> None:
     """N0612 for constraints with rows that are multiplied, so that they are not mistaken for round-off."""
     for item in located(flat):
         factor = float(np.max(factors[list(item.rows)], initial=1.0))
-        if factor > 1.0 and not item.constraint.is_balance:
+        if factor > 1.0 and not item.constraint.balanced:
             power, part = round(np.log2(factor)), f"{1.0 / factor:.0e}"
             sink.report("N0612", place(item.constraint), name=item.constraint.name, power=power, part=part)

@@ -38,7 +38,13 @@ def contact_rows(flat: FlatModel) -> frozenset[int]:
 
 def balance_rows(flat: FlatModel) -> frozenset[int]:
     """The rows that balance forces along directions without inertia."""
-    return frozenset(row for item in located(flat) if item.constraint.is_balance for row in item.rows)
+    return frozenset(row for item in located(flat) if item.constraint.balanced for row in item.rows)
+
+
+def balanced_coordinates(flat: FlatModel) -> list[int]:
+    """The coordinates of these directions."""
+    names = {name for constraint in flat.constraints for name in constraint.balanced}
+    return [index for index, coordinate in enumerate(flat.coordinates) if coordinate.name in names]
 
 
 def comes_and_goes(constraint: Constraint) -> bool:

@@ -39,7 +39,7 @@ def report_integrable(
     for item in located(flat):
         if item.constraint.level != "velocity" or item.constraint.node:  # Kirchhoff's law is known to be
             continue
-        if item.constraint.is_balance:  # nobody wrote it
+        if item.constraint.balanced:  # nobody wrote it
             continue
         if item.constraint.switched:  # it may be there at some times only
             continue

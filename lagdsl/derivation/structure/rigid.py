@@ -15,7 +15,7 @@ def report_rigid(flat: FlatModel, found: Dependence, sink: Sink) -> None:
     independent = sum(not redundant for redundant in found.redundant)
     if not flat.coordinates or independent < len(flat.coordinates) or flat.states:
         return
-    if any(comes_and_goes(constraint) or constraint.is_balance for constraint in flat.constraints):
+    if any(comes_and_goes(constraint) or constraint.balanced for constraint in flat.constraints):
         return
     if comes_from_outside(flat):
         return

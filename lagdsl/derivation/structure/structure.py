@@ -78,7 +78,7 @@ def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
-        balances=(*(each for each in flat.constraints if each.is_balance), *found.balances),
+        balances=(*(each for each in flat.constraints if each.balanced), *found.balances),
         space=space,
         points=tuple(found.points),
     )

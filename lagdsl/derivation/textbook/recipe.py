@@ -143,7 +143,7 @@ class Recipe:
 def recipe(flat: FlatModel) -> Recipe:
     """The derivation of `flat`, written out if the model is of modest extent. Balances of forces along directions
     without inertia are no constraints on paper: they stand among Lagrange's equations."""
-    written = tuple(constraint for constraint in flat.constraints if not constraint.is_balance)
+    written = tuple(constraint for constraint in flat.constraints if not constraint.balanced)
     prepared = familiar(replace(flat, constraints=written))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))

@@ -323,9 +323,11 @@ class Constraint(Item):
         return self.contact or self.friction
 
     @property
-    def is_balance(self) -> bool:
-        """True if it is the balance of forces along a direction without inertia: its multiplier is zero."""
-        return any(isinstance(residual, ForceBalance) for residual in self.residuals)
+    def balanced(self) -> tuple[str, ...]:
+        """The coordinates of the direction without inertia along which it balances forces: its multiplier is zero. None
+        for what the text writes."""
+        found = (residual.weights for residual in self.residuals if isinstance(residual, ForceBalance))
+        return tuple(name for weights in found for name, _ in weights)
 
 
 @record(kw_only=True)
