@@ -28,10 +28,12 @@ from lagdsl.foundation.units.dimension import ENERGY
 from lagdsl.language.flat.event_flow import reset_states
 from lagdsl.language.flat.expression import ForceBalance
 from lagdsl.language.flat.model import Constraint, FlatModel
+from lagdsl.language.flat.spans import around, place
 
 _ZERO = 1e-9
 _ROUNDING = 1e-12
 _LARGEST_DENOMINATOR = 1000
+_FREE = "no force determines {}"
 _JUMPS = "give it a mass or an inertia, or write forces on it that change continuously"
 
 
@@ -87,10 +89,19 @@ def balances(
         report_massless(flat, found, sink)
         return ()
     given = _states(flat, space, points, general=False)
-    if _report_free(flat, directions, [_forces(functions, space, each, directions) for each in given], chosen, sink):
+    forces = [_forces(functions, space, each, directions) for each in given]
+    if _report_free(flat, directions, forces, chosen, sink):
+        return ()
+    faster = [_forces(functions, space, replace(each, qd=2.0 * each.qd), directions) for each in given]
+    if _report_nonlinear(flat, directions, chosen, [forces, faster], sink):
         return ()
     made = tuple(_balance(flat, functions.program, directions, each, sink) for each in chosen)
-    return () if sink.has_errors else made
+    if sink.has_errors:
+        return ()
+    found = [flat.coordinates[j] for j in directions.leading]
+    names = some_of([f"`{coordinate.name}`" for coordinate in found])
+    sink.report("N0528", place(found[0]), *around(found[0]), names=names, name=found[0].name)
+    return made
 
 
 def _states(flat: FlatModel, space: Geometry, points: list[Probe], *, general: bool) -> list[_State]:
@@ -216,8 +227,24 @@ def _report_free(
     together = np.flatnonzero(along > _ZERO * np.max(along)).tolist()
     names = [f"`{flat.coordinates[i].name}`" for i in together]
     motion = names[0] if len(names) == 1 else f"the motion in which {some_of(names)} change together"
-    report_direction(flat, together[0], f"no force determines {motion}", sink)
+    pushed = any(np.any(each.by_directions @ way) for each in forces)
+    why = "forces that change with {} are balanced by rates of other coordinates alone" if pushed else _FREE
+    report_direction(flat, together[0], why.format(motion), sink)
     return True
+
+
+def _report_nonlinear(
+    flat: FlatModel, directions: _Directions, chosen: Sequence[_Combination], forces: list[list[_Forces]], sink: Sink
+) -> bool:
+    """E0503 for a balance that is not linear in the rates: its derivatives by them differ between two speeds."""
+    for combination in chosen:
+        for one, other in zip(*forces, strict=True):
+            slopes = np.array([combination.weights @ each.by_rates for each in (one, other)])
+            if np.any(np.abs(slopes[0] - slopes[1]) > _ZERO * np.max(np.abs(slopes))):
+                leading = directions.leading[combination.leading]
+                report_direction(flat, leading, "the forces that damp it are not linear in the rates", sink)
+                return True
+    return False
 
 
 def _balance(

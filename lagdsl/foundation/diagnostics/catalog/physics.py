@@ -142,4 +142,10 @@ ROWS: dict[str, Row] = {
         label="perpendicular to every motion",
         help="write `gravity = -g_n*world.y;`, or `gravity = 0;` for motion in a horizontal plane",
     ),
+    "N0528": note(
+        "no inertia acts along {names}: balances of forces determine the motion there",
+        label="no kinetic energy depends on der({name})",
+        help="this is correct for a knot of springs, the middle of two dampers or a circuit without a coil; else give "
+        "a mass or an inertia to what moves",
+    ),
 }
