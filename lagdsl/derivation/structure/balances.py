@@ -98,9 +98,9 @@ def balances(
     made = tuple(_balance(flat, functions.program, directions, each, sink) for each in chosen)
     if sink.has_errors:
         return ()
-    found = [flat.coordinates[j] for j in directions.leading]
-    names = some_of([f"`{coordinate.name}`" for coordinate in found])
-    sink.report("N0528", place(found[0]), *around(found[0]), names=names, name=found[0].name)
+    leading = [flat.coordinates[j] for j in directions.leading]
+    names = some_of([f"`{coordinate.name}`" for coordinate in leading])
+    sink.report("N0528", place(leading[0]), *around(leading[0]), names=names, name=leading[0].name)
     return made
 
 
@@ -118,9 +118,7 @@ def _states(flat: FlatModel, space: Geometry, points: list[Probe], *, general: b
     return found
 
 
-def _constant_directions(
-    flat: FlatModel, space: Geometry, states: list[_State], found: Massless
-) -> _Directions | None:
+def _constant_directions(flat: FlatModel, space: Geometry, states: list[_State], found: Massless) -> _Directions | None:
     """N with entries that no state and no parameter changes; None where there is no such N."""
     reduced = _reduced(found.basis * found.sizes[:, None], found.sizes)
     if reduced is None:
@@ -143,16 +141,17 @@ def _reduced(columns: Floats, sizes: Floats) -> tuple[Floats, list[int]] | None:
     Gauss-Jordan elimination of entries divided by `sizes`. None where an entry is no fraction of small numbers: it
     would not be known exactly.
     """
-    work, leading = columns / sizes[:, None], list[int]()
+    work = columns / sizes[:, None]
+    leading: list[int] = []
     for k in range(work.shape[1]):
         rest = np.round(np.abs(work[:, k:]), 9)
         rest[leading] = -1.0
-        row, column = np.unravel_index(np.argmax(rest), rest.shape)
+        row, column = divmod(int(np.argmax(rest)), rest.shape[1])
         work[:, [k, k + column]] = work[:, [k + column, k]]
         work[:, k] /= work[row, k]
         others = [j for j in range(work.shape[1]) if j != k]
         work[:, others] -= np.outer(work[:, k], work[row, others])
-        leading.append(int(row))
+        leading.append(row)
     work, leading = work[:, np.argsort(leading)], sorted(leading)
     entries = np.where(np.abs(work) < _ZERO, 0.0, work) * sizes[:, None] / sizes[leading]
     simple = [float(Fraction(x).limit_denominator(_LARGEST_DENOMINATOR)) for x in entries.ravel().tolist()]
@@ -274,11 +273,12 @@ def _balance(
 
 def _jumps(flat: FlatModel, program: Program, forces: Sequence[int]) -> bool:
     """True if discretes that are not continuous in time, or states that clauses set, enter the forces."""
-    graph, kinds, states = program.graph, program.layout.kinds, reset_states(flat)
+    graph, states = program.graph, reset_states(flat)
+    corners = {each.name for each in flat.events.timed if each.kind == "corner"}
     for node in graph.live(forces):
         if graph.op[node] is Op.SYMBOL:
             group, index = graph.group(node), graph.b[node]
-            if group is Group.W and kinds[index] != "corner":
+            if group is Group.W and program.layout.discretes[index].name not in corners:
                 return True
             if group is Group.Z and flat.states[index].name in states:
                 return True

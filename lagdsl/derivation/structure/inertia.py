@@ -20,8 +20,8 @@ _SHARE = 1e-3
 _ALONE = 0.999
 _MOST_SHOWN = 6
 _INDUCTANCE = (
-    "every closed path of charge needs an inductance, a resistance or a capacitance: put one into this loop, as its "
-    "wire has one"
+    "every closed path of charge needs an inductance, a resistance or a capacitance: put a resistor into this loop, as "
+    "its wire is one"
 )
 _FLANGE = "connect it to what moves with it and has a mass or an inertia, or prescribe its motion"
 

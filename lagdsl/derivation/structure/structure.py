@@ -24,6 +24,7 @@ from lagdsl.derivation.structure.rates import report_integrable, report_nonlinea
 from lagdsl.derivation.structure.rigid import report_rigid
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.record import record
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.model import Constraint, FlatModel
 
 
@@ -78,7 +79,7 @@ def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
-        balances=(*(each for each in flat.constraints if each.balanced), *found.balances),
+        balances=(*(each for each in flat.constraints if balanced(each)), *found.balances),
         space=space,
         points=tuple(found.points),
     )

@@ -138,9 +138,7 @@ def force_balance(flat: FlatModel, parts: Contributions, balance: ForceBalance) 
     converter, table = parts.converter, parts.converter.symbols
     held = held_rates(flat, table, parts)
     index = {coordinate.name: number for number, coordinate in enumerate(flat.coordinates)}
-    chosen = [
-        (plain_number(weight), table.q[index[name]], table.qd[index[name]]) for name, weight in balance.weights
-    ]
+    chosen = [(plain_number(weight), table.q[index[name]], table.qd[index[name]]) for name, weight in balance.weights]
     momentum = Add(*(weight * partial(parts.lagrangian, qd) for weight, _, qd in chosen))
     force = Add(
         *(weight * generalized_force(parts, q, qd) for weight, q, qd in chosen),

@@ -39,6 +39,7 @@ from lagdsl.derivation.textbook.steps.actions import ActionStep, action_steps
 from lagdsl.derivation.textbook.steps.short_equations import ShortEquations, short_equations
 from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
 from lagdsl.derivation.textbook.tidy import size, times
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.listing import computed_outputs
 from lagdsl.language.flat.model import Constraint, Definition, FlatModel, Output
 
@@ -118,11 +119,13 @@ class Derivation:
     terms: tuple[Term, ...]
 
     @property
-    def balanced(self) -> tuple[Symbol, ...]:
-        """Coordinates whose equations hold neither accelerations nor multipliers: they balance forces."""
-        solved = {*self.symbols.qdd, *self.symbols.lam}
-        pairs = zip(self.coordinates, self.rights, strict=True)
-        return tuple(step.q for step, right in pairs if solved.isdisjoint(occurring(step.left - right)))
+    def balanced(self) -> dict[Symbol, Symbol]:
+        """Coordinates, with their accelerations, whose equations hold neither accelerations nor multipliers: they
+        balance forces."""
+        solved, found = {*self.symbols.qdd, *self.symbols.lam}, zip(self.coordinates, self.rights, strict=True)
+        none = [solved.isdisjoint(occurring(step.left - right)) for step, right in found]
+        both = zip(self.symbols.q, self.symbols.qdd, none, strict=True)
+        return {q: acceleration for q, acceleration, held in both if held}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,7 +146,7 @@ class Recipe:
 def recipe(flat: FlatModel) -> Recipe:
     """The derivation of `flat`, written out if the model is of modest extent. Balances of forces along directions
     without inertia are no constraints on paper: they stand among Lagrange's equations."""
-    written = tuple(constraint for constraint in flat.constraints if not constraint.balanced)
+    written = tuple(constraint for constraint in flat.constraints if not balanced(constraint))
     prepared = familiar(replace(flat, constraints=written))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from lagdsl.foundation.record import record, remembered
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.expression import Variable
 from lagdsl.language.flat.model import FlatModel, Parameter
 from lagdsl.language.flat.reached import reached
@@ -55,8 +56,8 @@ def _quaternions(flat: FlatModel) -> list[str]:
 def _beside_guesses(flat: FlatModel, written: Collection[str]) -> frozenset[str]:
     """Coordinates whose start values hold although nobody wrote them: balances of forces determine others, whose start
     values are guesses, and no constraint of the text ties them. None where such a guess is `written`."""
-    balances = [each for each in flat.constraints if each.balanced and each.level == "position"]
-    guessed = {name for each in balances for name in each.balanced}
+    balances = [each for each in flat.constraints if balanced(each) and each.level == "position"]
+    guessed = {name for each in balances for name in balanced(each)}
     if not guessed.isdisjoint(written):
         return frozenset()
     tied = {x.name for x in reached(flat, held(flat)) if isinstance(x, Variable)}

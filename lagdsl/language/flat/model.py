@@ -14,7 +14,7 @@ from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
-from lagdsl.language.flat.expression import FlatExpression, ForceBalance
+from lagdsl.language.flat.expression import FlatExpression
 from lagdsl.language.flat.quantity import Item, Quantity, Variability
 
 
@@ -321,13 +321,6 @@ class Constraint(Item):
     def of_law(self) -> bool:
         """True if the law of a contact or of dry friction says when it is there."""
         return self.contact or self.friction
-
-    @property
-    def balanced(self) -> tuple[str, ...]:
-        """The coordinates of the direction without inertia along which it balances forces: its multiplier is zero. None
-        for what the text writes."""
-        found = (residual.weights for residual in self.residuals if isinstance(residual, ForceBalance))
-        return tuple(name for weights in found for name, _ in weights)
 
 
 @record(kw_only=True)
