@@ -224,6 +224,31 @@ def test_elongations_as_coordinates() -> None:
     assert np.allclose(motion["a"], 0.075 * np.cos(np.sqrt(37.5) * motion["time"]), atol=1e-10)
 
 
+def test_a_gear_between_two_springs() -> None:
+    """Angles p and p/r of the gear: r k1 (a - p) = k2 (p/r - b); the ratio is a parameter."""
+    model = lagdsl.compile(
+        """
+        model Train
+          import Lag.Rotational.*;
+          Rotor motor(J = 2 kg.m2, phi(start = 1 rad)), load(J = 3 kg.m2);
+          Spring fast(k = 100 N.m/rad), slow(k = 200 N.m/rad);
+          Gear gear(ratio = 3);
+          connect(motor.phi, fast.phi_a);
+          connect(fast.phi_b, gear.phi_a);
+          connect(gear.phi_b, slow.phi_a);
+          connect(slow.phi_b, load.phi);
+          output Torque teeth = multiplier(gear.mesh);
+        end Train;
+        """
+    )
+    for ratio in (3.0, 2.0):
+        motion = model.simulate(stop=1.0, tolerance=1e-10, parameters={"gear.ratio": ratio})
+        series = 1.0 / (1.0 / 100.0 + ratio**2 / 200.0)  # of the fast side, as of motor - ratio*load
+        twist = np.cos(np.sqrt(series * (1.0 / 2.0 + ratio**2 / 3.0)) * motion["time"])
+        assert np.allclose(motion["motor.phi"] - ratio * motion["load.phi"], twist, atol=1e-9)
+        assert np.allclose(motion["teeth"], series * twist, atol=1e-6)
+
+
 def test_start_of_a_knot_is_a_guess() -> None:
     text = KNOT.replace("x(start = 0.1 m)", "x").replace("k1*s^2", "k1*(s - 0.2 m)^2")
     motion = lagdsl.compile(text).simulate(stop=0.1)

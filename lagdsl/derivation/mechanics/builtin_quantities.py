@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import assert_never
 
 from lagdsl.algebra.graph.differentiate import jacobian
 from lagdsl.algebra.graph.substitute import Substitution
+from lagdsl.derivation.mechanics.force_balance import force_balance
 from lagdsl.derivation.mechanics.kinematics.vectors import Vector
 from lagdsl.derivation.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.derivation.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
-from lagdsl.derivation.mechanics.lagrange.lagrange import Dynamics, applied_forces
+from lagdsl.derivation.mechanics.lagrange.lagrange import Dynamics
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering, Provided
 from lagdsl.derivation.mechanics.lowering.symbols import Symbols
 from lagdsl.derivation.mechanics.lowering.values import Value
@@ -55,8 +56,8 @@ class Provider:
                 return self._totals.of(kind)
             case flat.GeneralizedMomentum(coordinate):
                 return self._dynamics.terms.momentum[symbols.coordinate_index[coordinate]]
-            case flat.ForceBalance(weights, still):
-                return self._force_balance(weights, still=still)
+            case flat.ForceBalance():
+                return self._force_balance(expression)
             case flat.LinearMomentum():
                 return linear_momentum(self._lowering, found)
             case flat.AngularMomentum(body, about):
@@ -68,15 +69,12 @@ class Provider:
                 return (x, y, z)
         assert_never(expression)
 
-    def _force_balance(self, weights: Sequence[tuple[str, float]], *, still: bool) -> int:
+    def _force_balance(self, balance: flat.ForceBalance) -> int:
         """f along a direction; the same at rest, where rates have cancelled to zero but for their form."""
-        graph, symbols, terms = self._lowering.graph, self._symbols, self._dynamics.terms
-        chosen = [(symbols.coordinate_index[name], graph.constant(weight)) for name, weight in weights]
-        applied = applied_forces(graph, terms)
-        momentum = graph.sum(graph.multiply(weight, terms.momentum[i]) for i, weight in chosen)
-        total = graph.sum(graph.multiply(weight, applied[i]) for i, weight in chosen)
-        force = graph.subtract(total, self._lowering.bias_rate.of(momentum))
-        return Substitution(graph, dict.fromkeys(symbols.qd, graph.zero)).of(force) if still else force
+        graph, symbols = self._lowering.graph, self._symbols
+        force = force_balance(self._lowering, self._model, symbols, self._dynamics.terms, balance)
+        none = dict.fromkeys(symbols.qd, graph.zero)
+        return Substitution(graph, none).of(force) if balance.still else force
 
     def _frame_reaction(self, frame: str, kind: str) -> Vector:
         releases = self._released()

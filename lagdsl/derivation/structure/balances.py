@@ -33,6 +33,7 @@ from lagdsl.language.flat.spans import around, place
 _ZERO = 1e-9
 _ROUNDING = 1e-12
 _LARGEST_DENOMINATOR = 1000
+_SMALL_PIVOT = 1e-6
 _FREE = "no force determines {}"
 _JUMPS = "give it a mass or an inertia, or write forces on it that change continuously"
 
@@ -48,19 +49,33 @@ class _State:
 
 @record()
 class _Directions:
-    """N (nq, m), column by column with a one at its coordinate `leading` (m,), and the sizes of these (m,)."""
+    """N (nq, m), column by column with a one at its coordinate `leading` (m,), and the sizes of these (m,). `ties` are
+    coordinates with the rows that they follow, where parameters or positions change N: `columns` is N at one state."""
 
     columns: Floats
     leading: list[int]
     sizes: Floats
+    ties: list[tuple[int, int]]
+
+    def at(self, jacobian: Floats) -> Floats:
+        """N where J is this."""
+        if not self.ties:
+            return self.columns
+        columns = np.zeros_like(self.columns)
+        columns[self.leading, np.arange(len(self.leading))] = 1.0
+        tied, rows = ([pair[k] for pair in self.ties] for k in (0, 1))
+        columns[tied] = -np.linalg.solve(jacobian[np.ix_(rows, tied)], jacobian[rows] @ columns)
+        return columns
 
 
 @record()
 class _Forces:
-    """N' f at one state: its derivatives by the rates (m, nq), and by the coordinates along N (m, m)."""
+    """N' f at one state: its derivatives by the rates (m, nq), by those along N (m, m), and by the coordinates along N
+    (m, m)."""
 
     by_rates: Floats
-    by_directions: Floats
+    damping: Floats
+    stiffness: Floats
 
 
 @record()
@@ -79,7 +94,7 @@ def balances(
     functions = space.functions
     assert isinstance(functions, ProgramFunctions), "an engine has no graph to read dependences from"
     general = _states(flat, space, points, general=True)
-    directions = _constant_directions(flat, space, general, found)
+    directions = _directions(flat, space, general, found)
     if directions is not None and _report_switched(flat, functions.program, directions, sink):
         return ()
     chosen = None
@@ -118,29 +133,50 @@ def _states(flat: FlatModel, space: Geometry, points: list[Probe], *, general: b
     return found
 
 
-def _constant_directions(flat: FlatModel, space: Geometry, states: list[_State], found: Massless) -> _Directions | None:
-    """N with entries that no state and no parameter changes; None where there is no such N."""
-    reduced = _reduced(found.basis * found.sizes[:, None], found.sizes)
-    if reduced is None:
-        return None
-    columns, leading = reduced
+def _directions(flat: FlatModel, space: Geometry, states: list[_State], found: Massless) -> _Directions | None:
+    """N that has no inertia at any state, whatever the parameters are; None where there is no such N."""
+    columns, leading = _reduced(found.basis * found.sizes[:, None], found.sizes)
+    simple = _simple(columns)
     switched = contact_rows(flat)
-    for state in states:
-        here = replace(space, p=state.p)
-        rows = here.velocity(state.q, state.qd)[1]
-        lasting = [row for row in range(len(rows)) if row not in switched]
-        for matrix in (here.mass(state.q, state.qd), rows[lasting]):
-            if np.any(np.abs(matrix @ columns) > _ZERO * (np.abs(matrix) @ np.abs(columns))):
-                return None
-    return _Directions(columns, leading, found.sizes[leading])
+    looks = [(replace(space, p=state.p), state) for state in states]
+    jacobians = [here.velocity(state.q, state.qd)[1] for here, state in looks]
+    lasting = [row for row in range(len(jacobians[0])) if row not in switched]
+    masses = [here.mass(state.q, state.qd) for here, state in looks]
+    sizes = found.sizes[leading]
+    choices = [] if simple is None else [_Directions(simple, leading, sizes, [])]
+    ties = _ties(jacobians[0], lasting, [j for j in np.flatnonzero(columns.any(axis=1)).tolist() if j not in leading])
+    choices += [] if ties is None else [_Directions(columns, leading, sizes, ties)]
+    for choice in choices:
+        parts = [
+            (matrix, choice.at(rows))
+            for rows, mass in zip(jacobians, masses, strict=True)
+            for matrix in (mass, rows[lasting])
+        ]
+        if all(np.all(np.abs(matrix @ n) <= _ZERO * (np.abs(matrix) @ np.abs(n))) for matrix, n in parts):
+            return choice
+    return None
 
 
-def _reduced(columns: Floats, sizes: Floats) -> tuple[Floats, list[int]] | None:
-    """Columns that span the same, each with a one in a row in which the others have a zero, and these rows, ascending.
+def _ties(jacobian: Floats, lasting: list[int], tied: list[int]) -> list[tuple[int, int]] | None:
+    """The tied coordinates, each with a row that it follows, in an order in which no pivot is small; None where there
+    are none, or rows are missing."""
+    if not 0 < len(tied) <= len(lasting):
+        return None
+    lengths = np.linalg.norm(jacobian[lasting], axis=1, keepdims=True)
+    rest = (jacobian[lasting] / np.where(lengths > 0.0, lengths, 1.0))[:, tied]
+    found = []
+    for _ in tied:
+        row, column = divmod(int(np.argmax(np.round(np.abs(rest), 9))), rest.shape[1])
+        if not abs(rest[row, column]) > _SMALL_PIVOT:
+            return None
+        found.append((tied[column], lasting[row]))
+        rest = rest - np.outer(rest[:, column], rest[row] / rest[row, column])
+    return found
 
-    Gauss-Jordan elimination of entries divided by `sizes`. None where an entry is no fraction of small numbers: it
-    would not be known exactly.
-    """
+
+def _reduced(columns: Floats, sizes: Floats) -> tuple[Floats, list[int]]:
+    """Columns that span the same, each with a one in a row in which the others have a zero, and these rows, ascending:
+    Gauss-Jordan elimination of entries divided by `sizes`."""
     work = columns / sizes[:, None]
     leading: list[int] = []
     for k in range(work.shape[1]):
@@ -153,10 +189,14 @@ def _reduced(columns: Floats, sizes: Floats) -> tuple[Floats, list[int]] | None:
         work[:, others] -= np.outer(work[:, k], work[row, others])
         leading.append(row)
     work, leading = work[:, np.argsort(leading)], sorted(leading)
-    entries = np.where(np.abs(work) < _ZERO, 0.0, work) * sizes[:, None] / sizes[leading]
+    return np.where(np.abs(work) < _ZERO, 0.0, work) * sizes[:, None] / sizes[leading], leading
+
+
+def _simple(entries: Floats) -> Floats | None:
+    """The entries as fractions of small numbers, which are known exactly; None where one is none."""
     simple = [float(Fraction(x).limit_denominator(_LARGEST_DENOMINATOR)) for x in entries.ravel().tolist()]
     exact = np.array(simple).reshape(entries.shape)
-    return (exact, leading) if np.all(np.abs(exact - entries) <= _ZERO * np.abs(entries)) else None
+    return exact if np.all(np.abs(exact - entries) <= _ZERO * np.abs(entries)) else None
 
 
 def _report_switched(flat: FlatModel, program: Program, directions: _Directions, sink: Sink) -> bool:
@@ -177,14 +217,16 @@ def _report_switched(flat: FlatModel, program: Program, directions: _Directions,
 def _forces(functions: ProgramFunctions, space: Geometry, state: _State, directions: _Directions) -> _Forces:
     """From the tangents of M qdd - f - J' lam at qdd = 0 and lam = 0."""
     n, m = len(state.q), len(directions.leading)
+    columns = directions.at(replace(space, p=state.p).velocity(state.q, state.qd)[1])
     nothing = (np.zeros(n), np.zeros(len(functions.layout.constraints)))
     held = (np.zeros_like(space.z), np.zeros_like(space.u), np.zeros_like(state.p))
-    q, qd = np.vstack([np.zeros((n, n)), directions.columns.T]), np.vstack([np.eye(n), np.zeros((m, n))])
+    q, qd = np.vstack([np.zeros((n, n)), columns.T]), np.vstack([np.eye(n), np.zeros((m, n))])
     given = (space.t, state.q, state.qd, space.z, space.u, space.w, state.p, *nothing, q, qd, *held)
     slopes = -functions.along("residual_tangent", 0, *given)
-    total, size = slopes @ directions.columns, np.abs(slopes) @ np.abs(directions.columns)
+    total, size = slopes @ columns, np.abs(slopes) @ np.abs(columns)
     total = np.where(np.abs(total) > _ROUNDING * size, total, 0.0)
-    return _Forces(total[:n].T, total[n:].T)
+    by_rates = total[:n].T
+    return _Forces(by_rates, by_rates @ columns, total[n:].T)
 
 
 def _combinations(directions: _Directions, forces: list[_Forces]) -> list[_Combination] | None:
@@ -194,10 +236,10 @@ def _combinations(directions: _Directions, forces: list[_Forces]) -> list[_Combi
     table = np.hstack([each.by_rates for each in forces])
     lengths = np.linalg.norm(table, axis=1)
     unit = np.where(lengths > 0.0, lengths, 1.0)
-    reduced = _reduced(null_space((table / unit[:, None]).T, _ZERO) / unit[:, None], 1.0 / directions.sizes)
-    if reduced is None:
+    columns, leading = _reduced(null_space((table / unit[:, None]).T, _ZERO) / unit[:, None], 1.0 / directions.sizes)
+    still = _simple(columns)
+    if still is None:
         return None
-    still, leading = reduced
     moving = [k for k in range(m) if k not in leading]
     return [
         *(_Combination(weights, k, True) for weights, k in zip(still.T, leading, strict=True)),
@@ -211,22 +253,20 @@ def _report_free(
     """E0503 for a direction that no force determines at any of the states."""
     free = np.zeros((len(chosen), 0))
     for each in forces:
-        rows = [
-            combination.weights @ (each.by_directions if combination.still else each.by_rates @ directions.columns)
-            for combination in chosen
-        ]
+        rows = [combination.weights @ (each.stiffness if combination.still else each.damping) for combination in chosen]
         matrix = np.array(rows) * directions.sizes
         lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
         free = null_space(matrix / np.where(lengths > 0.0, lengths, 1.0), _ZERO)
         if not free.shape[1]:
             return False
-    reduced = _reduced(free * directions.sizes[:, None], directions.sizes)
-    way = free[:, 0] * directions.sizes if reduced is None else reduced[0][:, 0]
+    way = _reduced(free * directions.sizes[:, None], directions.sizes)[0][:, 0]
     along = np.abs(directions.columns @ way)
     together = np.flatnonzero(along > _ZERO * np.max(along)).tolist()
     names = [f"`{flat.coordinates[i].name}`" for i in together]
     motion = names[0] if len(names) == 1 else f"the motion in which {some_of(names)} change together"
-    pushed = any(np.any(each.by_directions @ way) for each in forces)
+    pushed = any(
+        np.any(np.abs(each.stiffness @ way) > _ZERO * (np.abs(each.stiffness) @ np.abs(way))) for each in forces
+    )
     why = "forces that change with {} are balanced by rates of other coordinates alone" if pushed else _FREE
     report_direction(flat, together[0], why.format(motion), sink)
     return True
@@ -253,9 +293,10 @@ def _balance(
     leading = directions.leading[chosen.leading]
     coordinate = flat.coordinates[leading]
     weights = directions.columns @ chosen.weights
-    parts = [(i, float(weights[i])) for i in np.flatnonzero(weights).tolist()]
+    tied = [j for j, _ in directions.ties]
+    parts = [(i, float(weights[i])) for i in np.flatnonzero(weights).tolist() if i not in tied]
     (force,) = program.function("inverse_dynamics").results
-    jumping = _jumps(flat, program, [force.elements[i] for i, _ in parts])
+    jumping = _jumps(flat, program, [force.elements[i] for i in (*tied, *(i for i, _ in parts))])
     if jumping and chosen.still:
         why = "the forces on it change at instants, and it would jump then"
         report_direction(flat, leading, why, sink, help=_JUMPS)
@@ -264,7 +305,15 @@ def _balance(
         spans=coordinate.spans,
         name=name,
         rows=(name,),
-        residuals=(ForceBalance(tuple((flat.coordinates[i].name, weight) for i, weight in parts), chosen.still),),
+        residuals=(
+            ForceBalance(
+                weights=tuple((flat.coordinates[i].name, weight) for i, weight in parts),
+                ties=tuple(
+                    (flat.coordinates[j].name, program.layout.constraints[row].name) for j, row in directions.ties
+                ),
+                still=chosen.still,
+            ),
+        ),
         dimension=ENERGY / coordinate.dimension,
         level="position" if chosen.still else "velocity",
         switched=jumping,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
-from sympy import Add, Expr, Integer, Rational, Symbol
+from sympy import Add, Expr, ImmutableDenseMatrix, Integer, Rational, Symbol
 
 from lagdsl.derivation.textbook import geometry
 from lagdsl.derivation.textbook.convert import Converter, plain_number
@@ -134,19 +134,33 @@ def _residual(row: FlatExpression, flat: FlatModel, converter: Converter, parts:
 
 
 def force_balance(flat: FlatModel, parts: Contributions, balance: ForceBalance) -> Expr:
-    """f of M qdd - J' lam = f along a direction without inertia."""
+    """f of M qdd - J' lam = f along a direction without inertia. Tied coordinates D have the multipliers that
+    f_D + J_D' lam = 0 gives."""
     converter, table = parts.converter, parts.converter.symbols
     held = held_rates(flat, table, parts)
     index = {coordinate.name: number for number, coordinate in enumerate(flat.coordinates)}
-    chosen = [(plain_number(weight), table.q[index[name]], table.qd[index[name]]) for name, weight in balance.weights]
-    momentum = Add(*(weight * partial(parts.lagrangian, qd) for weight, _, qd in chosen))
-    force = Add(
-        *(weight * generalized_force(parts, q, qd) for weight, q, qd in chosen),
-        *(weight * held.partial(held.parts.lagrangian, q) for weight, q, _ in chosen),
-        *(-weight * held.partial(held.parts.dissipation, qd) for weight, _, qd in chosen),
-        -converter.rate(momentum, bias=True),
-    )
-    return replaced(force, dict.fromkeys(table.qd, Integer(0))) if balance.still else force
+
+    def force(name: str) -> Expr:
+        q, qd = table.q[index[name]], table.qd[index[name]]
+        momentum = converter.rate(partial(parts.lagrangian, qd), bias=True)
+        lost = held.partial(held.parts.dissipation, qd)
+        return generalized_force(parts, q, qd) + held.partial(held.parts.lagrangian, q) - lost - momentum
+
+    def slope(row: str, name: str) -> Expr:
+        constraint = next(each for each in flat.constraints if row in each.rows)
+        residual = converter.scalar(constraint.residuals[constraint.rows.index(row)])
+        by = table.q if constraint.level == "position" else table.qd
+        return partial(residual, by[index[name]])
+
+    found = Add(*(plain_number(weight) * force(name) for name, weight in balance.weights))
+    tied, rows = [name for name, _ in balance.ties], [row for _, row in balance.ties]
+    if tied:
+        matrix = ImmutableDenseMatrix([[slope(row, name) for row in rows] for name in tied])
+        multipliers = matrix.LUsolve(ImmutableDenseMatrix([-force(name) for name in tied]))
+        leading = [(plain_number(weight), name) for name, weight in balance.weights]
+        pull = [Add(*(weight * slope(row, name) for weight, name in leading)) for row in rows]
+        found += Add(*(lam * each for lam, each in zip(multipliers, pull, strict=True)))
+    return replaced(found, dict.fromkeys(table.qd, Integer(0))) if balance.still else found
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

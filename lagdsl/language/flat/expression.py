@@ -253,9 +253,12 @@ class GeneralizedMomentum(Mechanical):
 @record()
 class ForceBalance(Mechanical):
     """Force along a direction without inertia, in the residual of its constraint: the sum over coordinates of their
-    weights times f of M qdd - J' lam = f. `still`: it holds no rates, and none is left of terms that cancel."""
+    weights times f of M qdd - J' lam = f. `ties` are further coordinates, each with a row of the constraints: they move
+    so that these rows hold, whatever the parameters are, and pivots in this order are not zero. `still`: it holds no
+    rates, and none is left of terms that cancel."""
 
     weights: tuple[tuple[str, float], ...]
+    ties: tuple[tuple[str, str], ...]
     still: bool
 
 
