@@ -246,7 +246,7 @@ def test_a_gear_between_two_springs() -> None:
         series = 1.0 / (1.0 / 100.0 + ratio**2 / 200.0)  # of the fast side, as of motor - ratio*load
         twist = np.cos(np.sqrt(series * (1.0 / 2.0 + ratio**2 / 3.0)) * motion["time"])
         assert np.allclose(motion["motor.phi"] - ratio * motion["load.phi"], twist, atol=1e-9)
-        assert np.allclose(motion["teeth"], series * twist, atol=1e-6)
+        assert np.allclose(motion["teeth"], -series * twist, atol=1e-6)
 
 
 def test_start_of_a_knot_is_a_guess() -> None:
