@@ -210,6 +210,28 @@ def test_a_force_that_jumps_moves_a_damper_at_another_rate() -> None:
     assert motion["der(s)"][-1] == pytest.approx((motion["der(x)"][-1] + 1.0) / 3.0, abs=1e-9)
 
 
+def test_a_blow_on_the_mass_leaves_the_spring_of_a_maxwell_element() -> None:
+    """The same motion with the spring as a state of first order, whose rate is written."""
+    falling = """
+  force -19.62 N on x;
+  contact floor: x >= 0 m with restitution = 0.7;
+"""
+    text = MAXWELL.replace("end Maxwell", f"{falling}end Maxwell")
+    states = """
+model States
+  coordinate Length x(start = 0.1 m);
+  state Length s(start = 0.1 m);
+  kinetic 1/2*(2 kg)*der(x)^2;
+  force -(400 N/m)*s on x;{falling}equation
+  der(s) = der(x) - (400 N/m)*s/(7 N.s/m);
+end States;
+""".replace("{falling}", falling)
+    one, other = (lagdsl.compile(each).simulate(stop=0.6, tolerance=1e-9) for each in (text, states))
+    assert len(one.events) == len(other.events) > 2
+    for name in ("x", "s"):
+        assert np.allclose(one[name], other[name], atol=1e-8)
+
+
 def test_elongations_as_coordinates() -> None:
     """The kinetic energy has one square for two coordinates: their difference has no inertia."""
     motion = lagdsl.compile(
