@@ -17,7 +17,7 @@ from lagdsl.language.flat.model import FlatModel
 def force_balance(lowering: Lowering, flat: FlatModel, symbols: Symbols, terms: Terms, balance: ForceBalance) -> int:
     """The node of the force, a linear function of the forces on the coordinates that `balance` names."""
     graph, place = lowering.graph, symbols.coordinate_index
-    slopes = _slopes(lowering, flat, symbols, [row for _, row in balance.ties])
+    slopes = _jacobian_rows(lowering, flat, symbols, [row for _, row in balance.ties])
     # one equation per tied coordinate, its multipliers by number and its force last; then the force that is asked for
     table = [[*(row[place[name]] for row in slopes), _force(lowering, terms, place[name])] for name, _ in balance.ties]
     weighted = [(graph.constant(weight), place[name]) for name, weight in balance.weights]
@@ -35,7 +35,7 @@ def _force(lowering: Lowering, terms: Terms, i: int) -> int:
     return lowering.graph.subtract(applied, lowering.bias_rate.of(terms.momentum[i]))
 
 
-def _slopes(lowering: Lowering, flat: FlatModel, symbols: Symbols, names: list[str]) -> list[list[int]]:
+def _jacobian_rows(lowering: Lowering, flat: FlatModel, symbols: Symbols, names: list[str]) -> list[list[int]]:
     """J of these rows, by coordinates."""
     graph, directions = lowering.graph, symbols.directions
     found = {
