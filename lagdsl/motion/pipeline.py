@@ -156,7 +156,8 @@ def flatten_file(
 
 
 def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compilation | None:
-    """The equations of `flat`, their ranks and their program; None after errors.
+    """The equations of `flat`, their ranks and their program; None after errors. The model of the result has the
+    balances of forces along directions without inertia among its constraints.
 
     Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
     """
@@ -175,6 +176,8 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     structure = analyze(flat, space, sink)
     if sink.has_errors:
         return None
+    if lacking := [each for each in structure.balances if each not in flat.constraints]:
+        return compile_flat(replace(flat, constraints=(*flat.constraints, *lacking)), sink, route)
     program = flag_redundant(program, structure)
     if route == "graph" and flat.constraints:
         program = solve(equations, program, structure)

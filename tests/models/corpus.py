@@ -62,7 +62,7 @@ def compiled(name: str) -> Compiled:
     assert flat is not None, sink.diagnostics
     compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
-    return Compiled(source, flat, compilation, sink.diagnostics)
+    return Compiled(source, compilation.flat, compilation, sink.diagnostics)
 
 
 @cache

@@ -45,6 +45,7 @@ OF_EACH_KIND = (
     "ladder_with_friction",  # friction under contacts
     "freewheel",  # a contact of rates
     "puck_with_side_force",  # friction in a plane
+    "viscoelastic_mount",  # coordinates without inertia
 )
 
 

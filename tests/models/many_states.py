@@ -84,7 +84,8 @@ def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.
     Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
     where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it, or the
     accelerations of the forces alone. Rows of J that vanish everywhere (of a constraint that follows from another one)
-    are round-off and say nothing.
+    are round-off and say nothing. Balances of forces vanish everywhere: they are
+    compared with their terms.
     """
     (mass, m_size), (force, f_size), (rows, r_size), (bias, b_size) = values_with_size(program, "dynamics", state)
     a, lam = qdd[..., None], lam[..., None]
@@ -99,6 +100,9 @@ def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.
         np.abs(mass) @ some + np.abs(force[..., None]) + np.abs(across) @ hard,
         m_size @ some + f_size[..., None] + r_across @ hard,
     )
+    balances = {slot.name for slot in program.layout.constraints}
+    light = [f"balance({slot.name})" in balances for slot in program.layout.coordinates]
+    motion[:, light] = np.abs(mass @ a - force[..., None] - across @ lam)[:, light] / f_size[:, light, None]
     held = _part(
         rows @ a - bias[..., None],
         np.abs(rows) @ some + np.abs(bias[..., None]),

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from lagdsl.algebra.graph.differentiate import jacobian
+from lagdsl.algebra.graph.substitute import Substitution
+from lagdsl.derivation.mechanics.force_balance import force_balance
 from lagdsl.derivation.mechanics.kinematics.vectors import Vector
 from lagdsl.derivation.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.derivation.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
@@ -59,6 +61,8 @@ class Provider:
                 return self._totals.of(kind)
             case flat.GeneralizedMomentum(coordinate):
                 return self._dynamics.terms.momentum[symbols.coordinate_index[coordinate]]
+            case flat.ForceBalance():
+                return self._force_balance(expression)
             case flat.LinearMomentum():
                 return linear_momentum(self._lowering, found)
             case flat.AngularMomentum(body, about):
@@ -69,6 +73,13 @@ class Provider:
                 (x,), (y,), (z,) = jacobian(self._lowering.graph, self._lowering.vector(point), [moved])
                 return (x, y, z)
         assert_never(expression)
+
+    def _force_balance(self, balance: flat.ForceBalance) -> int:
+        """f along a direction; the same at rest, where rates have cancelled to zero but for their form."""
+        graph, symbols = self._lowering.graph, self._symbols
+        force = force_balance(self._lowering, self._model, symbols, self._dynamics.terms, balance)
+        none = dict.fromkeys(symbols.qd, graph.zero)
+        return Substitution(graph, none).of(force) if balance.still else force
 
     def _frame_reaction(self, frame: str, kind: str) -> Vector:
         releases = self._released()

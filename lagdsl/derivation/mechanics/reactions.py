@@ -8,6 +8,8 @@ by the parent's side on all that the frame carries (Lagrange's principle of rele
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.algebra.graph.substitute import Substitution
@@ -15,10 +17,11 @@ from lagdsl.derivation.mechanics.constraints import constraint_forces, constrain
 from lagdsl.derivation.mechanics.kinematics.poses import Release
 from lagdsl.derivation.mechanics.kinematics.vectors import Vector
 from lagdsl.derivation.mechanics.lagrange.lagrange import applied_forces, dynamics
-from lagdsl.derivation.mechanics.lowering.lowering import Lowering
+from lagdsl.derivation.mechanics.lowering.lowering import Lowering, Provided
 from lagdsl.derivation.mechanics.lowering.symbols import Directions, Symbols
+from lagdsl.derivation.mechanics.lowering.values import Value
 from lagdsl.foundation.record import mutable_record
-from lagdsl.language.flat.expression import FrameReaction, ReactionAlong
+from lagdsl.language.flat.expression import ForceBalance, FrameReaction, ReactionAlong
 from lagdsl.language.flat.model import FlatModel
 
 
@@ -54,7 +57,14 @@ def reactions(lowering: Lowering, flat: FlatModel, symbols: Symbols, releases: R
     """The generalized force of each release, with qdd and lambda as symbols."""
     graph = lowering.graph
     released = Lowering(graph, flat, symbols, releases.release)
-    released.provide = lowering.provide
+    provided = lowering.provide
+
+    def provide(asked: Provided, nodes: Sequence[int]) -> Value:
+        """Balances of forces, in constraints only, pull on nothing: their multipliers are zero."""
+        assert provided is not None, asked
+        return graph.zero if isinstance(asked, ForceBalance) else provided(asked, nodes)
+
+    released.provide = provide
     directions = Directions(
         tuple(graph.symbols(Group.RELEASE, releases.count)),
         tuple(graph.symbols(Group.RELEASE_RATE, releases.count)),

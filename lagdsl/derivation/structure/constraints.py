@@ -22,6 +22,7 @@ from lagdsl.foundation.numerics.connected_blocks import Partition
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.model import Constraint, FlatModel
 
 _TRIES = 24
@@ -252,6 +253,6 @@ def report_row_factors(flat: FlatModel, factors: Floats, sink: Sink) -> None:
     """N0612 for constraints with rows that are multiplied, so that they are not mistaken for round-off."""
     for item in located(flat):
         factor = float(np.max(factors[list(item.rows)], initial=1.0))
-        if factor > 1.0:
+        if factor > 1.0 and not balanced(item.constraint):
             power, part = round(np.log2(factor)), f"{1.0 / factor:.0e}"
             sink.report("N0612", place(item.constraint), name=item.constraint.name, power=power, part=part)

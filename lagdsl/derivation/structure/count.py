@@ -43,10 +43,13 @@ def count_text(line: Count) -> str:
     return f"d = {' + '.join(symbols)} - k = {' + '.join(numbers)} - {line.conditions} = {line.freedom}"
 
 
-def balance_text(coordinates: int, rank: int | None) -> str:
-    """`3 coordinates - 2 independent constraints = 1 degree of freedom`; a `rank` of None leaves constraints out."""
+def balance_text(coordinates: int, rank: int | None, forces: int = 0) -> str:
+    """`3 coordinates - 2 independent constraints = 1 degree of freedom`; a `rank` of None leaves constraints out.
+    `forces` are balances of forces along directions without inertia."""
     held = "" if rank is None else f" - {counted(rank, 'independent constraint')}"
-    return f"{counted(coordinates, 'coordinate')}{held} = {counted(coordinates - (rank or 0), 'degree')} of freedom"
+    held += f" - {forces} balance{'' if forces == 1 else 's'} of forces" if forces else ""
+    left = coordinates - (rank or 0) - forces
+    return f"{counted(coordinates, 'coordinate')}{held} = {counted(left, 'degree')} of freedom"
 
 
 def counted(number: int, noun: str) -> str:

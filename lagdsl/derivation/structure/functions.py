@@ -69,9 +69,14 @@ class ProgramFunctions:
 
     def _mass_by_columns(self, *state: Floats | float) -> Floats:
         """M, from its products with all unit vectors at once."""
-        definition = self.program.function("momentum_tangent")
-        (momentum,) = definition.results
-        given = (*state, np.eye(len(momentum.elements)))
-        symbols = dict(zip(definition.arguments, given, strict=True))
-        products = evaluate(self.program.graph, momentum.elements, symbols)
-        return np.array([np.broadcast_to(product, len(products)) for product in products])
+        count = len(self.layout.coordinates)
+        return np.array(self.along("momentum_tangent", 0, *state, np.eye(count)).T)
+
+    def along(self, function: str, result: int, *arguments: Floats | float) -> Floats:
+        """The result of this number for many directions: (k, n) where the last argument has k rows."""
+        definition = self.program.function(function)
+        symbols = dict(zip(definition.arguments, arguments, strict=True))
+        elements = definition.results[result].elements
+        count = max(len(x) if isinstance(x, np.ndarray) and x.ndim > 1 else 1 for x in arguments)
+        values = evaluate(self.program.graph, elements, symbols)
+        return np.array([np.broadcast_to(value, count) for value in values]).reshape(len(elements), count).T

@@ -4,57 +4,79 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.derivation.structure.names import listed
 from lagdsl.derivation.structure.points import Geometry, Probe, free_directions
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import CHARGE
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.flat.spans import around, place
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
 _TOLERANCE = 1e-12
+# Part of a direction that a coordinate needs to be told, and to be told alone.
+_SHARE = 1e-3
+_ALONE = 0.999
 _MOST_SHOWN = 6
 _INDUCTANCE = (
-    "every closed path of charge needs an inductance: put an inductor into this loop, as its wire is one, with a time "
-    "L/R much shorter than what matters"
+    "every closed path of charge needs an inductance, a resistance or a capacitance: put a resistor into this loop, as "
+    "its wire is one"
 )
 _FLANGE = "connect it to what moves with it and has a mass or an inertia, or prescribe its motion"
 
 
-def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> None:
-    """E0503 for each coordinate that moves in a direction without inertia at every probed state.
+@record()
+class Massless:
+    """Directions without inertia that the constraints leave free, at the first probed point: `basis` (nq, m) in
+    coordinates divided by `sizes` (nq,), orthonormal. `shares` (nq,) are the least parts of the coordinates in
+    them at any point."""
 
-    M itself may be singular (quaternions, massless links): what counts is M on the null space of J.
-    """
+    basis: Floats
+    sizes: Floats
+    shares: Floats
+
+
+def massless(flat: FlatModel, space: Geometry, points: list[Probe]) -> Massless | None:
+    """None where M is regular on the null space of J at some probed state, which is what counts: M itself may be
+    singular (quaternions, massless links)."""
     masses = [point.mass for point in points if point.mass is not None]
     if len(masses) < max(len(points), 1) or not flat.coordinates:
-        return
-    projectors = [_massless(space, point, mass) for point, mass in zip(points, masses, strict=True)]
-    shares = np.min([np.sqrt(np.diag(each)) for each in projectors], axis=0)
-    if float(np.max(shares)) < 1e-3:
-        return
-    leading = int(np.argmax(shares))
+        return None
+    found = [_directions(space, point, mass) for point, mass in zip(points, masses, strict=True)]
+    shares = np.min([np.linalg.norm(basis, axis=1) for basis, _ in found], axis=0)
+    return Massless(*found[0], shares) if float(np.max(shares)) >= _SHARE else None
+
+
+def report_massless(flat: FlatModel, found: Massless, sink: Sink) -> None:
+    """E0503 for each coordinate that moves in a direction without inertia at every probed state."""
+    leading = int(np.argmax(found.shares))
+    projector = found.basis @ found.basis.T
     for index in range(len(flat.coordinates)):
-        if shares[index] > 0.999 or (index == leading and not np.any(shares > 0.999)):
-            parts = np.abs(projectors[0][index])
-            _report(flat, index, [int(i) for i in np.flatnonzero(parts > 0.1 * parts[index])], sink)
+        if found.shares[index] > _ALONE or (index == leading and not np.any(found.shares > _ALONE)):
+            parts = np.abs(projector[index])
+            names = [f"der({flat.coordinates[i].name})" for i in np.flatnonzero(parts > 0.1 * parts[index])]
+            why = f"the mass matrix is singular in this direction and no constraint determines {names[0]}"
+            if len(names) > 1:
+                why = f"{some_of(names)} can change together without kinetic energy"
+            report_direction(flat, index, why, sink)
 
 
-def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> None:
-    """`together`: the coordinates that move along, this one included."""
+def some_of(names: list[str]) -> str:
+    """`der(a), der(b) and der(c)`; of many the first few."""
+    return listed(names if len(names) <= _MOST_SHOWN else [*names[:_MOST_SHOWN], "more"])
+
+
+def report_direction(flat: FlatModel, index: int, why: str, sink: Sink, help: str | None = None) -> None:
+    """E0503 at the coordinate of this number."""
     coordinate = flat.coordinates[index]
-    rates = [f"der({flat.coordinates[i].name})" for i in together]
-    why = f"the mass matrix is singular in this direction and no constraint determines {rates[0]}"
-    if len(rates) > 1:
-        shown = rates if len(rates) <= _MOST_SHOWN else [*rates[:_MOST_SHOWN], "more"]
-        why = f"{', '.join(shown[:-1])} and {shown[-1]} can change together without kinetic energy"
     labels = around(coordinate)
-    help = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
-    sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help, name=coordinate.name)
+    known = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
+    sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help or known, name=coordinate.name)
 
 
-def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
-    """The projector onto the directions without inertia; its diagonal has the squares of the coordinates' shares."""
+def _directions(space: Geometry, point: Probe, mass: Floats) -> tuple[Floats, Floats]:
+    """The directions without inertia by columns, orthonormal in coordinates divided by the sizes, which come second."""
     diagonal = np.sqrt(np.abs(np.diag(mass)))
     tied = np.max(
         np.where(mass != 0.0, diagonal, 0.0), axis=1
@@ -64,8 +86,7 @@ def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
     free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
     values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
-    empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
-    return np.asarray(empty @ empty.T)
+    return free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free, scale
 
 
 def _beside(space: Geometry, diagonal: Floats) -> Floats:

@@ -8,6 +8,7 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
 from lagdsl.foundation.units.dimension import BASE_UNITS
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.display import quantity_text
 from lagdsl.language.flat.model import Closure, Constraint, FlatModel
 
@@ -34,6 +35,17 @@ def located(flat: FlatModel) -> list[Located]:
 def contact_rows(flat: FlatModel) -> frozenset[int]:
     """The rows that come and go."""
     return frozenset(row for item in located(flat) if comes_and_goes(item.constraint) for row in item.rows)
+
+
+def balance_rows(flat: FlatModel) -> frozenset[int]:
+    """The rows that balance forces along directions without inertia."""
+    return frozenset(row for item in located(flat) if balanced(item.constraint) for row in item.rows)
+
+
+def balanced_coordinates(flat: FlatModel) -> list[int]:
+    """The coordinates of these directions."""
+    names = {name for constraint in flat.constraints for name in balanced(constraint)}
+    return [index for index, coordinate in enumerate(flat.coordinates) if coordinate.name in names]
 
 
 def comes_and_goes(constraint: Constraint) -> bool:

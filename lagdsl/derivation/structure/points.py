@@ -12,7 +12,7 @@ import numpy as np
 from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.structure.functions import ProgramFunctions
 from lagdsl.derivation.structure.moments import Moment, other_moments
-from lagdsl.derivation.structure.names import located
+from lagdsl.derivation.structure.names import balance_rows, located
 from lagdsl.derivation.structure.row_sizes import Look, row_sizes
 from lagdsl.foundation.numerics.connected_blocks import Flags, Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
@@ -197,6 +197,7 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         [_look(each, q) for each in [*moments, *_branches(flat, plain)]],
         sizes,
         plain.components,
+        np.isin(np.arange(len(layout.constraints)), list(balance_rows(flat))),
     )
     pattern, factors = found.pattern, found.factors
     for item in located(flat):

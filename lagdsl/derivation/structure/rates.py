@@ -8,6 +8,7 @@ from lagdsl.derivation.structure.names import located, place
 from lagdsl.derivation.structure.points import Geometry, Probe, random_rates
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats, null_space
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.model import FlatModel
 
 
@@ -38,6 +39,8 @@ def report_integrable(
     """
     for item in located(flat):
         if item.constraint.level != "velocity" or item.constraint.node:  # Kirchhoff's law is known to be
+            continue
+        if balanced(item.constraint):  # nobody wrote it
             continue
         if item.constraint.switched:  # it may be there at some times only
             continue

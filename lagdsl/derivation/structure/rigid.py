@@ -6,6 +6,7 @@ from lagdsl.derivation.structure.dependence import Dependence
 from lagdsl.derivation.structure.moments import comes_from_outside
 from lagdsl.derivation.structure.names import comes_and_goes, place
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.model import FlatModel
 
 
@@ -15,7 +16,7 @@ def report_rigid(flat: FlatModel, found: Dependence, sink: Sink) -> None:
     independent = sum(not redundant for redundant in found.redundant)
     if not flat.coordinates or independent < len(flat.coordinates) or flat.states:
         return
-    if any(comes_and_goes(constraint) for constraint in flat.constraints):
+    if any(comes_and_goes(constraint) or balanced(constraint) for constraint in flat.constraints):
         return
     if comes_from_outside(flat):
         return

@@ -35,7 +35,8 @@ _ABSENT = 1e-13
 class RowSizes:
     """`natural` (nc,) are sizes in natural sizes of the coordinates: for rows that are zero but for round-off that of
     the largest row beside them, for rows that are zero 1. `factors` (nc,) make rows of J as long as the longest beside
-    them where they are far shorter, and are 1 elsewhere. `pattern` (nc, nq) tells which entries are not zero
+    them where they are far shorter, and are 1 elsewhere; `plain` rows are not compared, but become as long as the
+    others where they are far from that. `pattern` (nc, nq) tells which entries are not zero
     everywhere."""
 
     natural: Floats
@@ -43,9 +44,11 @@ class RowSizes:
     pattern: Flags
 
 
-def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Indices) -> RowSizes:
+def row_sizes(
+    usual: Sequence[Look], others: Sequence[Look], sizes: Floats, components: Indices, plain: Flags
+) -> RowSizes:
     """Medians over the `usual` points, and for rows that are zero there over the `others`. `sizes` (nq,) and
-    `components` are those of the coordinates."""
+    `components` are those of the coordinates; `plain` (nc,) are rows without a multiplier, whose size means nothing."""
     measured = _measured((*usual, *others), 0.0, sizes)
     natural, lengths = _usual(measured.natural, len(usual)), _usual(measured.lengths, len(usual))
     beside = _largest_beside(natural, measured.largest, components)
@@ -55,7 +58,7 @@ def row_sizes(usual: Sequence[Look], others: Sequence[Look], sizes: Floats, comp
         changes = _measured((*usual, *others), _ERROR, sizes)
         noise = in_doubt & (_usual(changes.lengths, len(usual)) > _CHANGED * lengths)
     absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
-    factors = _factors(np.where(noise, 0.0, lengths), measured.largest, components)
+    factors = _factors(np.where(noise, 0.0, lengths), measured.largest, components, plain)
     size = np.where(noise, beside, np.where(natural > 0.0, natural, 1.0))
     return RowSizes(size, factors, measured.largest > absent[:, None])
 
@@ -91,10 +94,11 @@ def _lengths(rows: Floats) -> Floats:
     return np.asarray(unit * np.linalg.norm(rows / unit[:, None], axis=1))
 
 
-def _factors(lengths: Floats, largest: Floats, components: Indices) -> Floats:
+def _factors(lengths: Floats, largest: Floats, components: Indices, plain: Flags) -> Floats:
     """Powers of two, which round nothing."""
-    beside = _largest_beside(lengths, largest, components)
+    beside = _largest_beside(np.where(plain, 0.0, lengths), largest, components)
     far = (lengths > 0.0) & (lengths < _FAR * beside) & np.isfinite(beside)
+    far |= plain & np.isfinite(lengths) & (beside > 0.0) & (lengths > beside / _FAR)
     power = np.round(np.log2(np.where(far, beside, 1.0)) - np.log2(np.where(far, lengths, 1.0)))
     return np.where(far, 2.0 ** np.minimum(power, _MOST), 1.0)
 

@@ -10,12 +10,13 @@ from dataclasses import field, replace
 import numpy as np
 
 from lagdsl.derivation.program.program import Program
+from lagdsl.derivation.structure.balances import balances
 from lagdsl.derivation.structure.constraints import report_impossible, report_inconsistent_rates
 from lagdsl.derivation.structure.count import Count, balance_text, count, count_text, counted
 from lagdsl.derivation.structure.degenerate import report_degenerate
 from lagdsl.derivation.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.derivation.structure.functions import ProgramFunctions
-from lagdsl.derivation.structure.inertia import report_massless
+from lagdsl.derivation.structure.inertia import massless
 from lagdsl.derivation.structure.moments import other_moments
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.derivation.structure.points import Geometry, Probe, geometry, probes
@@ -23,7 +24,8 @@ from lagdsl.derivation.structure.rates import report_integrable, report_nonlinea
 from lagdsl.derivation.structure.rigid import report_rigid
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.record import record
-from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.balanced import balanced
+from lagdsl.language.flat.model import Constraint, FlatModel
 
 
 @record(kw_only=True)
@@ -31,8 +33,9 @@ class Structure:
     """Degrees of freedom that the constraints leave.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
-    the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of
-    `space`.
+    the latter those that hold identically; `contacts` are the rows that come and go. `balances` are the constraints
+    that balance forces along directions without inertia, also those that the model lacks. `points` lie on the
+    constraints of `space`.
     """
 
     coordinates: int
@@ -42,6 +45,7 @@ class Structure:
     empty: tuple[bool, ...]
     contacts: frozenset[int]
     count: Count | None
+    balances: tuple[Constraint, ...]
     space: Geometry = field(compare=False, repr=False)
     points: tuple[Probe, ...] = field(compare=False, repr=False)
 
@@ -75,6 +79,7 @@ def analyze(flat: FlatModel, space: Geometry, sink: Sink) -> Structure:
         empty=found.dependence.empty,
         contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
+        balances=(*(each for each in flat.constraints if balanced(each)), *found.balances),
         space=space,
         points=tuple(found.points),
     )
@@ -93,6 +98,7 @@ class _Examination:
     position_rank: int
     rank: int
     points: list[Probe]
+    balances: tuple[Constraint, ...]
 
 
 def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
@@ -112,22 +118,25 @@ def _examined(flat: FlatModel, space: Geometry, sink: Sink) -> _Examination:
             report_dependence(flat, space, points, found, sink)
             report_integrable(flat, space, points, found.redundant, sink)
             report_rigid(flat, found, sink)
-    report_massless(flat, space, points, sink)
+    idle = massless(flat, space, points)
+    wanting = () if idle is None else balances(flat, space, points, idle, sink)
     holonomic = set(rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
-    return _Examination(found, sum(row in holonomic for row in kept), len(kept), points)
+    return _Examination(found, sum(row in holonomic for row in kept), len(kept), points, wanting)
 
 
 def structure_text(structure: Structure) -> str:
     """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`; where conditions
     such as rolling hold rates only, how many coordinates are left to choose at the start."""
-    constrained = len(structure.redundant) > len(structure.contacts)
-    parts = [balance_text(structure.coordinates, structure.rank if constrained else None)]
+    forces = len(structure.balances)
+    constrained = len(structure.redundant) > len(structure.contacts) + forces
+    parts = [balance_text(structure.coordinates, structure.rank - forces if constrained else None, forces)]
     if structure.configuration_freedom == structure.freedom:
         parts += [f"({count_text(structure.count)})"] if structure.count is not None else []
         return " ".join(parts)
     rates, free = structure.configuration_freedom - structure.freedom, structure.configuration_freedom
     verb = "holds rates only and leaves" if rates == 1 else "hold rates only and leave"
     count = f": {count_text(structure.count)}" if structure.count is not None else ""
-    told = f"{rates} of the constraints {verb} {counted(free, 'coordinate')} to choose at the start{count}"
+    conditions = "conditions" if forces else "constraints"
+    told = f"{rates} of the {conditions} {verb} {counted(free, 'coordinate')} to choose at the start{count}"
     return f"{' '.join(parts)} ({told})"

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
-from sympy import Add, Expr, Integer, Rational, Symbol
+from sympy import Add, Expr, ImmutableDenseMatrix, Integer, Rational, Symbol
 
 from lagdsl.derivation.textbook import geometry
-from lagdsl.derivation.textbook.convert import Converter, Mechanical, NotDerivedYetError
+from lagdsl.derivation.textbook.convert import Converter, Mechanical, NotDerivedYetError, plain_number
 from lagdsl.derivation.textbook.differentiate import partial
 from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.kinematics import RELEASE, RELEASE_RATE
 from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced, symbols
-from lagdsl.language.flat.expression import Component, RequiredForce
+from lagdsl.language.flat.expression import Component, FlatExpression, ForceBalance, RequiredForce
 from lagdsl.language.flat.model import (
     FlatModel,
     FrameTorque,
@@ -115,10 +115,9 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         kind: [converter.scalar(term.value) for term in flat.energies if term.kind == kind]
         for kind in ("kinetic", "potential", "lagrangian", "dissipation")
     }
-    rows = [converter.scalar(residual) for constraint in flat.constraints for residual in constraint.residuals]
     gravity = geometry.ZERO if flat.gravity is None else converter.vector(flat.gravity)
     weights = [-item.mass * geometry.dot(gravity, item.position) for item in inertials]
-    return Contributions(
+    parts = Contributions(
         converter=converter,
         inertials=inertials,
         kinetic=Add(*(item.kinetic_energy for item in inertials), *declared["kinetic"]),
@@ -126,9 +125,49 @@ def contributions(flat: FlatModel, converter: Converter, loads: Converter | None
         extra=Add(*declared["lagrangian"]),
         dissipation=Add(*declared["dissipation"]),
         actions=tuple(tuple(_applied(load, converter, loads or converter)) for load in flat.loads),
-        residuals=tuple(rows),
+        residuals=(),
         required=required,
     )
+    rows = (residual for constraint in flat.constraints for residual in constraint.residuals)
+    return replace(parts, residuals=tuple(_residual(row, flat, converter, parts) for row in rows))
+
+
+def _residual(row: FlatExpression, flat: FlatModel, converter: Converter, parts: Contributions) -> Expr:
+    if not isinstance(row, ForceBalance):
+        return converter.scalar(row)
+    if converter.release is not None or converter.style.held:
+        return Integer(0)  # its multiplier is zero, and held rates are for energies
+    return force_balance(flat, parts, row)
+
+
+def force_balance(flat: FlatModel, parts: Contributions, balance: ForceBalance) -> Expr:
+    """f of M qdd - J' lam = f along a direction without inertia. Tied coordinates D have the multipliers that
+    f_D + J_D' lam = 0 gives."""
+    converter, table = parts.converter, parts.converter.symbols
+    held = held_rates(flat, table, parts)
+    index = {coordinate.name: number for number, coordinate in enumerate(flat.coordinates)}
+
+    def force(name: str) -> Expr:
+        q, qd = table.q[index[name]], table.qd[index[name]]
+        momentum = converter.rate(partial(parts.lagrangian, qd), bias=True)
+        lost = held.partial(held.parts.dissipation, qd)
+        return generalized_force(parts, q, qd) + held.partial(held.parts.lagrangian, q) - lost - momentum
+
+    def slope(row: str, name: str) -> Expr:
+        constraint = next(each for each in flat.constraints if row in each.rows)
+        residual = converter.scalar(constraint.residuals[constraint.rows.index(row)])
+        by = table.q if constraint.level == "position" else table.qd
+        return partial(residual, by[index[name]])
+
+    found = Add(*(plain_number(weight) * force(name) for name, weight in balance.weights))
+    tied, rows = [name for name, _ in balance.ties], [row for _, row in balance.ties]
+    if tied:
+        matrix = ImmutableDenseMatrix([[slope(row, name) for row in rows] for name in tied])
+        multipliers = matrix.LUsolve(ImmutableDenseMatrix([-force(name) for name in tied]))
+        leading = [(plain_number(weight), name) for name, weight in balance.weights]
+        pull = [Add(*(weight * slope(row, name) for weight, name in leading)) for row in rows]
+        found += Add(*(lam * each for lam, each in zip(multipliers, pull, strict=True)))
+    return replaced(found, dict.fromkeys(table.qd, Integer(0))) if balance.still else found
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -26,6 +26,7 @@ Mechanical: TypeAlias = (
     | flat.ReactionAlong
     | flat.SystemEnergy
     | flat.GeneralizedMomentum
+    | flat.ForceBalance
     | flat.LinearMomentum
     | flat.AngularMomentum
     | flat.AdmissibleMotion

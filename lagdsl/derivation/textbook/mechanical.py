@@ -13,6 +13,7 @@ from lagdsl.derivation.textbook.contributions import (
     Contributions,
     Inertial,
     contributions,
+    force_balance,
     generalized_force,
     held_rates,
 )
@@ -55,6 +56,8 @@ class MechanicalValues:
                 return self._energy(kind)
             case flat.GeneralizedMomentum(coordinate):
                 return self.momenta[[c.name for c in self.model.coordinates].index(coordinate)]
+            case flat.ForceBalance():
+                return force_balance(self.model, self.parts, node)
             case flat.LinearMomentum():
                 return _vector_sum([geometry.scale(item.mass, item.velocity) for item in self.parts.inertials])
             case flat.AngularMomentum(body, about):

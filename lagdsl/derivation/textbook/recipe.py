@@ -11,7 +11,7 @@ Everything is bounded: what would not fit a page is counted and named, not expan
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 from sympy import Add, Expr, Symbol, cos, sin
@@ -39,6 +39,7 @@ from lagdsl.derivation.textbook.steps.actions import ActionStep, action_steps
 from lagdsl.derivation.textbook.steps.short_equations import ShortEquations, short_equations
 from lagdsl.derivation.textbook.symbols import Symbols, occurring, replaced
 from lagdsl.derivation.textbook.tidy import size, times
+from lagdsl.language.flat.balanced import balanced
 from lagdsl.language.flat.listing import computed_outputs
 from lagdsl.language.flat.model import Constraint, Definition, FlatModel, Output
 
@@ -117,6 +118,15 @@ class Derivation:
     sources: tuple[Source, ...]
     terms: tuple[Term, ...]
 
+    @property
+    def balanced(self) -> dict[Symbol, Symbol]:
+        """Coordinates, with their accelerations, whose equations hold neither accelerations nor multipliers: they
+        balance forces."""
+        solved, found = {*self.symbols.qdd, *self.symbols.lam}, zip(self.coordinates, self.rights, strict=True)
+        none = [solved.isdisjoint(occurring(step.left - right)) for step, right in found]
+        both = zip(self.symbols.q, self.symbols.qdd, none, strict=True)
+        return {q: acceleration for q, acceleration, held in both if held}
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recipe:
@@ -134,8 +144,10 @@ class Recipe:
 
 
 def recipe(flat: FlatModel) -> Recipe:
-    """The derivation of `flat`, written out if the model is of modest extent."""
-    prepared = familiar(flat)
+    """The derivation of `flat`, written out if the model is of modest extent. Balances of forces along directions
+    without inertia are no constraints on paper: they stand among Lagrange's equations."""
+    written = tuple(constraint for constraint in flat.constraints if not balanced(constraint))
+    prepared = familiar(replace(flat, constraints=written))
     found = extent(prepared.flat)
     derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
     short = short_equations(prepared.flat, found) if found.reasons else None

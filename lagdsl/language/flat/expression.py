@@ -259,6 +259,18 @@ class GeneralizedMomentum(Mechanical):
 
 
 @record()
+class ForceBalance(Mechanical):
+    """Force along a direction without inertia, in the residual of its constraint: the sum over coordinates of their
+    weights times f of M qdd - J' lam = f. `ties` are further coordinates, each with a row of the constraints: they move
+    so that these rows hold, whatever the parameters are, and pivots in this order are not zero. `still`: it holds no
+    rates, and none is left of terms that cancel."""
+
+    weights: tuple[tuple[str, float], ...]
+    ties: tuple[tuple[str, str], ...]
+    still: bool
+
+
+@record()
 class LinearMomentum(Mechanical):
     """Vector: sum of m v over all masses and bodies."""
 
@@ -309,8 +321,8 @@ class RequiredForce(OfMechanism):
 FlatExpression: TypeAlias = (
     "Number | Variable | Previous | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm "
     "| Vector | PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
-    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum "
-    "| AdmissibleMotion | Motion | RequiredForce"
+    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | ForceBalance | LinearMomentum "
+    "| AngularMomentum | AdmissibleMotion | Motion | RequiredForce"
 )
 
 ZERO = Number(0.0)

@@ -31,6 +31,7 @@ _Called: TypeAlias = (
     | fx.ReactionAlong
     | fx.SystemEnergy
     | fx.GeneralizedMomentum
+    | fx.ForceBalance
     | fx.LinearMomentum
     | fx.AngularMomentum
     | fx.AdmissibleMotion
@@ -120,6 +121,9 @@ def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case
             return {"total": "energy()", "jacobi": "jacobi_integral()"}.get(kind, f"{kind}_energy()")
         case fx.GeneralizedMomentum(coordinate):
             return f"momentum({coordinate})"
+        case fx.ForceBalance(weights, ties, _):
+            moved = [*(f"{weight:g}*{name}" for name, weight in weights), *(name for name, _ in ties)]
+            return f"force({', '.join(moved)})"
         case fx.LinearMomentum():
             return "linear_momentum()"
         case fx.AngularMomentum(body, _):

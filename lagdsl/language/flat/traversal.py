@@ -42,7 +42,7 @@ def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  #
             return (expression.point,)
         case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():
             return ()
-        case fx.GeneralizedMomentum() | fx.LinearMomentum():
+        case fx.GeneralizedMomentum() | fx.ForceBalance() | fx.LinearMomentum():
             return ()
         case fx.Motion():
             given = tuple(value for _, value in expression.parameters)

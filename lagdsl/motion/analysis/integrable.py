@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.derivation.structure.names import balance_rows
 from lagdsl.derivation.structure.points import Probe, geometry, probes
 from lagdsl.foundation.numerics.rank import Floats, null_space
 from lagdsl.motion.analysis.point import Directions, Point, System, constraint_changes, coordinate_sizes
@@ -16,13 +17,19 @@ _CLOSED = 1e-9
 
 
 def integrable_rows(system: System, point: Point) -> list[int]:
-    """Indices of the integrable rows of velocity level, at general points of the constraint set."""
+    """Indices of the integrable rows of velocity level, at general points of the constraint set. Balances of forces are
+    none: what they move approaches its place at rates of its own."""
     layout = system.engine.layout
     if all(layout.position_level):
         return []
     space = geometry(system.flat, system.engine, point.p)
     places = probes(system.flat, space, space.position_rows)
-    found = [row for row, level in enumerate(layout.position_level) if not level and not layout.redundant[row]]
+    moving = balance_rows(system.flat)
+    found = [
+        row
+        for row, level in enumerate(layout.position_level)
+        if not level and not layout.redundant[row] and row not in moving
+    ]
     curls = [_curls(system, point, place, found) for place in places]
     forms = [_forms(system, point, place) for place in places]
     while found:

@@ -9,18 +9,19 @@ systems, Journal of Mechanical Design 104 (1982) 247-255.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.derivation.structure.names import contact_rows
+from lagdsl.derivation.structure.names import balanced_coordinates, contact_rows
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats, rank
 from lagdsl.motion.analysis.point import Directions, Point, System, constraint_changes, coordinate_sizes
 
 # Of coordinates that can be left out equally well, the last ones are.
 _PREFERENCE = 1e-3
+_LIGHT = 1e3
 _DEPENDS = 1e-8
 # A row this much shorter than the longest has no content.
 _VANISHES = 1e-12
@@ -77,11 +78,12 @@ def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> 
         sink.report("E0850", None, names=", ".join(f"`{name}`" for name in slack))
         return None
     place = list(range(len(sizes)))
-    dependent = _dependent(rows[list(held)], place)
+    light = balanced_coordinates(system.flat)
+    dependent = _dependent(rows[list(held)], place, light)
     position = [j for j in place if j not in set(dependent)]
     # The rows of velocity level restrict the rates of independent coordinates to this space.
     tangent = _null_basis(rows[list(held)], dependent, position)
-    further = _dependent(rows @ tangent, position)
+    further = _dependent(rows @ tangent, position, light)
     rate = [j for j in position if j not in set(further)]
     return Partition(tuple(position), tuple(rate), tuple(held), jacobian, sizes)
 
@@ -147,8 +149,9 @@ def _powers_of_two(lengths: Floats) -> Floats:
     return np.ldexp(1.0, np.frexp(lengths)[1])
 
 
-def _dependent(rows: Floats, place: Sequence[int]) -> list[int]:
-    """Of the columns, which belong to `place`, as many as the rank says, the best conditioned ones."""
+def _dependent(rows: Floats, place: Sequence[int], light: Container[int] = ()) -> list[int]:
+    """Of the columns, which belong to `place`, as many as the rank says: the best conditioned ones, of `light` ones
+    before others. The rate of a coordinate without inertia is no state: it jumps where forces do."""
     from scipy.linalg import qr
 
     if not rows.size:
@@ -156,6 +159,7 @@ def _dependent(rows: Floats, place: Sequence[int]) -> list[int]:
     # Absolute: rows have unit length, and what is left of those that hold already is round-off.
     count = int(np.count_nonzero(np.linalg.svd(rows, compute_uv=False) > _DEPENDS))
     weights = 1.0 + _PREFERENCE * np.arange(rows.shape[1]) / rows.shape[1]
+    weights[[j in light for j in place]] *= _LIGHT
     order = qr(rows * weights, mode="r", pivoting=True)[1]
     return sorted(place[j] for j in order[:count])
 

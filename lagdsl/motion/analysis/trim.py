@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.derivation.structure.names import configuration
+from lagdsl.derivation.structure.names import balanced_coordinates, configuration
 from lagdsl.derivation.structure.points import random_points
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import listing
@@ -201,11 +201,15 @@ def _task(
     chosen = partition(system, start, holonomic_rows(system), sink)
     if chosen is None:
         return None
-    following = [n + j for j in range(n) if j not in set(chosen.rate)] if len(chosen.jacobian) else []
+    light = balanced_coordinates(flat)
+    at_rest = not np.any(np.delete(start.qd, light)) and not any(n <= j < 2 * n for j in free)
+    if at_rest:  # forces move what has no inertia at the start, and not at the equilibrium
+        start = replace(start, qd=np.zeros(n))
+    held = {*chosen.rate, *(light if at_rest else ())}
+    following = [n + j for j in range(n) if j not in held] if len(chosen.jacobian) else []
     default = [j for j, c in enumerate(flat.coordinates) if not c.fixed]
     default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
     unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
-    at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
     sizes = coordinate_sizes(system, start.p)
     states = first_order_sizes(system, start)
     inputs = np.maximum(np.abs(start.u), 1.0)

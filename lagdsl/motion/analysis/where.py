@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from lagdsl.derivation.structure.names import balanced_coordinates
 from lagdsl.foundation.diagnostics import Sink, failed
 from lagdsl.foundation.diagnostics.suggest import listing
 from lagdsl.foundation.numerics.rank import Floats
@@ -142,7 +143,9 @@ def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None
     start = dict(where.start)
     free, hold = (tuple(own_name(system.flat, name) for name in names) for names in (where.free, where.hold))
     if not where.steady:
-        start = {**{f"der({c.name})": 0.0 for c in system.flat.coordinates}, **start}
+        light = balanced_coordinates(system.flat)  # forces decide about these
+        still = [c.name for j, c in enumerate(system.flat.coordinates) if j not in light]
+        start = {**{f"der({name})": 0.0 for name in still}, **start}
     return trim_at(system, _state(system, where, start, None), free=free, hold=hold, sink=sink)
 
 

@@ -28,26 +28,36 @@ def test_a_loop_with_an_inductance_is_sound() -> None:
     assert not _errors(RING.format(inductance="1 mH", second="coil = resistor"))
 
 
-def test_a_loop_without_one_is_told_with_all_its_charges_once() -> None:
-    (error,) = _errors(RING.format(inductance="1 mH", second="coil = 0"))
+def test_a_loop_of_sources_is_told_with_all_its_charges_once() -> None:
+    text = (
+        RING.format(inductance="1 mH", second="coil = 0")
+        .replace("1/2*R*der(resistor)^2", "0 W")
+        .replace("capacitor^2", "coil^2")
+    )
+    (error,) = _errors(text)
     assert error.code == "E0503"
-    assert error.notes == ("der(capacitor) and der(resistor) can change together without kinetic energy",)
+    assert error.notes == ("no force determines the motion in which `capacitor` and `resistor` change together",)
     assert error.help is not None and "inductance" in error.help
+
+
+def test_a_loop_without_an_inductance_is_told() -> None:
+    found = lagdsl.check(RING.format(inductance="1 mH", second="coil = 0"))
+    assert [each.code for each in found if each.code != "W0814"] == ["N0529"]
 
 
 def test_a_loose_flange_is_told_with_its_component() -> None:
     (error,) = _errors(
         """
         model Shafts
-          import Lag.Rotational.{Rotor, Damper};
+          import Lag.Rotational.{Rotor, TorqueBetween};
           Rotor rotor(J = 2 kg.m2);
-          Damper oil(c = 1 N.m.s/rad);
-          constraint joined: rotor.phi = oil.phi_a;
+          TorqueBetween motor(tau = 1 N.m);
+          constraint joined: rotor.phi = motor.phi_a;
         end Shafts;
         """
     )
-    assert error.code == "E0503" and error.message == "`oil.phi_b` has no inertia"
-    assert [label.span.text for label in error.labels] == ["phi_b", "oil"]
+    assert error.code == "E0503" and error.message == "`motor.phi_b` has no inertia"
+    assert [label.span.text for label in error.labels] == ["phi_b", "motor"]
     assert error.help is not None and error.help.startswith("connect it")
 
 
@@ -69,10 +79,10 @@ def test_a_circuit_without_ground_is_told_what_is_missing() -> None:
     assert note.code == "N0607" and note.help is not None and "Ground" in note.help
 
 
-def test_a_resistor_across_a_capacitor_is_told_with_both() -> None:
-    text = CIRCUIT.format(coil="Resistor other(R = 1 Ohm);", ground="Ground ground;", to_ground=", ground.p")
-    (error,) = _errors(text)
-    assert error.code == "E0503" and error.message == "`other.q` has no inertia"
-    assert error.notes == ("der(C1.q) and der(other.q) can change together without kinetic energy",)
-    assert [label.span.text for label in error.labels] == ["q", "other"]
-    assert not _errors(text.replace("Resistor other(R = 1 Ohm)", "Inductor other(L = 1 mH)"))
+def test_a_source_across_another_is_told_with_both() -> None:
+    text = CIRCUIT.format(coil="VoltageSource other(v = 1 V);", ground="Ground ground;", to_ground=", ground.p")
+    (error,) = _errors(text.replace("Capacitor C1(C = 10 uF, q(start = 1 mC))", "VoltageSource C1(v = 2 V)"))
+    assert error.code == "E0503" and error.message == "`C1.q` has no inertia"
+    assert error.notes == ("no force determines the motion in which `C1.q` and `other.q` change together",)
+    assert [label.span.text for label in error.labels] == ["q", "C1"]
+    assert not _errors(text.replace("VoltageSource other(v = 1 V)", "Resistor other(R = 1 Ohm)"))

@@ -53,6 +53,17 @@ def quarter_car(p: Parameters, t: Floats) -> dict[str, Floats]:
     return {"zs": x[0], "zu": x[1], "tyre": kt * (0.05 - x[1]), "comfort": (a @ (x - rest[:, None]))[2]}
 
 
+def viscoelastic_mount(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The knot is at y = (k1 x + k2 s)/(k0 + k1 + k2); c (x' - s') = k2 (s - y); matrix exponential of x, s, x'."""
+    k0, k1, k2 = p["k0"], p["k1"], p["k2"]
+    y = np.array([k1, k2, 0.0]) / (k0 + k1 + k2)
+    s = np.array([0.0, 1.0, 0.0])
+    pull = k2 * (s - y)
+    a = np.array([[0.0, 0.0, 1.0], np.array([0.0, 0.0, 1.0]) - pull / p["c"], -k0 * y / p["m"]])
+    states = np.array([expm(a * time) @ [0.02, 0.0, 0.0] for time in t]).T
+    return {"x": states[0], "s": states[1], "y": y @ states, "base": k0 * y @ states}
+
+
 def maglev(p: Parameters, t: Floats) -> dict[str, Floats]:
     """m gap'' = m g - K i^2/(2 gap^2), d((L0 + K/gap) i)/dt = v - R i."""
     m, R, L0, K, ref = p["m"], p["R"], p["L0"], p["K"], p["ref"]

@@ -29,7 +29,7 @@ from lagdsl.language.flat.traversal import operands, step_expressions
 
 Provided: TypeAlias = (
     "flat.Multiplier | flat.FrameReaction | flat.ReactionAlong | flat.SystemEnergy | flat.GeneralizedMomentum "
-    "| flat.LinearMomentum | flat.AngularMomentum | flat.AdmissibleMotion | flat.RequiredForce"
+    "| flat.ForceBalance | flat.LinearMomentum | flat.AngularMomentum | flat.AdmissibleMotion | flat.RequiredForce"
 )
 
 

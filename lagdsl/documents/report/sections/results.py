@@ -26,6 +26,7 @@ from lagdsl.documents.report.document import (
     text,
 )
 from lagdsl.documents.report.intermediate import LONGEST
+from lagdsl.documents.report.names import listed
 from lagdsl.documents.report.notation import dotted, name_box
 from lagdsl.documents.report.page import Page, partial
 from lagdsl.documents.report.sections.left_side import definition_lines
@@ -44,6 +45,10 @@ _TURNING = "Angles of cut joints are known up to whole turns; a recorded motion 
 _SIGN = "A positive multiplier pushes towards a larger left-hand side."
 _DEFINITIONS = "Written out where they are differentiated, kept as symbols elsewhere."
 _LONG_DEFINITIONS = "Short ones are written out where they are differentiated, all others are kept as symbols."
+_BALANCED = (
+    ": the equation is a balance of forces, which determines the place or the rate; its derivatives by time determine "
+    "the acceleration."
+)
 _JACOBI = (
     "Time does not occur in the Lagrangian and no load or dashpot works: the Jacobi integral, the sum of each rate "
     "times its momentum less the Lagrangian, is constant. The energy is not: what moves the frames by prescription "
@@ -62,7 +67,12 @@ def equations(page: Page) -> list[Block]:
         lines.append(
             Equation(_left(page, step, left), page.typeset(d.rights[j], right), final=True, unit=_force(page, j))
         )
-    return [Heading("Equations of motion"), Equations(tuple(lines)), *_matrix_form(page)]
+    return [Heading("Equations of motion"), Equations(tuple(lines)), *_balanced(page), *_matrix_form(page)]
+
+
+def _balanced(page: Page) -> list[Block]:
+    names = listed([page.notation.of(q) for q in page.derivation.balanced])
+    return [Paragraph((Text("No inertia acts along "), *names, Text(_BALANCED)))] if names else []
 
 
 def _force(page: Page, j: int) -> str | None:

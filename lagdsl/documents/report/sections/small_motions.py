@@ -63,10 +63,9 @@ _OF_CONSTRAINED = ". Small motions about it keep the constraints; `lag modes` fi
 _OF_CONTACTS = (
     "Of each contact the gap or the multiplier is zero, and neither is negative: it is open, or closed and pushes."
 )
+_HOLD = "They hold at "
 _NOWHERE = "They have no solution: the system stays nowhere at rest."
-_SINGULAR = (
-    "They hold only where the matrix of the accelerations is singular and the coordinates determine no motion: at "
-)
+_SINGULAR = "They hold only where the matrix of the accelerations is singular, which determines no motion: at "
 _LONGEST_IN_LINE = 80  # letters of a value; longer ones stand in a line of their own
 _COUPLED = ": the squares of their frequencies are roots of a longer polynomial; `lag modes` finds them."
 _DAMPED = " are coupled by damping or gyroscopic terms; `lag modes` finds their eigenvalues."
@@ -93,8 +92,8 @@ def accelerations(page: Page) -> list[Block]:
             for symbol, value in found.values
         )
         blocks.append(Equations(tuple(lines)))
-    if found.left_out:
-        names = listed([page.notation.of(symbol) for symbol in found.left_out])
+    if left_out := [symbol for symbol in found.left_out if symbol not in page.derivation.balanced.values()]:
+        names = listed([page.notation.of(symbol) for symbol in left_out])
         words = f": more than {LONGEST_SOLUTION} terms and factors, or not determined; they are solved in numbers."
         blocks.append(Paragraph((Text("Not written out are "), *names, Text(words))))
     return blocks
@@ -158,7 +157,7 @@ def _unless(page: Page, equilibrium: Equilibrium) -> Paragraph:
 
 
 def _nowhere(page: Page, singular: Sequence[Equilibrium]) -> Paragraph:
-    words: list[Text | Math] = [Text(_SINGULAR if singular else _NOWHERE)]
+    words: list[Text | Math] = [Text(_NOWHERE if not singular else _HOLD if page.derivation.balanced else _SINGULAR)]
     for number, place in enumerate(_places(page, singular)):
         words += [Text(" and at "), *place] if number else place
     return Paragraph((*words, Text(".")) if singular else tuple(words))

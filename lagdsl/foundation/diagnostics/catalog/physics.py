@@ -147,4 +147,10 @@ ROWS: dict[str, Row] = {
         label="asks for forces that a motion requires",
         help="name independent coordinates of the equations of motion",
     ),
+    "N0529": note(
+        "no inertia acts along {names}: balances of forces determine the motion there",
+        label="no kinetic energy depends on der({name})",
+        help="this is correct for a knot of springs, the middle of two dampers or a circuit without a coil; else give "
+        "a mass or an inertia to what moves",
+    ),
 }

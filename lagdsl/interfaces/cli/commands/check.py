@@ -44,7 +44,8 @@ def _line(compilation: Compilation) -> str:
     from lagdsl.derivation.structure.structure import structure_text
 
     layout = compilation.program.layout
-    lasting = len(layout.constraints) - len(compilation.structure.contacts)
+    balances = len(compilation.structure.balances)
+    lasting = len(layout.constraints) - len(compilation.structure.contacts) - balances
     counts = (
         (lasting, "constraint"),
         (len(layout.states), "state"),
@@ -53,7 +54,7 @@ def _line(compilation: Compilation) -> str:
     )
     parts = [_counted(number, noun) for number, noun in counts]
     if lasting:
-        parts[0] += f" (rank {compilation.structure.rank})"
+        parts[0] += f" (rank {compilation.structure.rank - balances})"
     shown = _display_units(compilation.flat)
     return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}{shown}"
 
