@@ -41,6 +41,7 @@ from lagdsl.language.semantics.variables.rates import check_inputs, check_linear
 from lagdsl.language.semantics.variables.resolver import Definitions, every
 from lagdsl.language.semantics.variables.scale_points import check_difference
 from lagdsl.language.semantics.wellformed.corners import check_changing_inertia, check_corners
+from lagdsl.language.semantics.wellformed.delays import check_delays
 from lagdsl.language.semantics.wellformed.feedback import with_feedback
 from lagdsl.language.syntax import nodes
 from lagdsl.language.syntax.recursion import deep_recursion
@@ -230,6 +231,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)
+    check_delays(flat, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
     warn_unused(ctx, contents.symbols)
     warn_unlike(ctx)

@@ -68,8 +68,8 @@ class Lowering:
         self.symbols = symbols
         self.provide: Callable[[Provided], Value] | None = None
         self.place: Spans = ()
-        self.rate = TimeDerivative(graph, self._rate_of_symbol)
-        self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True)
+        self.rate = TimeDerivative(graph, self._rate_of_symbol, delayed=symbols.delay_rate)
+        self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True, delayed=symbols.delay_rate)
         self.values = Values()
         self._items = _items(model)
         self._poses = Poses(graph, self.rate, release or Release())

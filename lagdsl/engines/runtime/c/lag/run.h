@@ -18,6 +18,7 @@
 #include "lag/events/clock.h"
 #include "lag/run/extremes.h"
 #include "lag/events/instant.h"
+#include "lag/equations/delays.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
 #include "lag/equations/rank.h"
@@ -164,6 +165,7 @@ struct lag_run {
     lag_clock pace;   /* the ends of steps of fixed length, counted: nothing adds up */
     lag_clock *clock; /* (nclock) */
     lag_turns turns;
+    lag_delays delays;
     lag_half half;
     lag_counts counts;
     lag_lost lost;
@@ -318,6 +320,8 @@ void lag_run_lose(lag_run *run, double t, const double *x);
 /* True if runs of the model cross singular positions by themselves. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
+/* What is delayed, from the end of its past on, along the last step up to time t. */
+lag_status lag_run_keep_past(lag_run *run, double t);
 /* Records the rows before time t, or up to it, from the last step. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
 /*

@@ -220,6 +220,14 @@ static lag_status evaluate_turn(const lag_model *model, const lag_arguments *at,
     return model->turn == NULL ? LAG_MISSING : model->turn(at, value, rate, turn, entry);
 }
 
+static lag_status evaluate_delayed(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const time = value + model->ndelay;
+    double *const direct = time + model->ndelay;
+    return model->delayed == NULL ? LAG_MISSING : model->delayed(at, value, time, direct);
+}
+
 static lag_status evaluate_friction(const lag_model *model, const lag_arguments *at, double *results)
 {
     double *const slip = results;
@@ -373,6 +381,7 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         [LAG_CORNER] = evaluate_corner,
         [LAG_WAY] = evaluate_way,
         [LAG_TURN] = evaluate_turn,
+        [LAG_DELAYED] = evaluate_delayed,
         [LAG_FRICTION] = evaluate_friction,
         [LAG_LOAD] = evaluate_load,
         [LAG_LOAD_TANGENT] = evaluate_load_tangent,

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/delays.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
@@ -172,6 +173,9 @@ void lag_motion_set_state(lag_motion *motion, double t, const double *x)
     motion->at.z = x + 2 * n;
     if (motion->inputs != NULL) {
         motion->inputs(motion->context, t, t >= motion->until, motion->u);
+    }
+    if (motion->delays != NULL) {
+        lag_delays_set(motion->delays, t);
     }
 }
 

@@ -1,0 +1,54 @@
+"""Delayed values where their derivatives would be needed (E0391)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from lagdsl.foundation.diagnostics import Label, Sink
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.event_flow import branches
+from lagdsl.language.flat.events import Impact
+from lagdsl.language.flat.expression import FlatExpression
+from lagdsl.language.flat.reached import reached
+from lagdsl.language.flat.spans import place
+from lagdsl.language.flat.traversal import records
+
+Use = tuple[str, Sequence[FlatExpression], fm.Item | None]
+
+
+def check_delays(flat: fm.FlatModel, sink: Sink) -> None:
+    """The equations differentiate energies, places of masses, constraints and gaps, by coordinates or by time."""
+    delays = {each.name: each for each in flat.events.delays}
+    for what, roots, item in _differentiated(flat) if delays else ():
+        below = (x.name for x in reached(flat, roots) if isinstance(x, fx.Variable) and x.name in delays)
+        name = next(below, None)
+        if name is not None:
+            here = (Label(place(item), "differentiated here"),) if item is not None and item.spans else ()
+            sink.report("E0391", place(delays[name]), *here, name=name, what=what)
+
+
+def _differentiated(flat: fm.FlatModel) -> Iterator[Use]:
+    for term in flat.energies:
+        yield ("the dissipation" if term.kind == "dissipation" else "an energy"), [term.value], term
+    for mass in flat.masses:
+        yield "a mass or its place", [mass.mass, mass.position], mass
+    for body in flat.bodies:
+        yield "a body or its place", [body.mass, *body.com, *body.inertia, fx.FrameOrigin(body.frame)], body
+    if flat.gravity is not None:
+        yield "the gravity", [flat.gravity], None
+    for constraint in flat.constraints:
+        yield "a constraint", constraint.residuals, constraint
+    actions = (action for branch in branches(flat) for action in branch.actions)
+    for each in (*flat.events.contacts, *(action for action in actions if isinstance(action, Impact))):
+        yield "a gap", [each.gap], each
+    for friction in flat.events.frictions:
+        yield "a slip", friction.slips, friction
+    for node in records(flat):
+        match node:
+            case fx.Derivative(operand):
+                yield "`der(...)`", [operand], None
+            case fx.MaterialVelocity() | fx.AngularVelocity():
+                yield "a velocity", [fx.FrameOrigin(node.frame)], None
+            case _:
+                pass
