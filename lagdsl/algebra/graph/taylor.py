@@ -24,7 +24,9 @@ class TimeDerivative(Tangent):
     them.
     """
 
-    def __init__(self, graph: Graph, rate: Callable[[int], int], *, bias: bool = False, delayed: Mapping[int, int] | None = None) -> None:
+    def __init__(
+        self, graph: Graph, rate: Callable[[int], int], *, bias: bool = False, delayed: Mapping[int, int] | None = None
+    ) -> None:
         super().__init__(graph, (*MOVING, Group.W) if delayed else MOVING, self._motion)
         self._delayed = delayed or {}
         self._graph_of_rates = graph

@@ -55,9 +55,9 @@ class Status(IntEnum):
     BAD_CLOCK = 19
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
-    BAD_DELAY = 22
-    LONG_PAST = 23
-    NO_FORCES = 24
+    NO_FORCES = 22
+    BAD_DELAY = 23
+    LONG_PAST = 24
 
 
 class InitialFault(IntEnum):

@@ -10,11 +10,12 @@ from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.event_flow import branches
 from lagdsl.language.flat.events import Impact
 from lagdsl.language.flat.expression import FlatExpression
+from lagdsl.language.flat.quantity import Item
 from lagdsl.language.flat.reached import reached
 from lagdsl.language.flat.spans import place
 from lagdsl.language.flat.traversal import records
 
-Use = tuple[str, Sequence[FlatExpression], fm.Item | None]
+Use = tuple[str, Sequence[FlatExpression], Item | None]
 
 
 def check_delays(flat: fm.FlatModel, sink: Sink) -> None:
@@ -24,7 +25,7 @@ def check_delays(flat: fm.FlatModel, sink: Sink) -> None:
         below = (x.name for x in reached(flat, roots) if isinstance(x, fx.Variable) and x.name in delays)
         name = next(below, None)
         if name is not None:
-            here = (Label(place(item), "differentiated here"),) if item is not None and item.spans else ()
+            here = () if item is None else tuple(Label(span, "differentiated here") for span in item.spans[:1])
             sink.report("E0391", place(delays[name]), *here, name=name, what=what)
 
 
@@ -40,8 +41,11 @@ def _differentiated(flat: fm.FlatModel) -> Iterator[Use]:
     for constraint in flat.constraints:
         yield "a constraint", constraint.residuals, constraint
     actions = (action for branch in branches(flat) for action in branch.actions)
-    for each in (*flat.events.contacts, *(action for action in actions if isinstance(action, Impact))):
-        yield "a gap", [each.gap], each
+    for contact in flat.events.contacts:
+        yield "a gap", [contact.gap], contact
+    for action in actions:
+        if isinstance(action, Impact):
+            yield "a gap", [action.gap], action
     for friction in flat.events.frictions:
         yield "a slip", friction.slips, friction
     for node in records(flat):

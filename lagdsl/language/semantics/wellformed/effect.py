@@ -38,8 +38,10 @@ def physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
     for load in flat.loads:
         yield dependence.of_all(load_expressions(load))
         yield from (dependence.of_frame(frame) for frame in load_frames(load))
-    for each in (*flat.events.feedbacks, *flat.events.delays):
-        yield dependence.of(each.value)
+    for feedback in flat.events.feedbacks:
+        yield dependence.of(feedback.value)
+    for delay in flat.events.delays:
+        yield dependence.of(delay.value)
 
 
 def load_expressions(load: fm.Load) -> list[fx.FlatExpression]:

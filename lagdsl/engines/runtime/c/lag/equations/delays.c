@@ -89,10 +89,11 @@ static void find_terms(const double *values, size_t stride, double *terms)
         for (size_t j = 0; j < LAG_DELAY_TERMS; ++j) {
             const size_t turn = j * k % (2 * LAG_DELAY_DEGREE);
             const double cosine = lag_delay_nodes[turn <= LAG_DELAY_DEGREE ? turn : 2 * LAG_DELAY_DEGREE - turn];
-            sum += (j == 0 || j == LAG_DELAY_DEGREE ? 0.5 : 1.0) * values[j * stride] * cosine;
+            sum += (j == 0 || j == LAG_DELAY_DEGREE ? 0.5 : 1.0) * (values[j * stride] - values[0]) * cosine;
         }
         terms[k] = sum * (k == 0 || k == LAG_DELAY_DEGREE ? 1.0 : 2.0) / LAG_DELAY_DEGREE;
     }
+    terms[0] += values[0]; /* so that constants are exact */
 }
 
 /* Expression i in a piece, at time t. */
@@ -214,20 +215,26 @@ double lag_delays_misfit(const lag_delays *delays, size_t which, double x, doubl
     return fmax(fabs(terms[LAG_DELAY_DEGREE]), fabs(sum_of(terms, x, &slope) - known)) / delays->limit[which];
 }
 
+/* True if expression i jumps where piece k begins. */
+static int jumps_before(const lag_delays *delays, size_t k, size_t i)
+{
+    double rate = 0.0;
+    const double before = value_in(delays, k - 1, i, delays->begin[k], &rate);
+    return fabs(value_in(delays, k, i, delays->begin[k], &rate) - before) > delays->limit[i];
+}
+
 lag_status lag_delays_add(lag_delays *delays, double end)
 {
     const size_t n = delays->motion->model->ndelay;
     const size_t k = delays->count;
     int jumps = 0;
-    double rate = 0.0;
+    delays->begin[k + 1] = end;
     for (size_t i = 0; i < n && delays->level == 0 && k > delays->first; ++i) {
-        const double before = value_in(delays, k - 1, i, delays->begin[k], &rate);
-        jumps = jumps || fabs(sum_of(terms_of(delays, k, i), -1.0, &rate) - before) > delays->limit[i];
+        jumps = jumps || jumps_before(delays, k, i);
     }
     delays->order[k] = delays->level == 0 && !jumps ? 1.0 : (double)delays->level;
     delays->level = LAG_DELAY_SMOOTH;
     delays->count = k + 1;
-    delays->begin[k + 1] = end;
     return delays->count + 1 < LAG_DELAY_PIECES ? LAG_OK : make_room(delays);
 }
 
@@ -391,8 +398,9 @@ void lag_delays_change(lag_delays *delays, double t)
     delays->jumped = 0;
     for (size_t i = 0; i < n; ++i) {
         while (delays->ahead[i] + delays->time[i] <= reach) {
-            const int level = (int)delays->order[piece_at(delays, delays->ahead[i])];
-            delays->jumped = delays->jumped || level == 0;
+            const size_t piece = piece_at(delays, delays->ahead[i]);
+            const int level = (int)delays->order[piece];
+            delays->jumped = delays->jumped || (level == 0 && jumps_before(delays, piece, i));
             delays->level = (int)fmin(delays->level, level + (delays->direct == 0.0));
             delays->from[i] = delays->clear[i] = delays->ahead[i];
             look_ahead(delays, i);
