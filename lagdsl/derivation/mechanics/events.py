@@ -18,6 +18,7 @@ from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.algebra.graph.taylor import TimeDerivative
 from lagdsl.derivation.mechanics.lowering.acceleration import needs_accelerations
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering
+from lagdsl.derivation.mechanics.lowering.symbols import delay_rates
 from lagdsl.derivation.program.functions import OPTIONAL
 from lagdsl.derivation.program.program import Block, Function, matrix_block, number_block, vector_block
 from lagdsl.language.flat.dependence import Dependence
@@ -90,7 +91,7 @@ def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> li
         is_known = group is Group.Z or (group is Group.U and flat.inputs[index].name in differentiated_inputs)
         return lowering.rate.of(symbol) if is_known else graph.symbol(given[group], index)
 
-    along = TimeDerivative(graph, rate, delayed=lowering.symbols.delay_rate)
+    along = TimeDerivative(graph, rate, delayed=delay_rates(lowering.symbols, flat))
     rates = [along.of(node) for node in indicators]
     return [vector_block("rate", rates), vector_block("acceleration", [along.of(node) for node in rates])]
 

@@ -48,11 +48,12 @@ def _differentiated(flat: fm.FlatModel) -> Iterator[Use]:
             yield "a gap", [action.gap], action
     for friction in flat.events.frictions:
         yield "a slip", friction.slips, friction
+    yield from _written_derivatives(flat)
+
+
+def _written_derivatives(flat: fm.FlatModel) -> Iterator[Use]:
     for node in records(flat):
-        match node:
-            case fx.Derivative(operand):
-                yield "`der(...)`", [operand], None
-            case fx.MaterialVelocity() | fx.AngularVelocity():
-                yield "a velocity", [fx.FrameOrigin(node.frame)], None
-            case _:
-                pass
+        if isinstance(node, fx.Derivative):
+            yield "`der(...)`", [node.operand], None
+        elif isinstance(node, fx.MaterialVelocity | fx.AngularVelocity):
+            yield "a velocity", [fx.FrameOrigin(node.frame)], None

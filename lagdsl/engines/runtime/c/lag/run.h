@@ -18,7 +18,6 @@
 #include "lag/events/clock.h"
 #include "lag/run/extremes.h"
 #include "lag/events/instant.h"
-#include "lag/equations/delays.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
 #include "lag/equations/rank.h"
@@ -165,7 +164,6 @@ struct lag_run {
     lag_clock pace;   /* the ends of steps of fixed length, counted: nothing adds up */
     lag_clock *clock; /* (nclock) */
     lag_turns turns;
-    lag_delays delays;
     lag_half half;
     lag_counts counts;
     lag_lost lost;

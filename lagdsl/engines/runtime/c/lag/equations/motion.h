@@ -2,6 +2,7 @@
 #ifndef LAG_MOTION_H
 #define LAG_MOTION_H
 
+#include "lag/delays/delays.h"
 #include "lag/dynamics.h"
 #include "lag/ode.h"
 #include "lag/parallel.h"
@@ -50,7 +51,7 @@ typedef struct lag_motion {
     void *context;       /* of inputs, and of along.tell */
     lag_motion_along along;
     const double *sizes, *row_sizes; /* (nq) (nc) natural sizes, or both null: not known */
-    struct lag_delays *delays; /* null: nothing is delayed */
+    lag_delays delays;
     double until;        /* from this time on inputs are those before a jump */
     lag_ode ode;         /* the system that the methods see; its context is this structure */
     size_t coordinate;   /* of the last singular state */

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/delays.h"
 #include "lag/linalg/arena.h"
 
 /* An instant is known to so many roundings of the last step. */
@@ -82,7 +81,7 @@ static int is_reported(const lag_instants *instants, double t)
 
 int lag_instants_due(const lag_instants *instants, double t)
 {
-    const int jumps = instants->motion->delays != NULL && lag_timed_due(&instants->timed, t);
+    const int jumps = lag_delays_next(&instants->motion->delays) <= lag_timed_behind(&instants->timed, t);
     return is_reported(instants, t) || jumps || instants->timed.next <= t;
 }
 
@@ -282,9 +281,7 @@ void lag_instants_take_back(const lag_instants *instants, double *x)
     const lag_model *model = instants->motion->model;
     memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
     memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
-    if (instants->motion->delays != NULL) {
-        lag_delays_take_back(instants->motion->delays);
-    }
+    lag_delays_take_back(&instants->motion->delays);
 }
 
 /* Carries out all that is due before the clauses: changes with time, clocks, the end of bounces. */

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/delays.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/root.h"
 
@@ -213,7 +212,7 @@ static double affine_zero(distance *one, double t)
 
 double lag_timed_next(const lag_timed *timed)
 {
-    return timed->motion->delays != NULL ? fmin(timed->next, lag_delays_next(timed->motion->delays)) : timed->next;
+    return fmin(timed->next, lag_delays_next(&timed->motion->delays));
 }
 
 int lag_timed_due(const lag_timed *timed, double t)
@@ -281,9 +280,9 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     const double later = lag_timed_behind(timed, t);
     double *w = timed->motion->w + timed->first;
     int lost = 0;
-    if (timed->motion->delays != NULL) {
-        lag_delays_change(timed->motion->delays, later);
-        timed->motion->delays->level = timed->next <= later ? 0 : timed->motion->delays->level;
+    lag_delays_change(&timed->motion->delays, later);
+    if (timed->next <= later) {
+        timed->motion->delays.pieces.level = 0;
     }
     if (model->ntimed == 0) {
         return LAG_OK;
@@ -314,7 +313,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
 int lag_timed_is_reported(const lag_timed *timed)
 {
     const double *w = timed->motion->w + timed->first;
-    int told = timed->motion->delays != NULL && timed->motion->delays->jumped;
+    int told = timed->motion->delays.jumps.any;
     for (size_t i = 0; i < timed->motion->model->ntimed; ++i) {
         told = told || (timed->told[i] != 0.0 && w[i] != timed->before[i]);
     }

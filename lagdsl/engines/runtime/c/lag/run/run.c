@@ -20,7 +20,7 @@ size_t lag_run_numbers(const lag_model *model)
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_rank_estimate_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
-           2 * lag_guards(model) + model->np + model->nu + lag_turns_memory(model) + lag_delays_memory(model) + 1;
+           2 * lag_guards(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
 
 /* Doubles of which nothing is remembered. */
@@ -153,8 +153,6 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->half.waiting = lag_take(&memory, lag_guards(model));
     run->u_before = lag_take(&memory, model->nu);
     lag_turns_place(&run->turns, model, lag_take(&memory, lag_turns_memory(model)));
-    lag_delays_place(&run->delays, &run->motion, memory);
-    run->motion.delays = model->ndelay > 0 ? &run->delays : NULL;
     return run;
 }
 

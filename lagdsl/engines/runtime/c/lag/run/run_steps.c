@@ -287,7 +287,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
-    const double known = t + lag_delays_shortest(&run->delays);
+    const double known = t + lag_delays_shortest(&run->motion.delays);
     lag_status status = advance_to_corner(run, fmin(fmin(stop, known), lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
     memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
@@ -339,7 +339,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
-        run->delays.level = 0;
+        run->motion.delays.pieces.level = 0;
         lag_run_pass_corner(run, fmin(stop, lag_instants_next(&run->instants)));
         s->h = fmin(fmax(s->h, half->next), s->h_most);
         status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;

@@ -141,11 +141,11 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->crossings.pieces.reach);
     RECORD(run->crossings.pieces.limit);
     RECORD(run->sizes.found);
-    RECORD(run->delays.first);
-    RECORD(run->delays.count);
-    RECORD(run->delays.level);
-    RECORD(run->delays.jumped);
-    RECORD(run->delays.direct);
+    RECORD(run->motion.delays.pieces.first);
+    RECORD(run->motion.delays.pieces.count);
+    RECORD(run->motion.delays.pieces.level);
+    RECORD(run->motion.delays.pieces.length);
+    RECORD(run->motion.delays.direct);
     RECORD(run->counts.row);
     RECORD(run->counts.steps);
     RECORD(run->counts.events);
