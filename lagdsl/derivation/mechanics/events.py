@@ -80,8 +80,8 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
 
 def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> list[Block]:
     """First and second derivatives along the motion. Of what the equations do not differentiate, accelerations,
-    multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are. Those of delayed
-    values are entries of w, which stay too."""
+    multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are; so do
+    those of delayed values, entries of w."""
     graph = lowering.graph
     differentiated_inputs = {item.derivative_of for item in flat.inputs}
     given = {Group.U: Group.DIRECTION_U, Group.QDD: Group.DIRECTION_QDD, Group.LAMBDA: Group.DIRECTION_LAMBDA}

@@ -26,7 +26,9 @@ from lagdsl.language.flat.events import (
 )
 from lagdsl.language.flat.expression import FlatExpression, Variable
 from lagdsl.language.flat.quantity import Spans
+from lagdsl.language.semantics.scope.scope import Indices, Scope, Symbol
 from lagdsl.language.semantics.scope.values import Scalar
+from lagdsl.language.syntax.nodes import Expression
 
 # Names are the text, as far as this.
 _LONGEST = 80
@@ -51,13 +53,18 @@ class ForceLaws:
 
 @mutable_record()
 class Occurrences:
-    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier."""
+    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier.
+
+    `assumed` are variables that are delayed before they have values, with the dimensions that they are taken to
+    have.
+    """
 
     discretes: list[Discrete] = field(default_factory=list)
     laws: ForceLaws = field(default_factory=ForceLaws)
     whens: list[When] = field(default_factory=list)
     clocks: dict[str, Clock] = field(default_factory=dict)
     delays: dict[str, Delay] = field(default_factory=dict)
+    assumed: list[tuple[Expression, Scope, Symbol, Indices, Dimension]] = field(default_factory=list)
     instants: set[str] = field(default_factory=set)
     limits: list[Limit] = field(default_factory=list)
     memories: dict[str, Memory] = field(default_factory=dict)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from lagdsl.foundation.diagnostics import Label, Sink
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.event_flow import branches
 from lagdsl.language.flat.events import Impact
 from lagdsl.language.flat.expression import FlatExpression
@@ -18,15 +19,28 @@ from lagdsl.language.flat.traversal import records
 Use = tuple[str, Sequence[FlatExpression], Item | None]
 
 
-def check_delays(flat: fm.FlatModel, sink: Sink) -> None:
-    """The equations differentiate energies, places of masses, constraints and gaps, by coordinates or by time."""
+def check_delays(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """E0390 for what is not known with the state. E0391: the equations differentiate energies, places of masses,
+    constraints and gaps, by coordinates or by time."""
     delays = {each.name: each for each in flat.events.delays}
+    observed = {each.name for each in flat.observed}
+    moving = {item.name for item in flat.coordinates}
+    for delay in flat.events.delays:
+        orders = dependence.of(delay.value)
+        accelerates = any(orders[name] > 1 for name in orders.differentiated() if name in moving)
+        if accelerates or any(
+            isinstance(x, fx.Mechanical) or _is_in(x, observed) for x in reached(flat, [delay.value])
+        ):
+            sink.report("E0390", place(delay))
     for what, roots, item in _differentiated(flat) if delays else ():
-        below = (x.name for x in reached(flat, roots) if isinstance(x, fx.Variable) and x.name in delays)
-        name = next(below, None)
+        name = next((x.name for x in reached(flat, roots) if isinstance(x, fx.Variable) and x.name in delays), None)
         if name is not None:
             here = () if item is None else tuple(Label(span, "differentiated here") for span in item.spans[:1])
             sink.report("E0391", place(delays[name]), *here, name=name, what=what)
+
+
+def _is_in(x: FlatExpression, names: Container[str]) -> bool:
+    return isinstance(x, fx.Variable) and x.name in names
 
 
 def _differentiated(flat: fm.FlatModel) -> Iterator[Use]:
