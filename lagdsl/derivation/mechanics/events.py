@@ -154,10 +154,20 @@ def _continuous(lowering: Lowering, way: FlatExpression) -> tuple[int, ...]:
 
 
 def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
-    """Discrete variables as declared, what time alone changes as it is; all else is found by looking, at the start."""
+    """Discrete variables as declared, what time alone changes as it is, what is delayed as it is with the start values;
+    all else is found by looking, at the start."""
     known = dict.fromkeys(lowering.symbols.previous, lowering.graph.zero)
     known |= {each.name: lowering.scalar(each.start) for each in flat.events.discretes}
     known |= _as_time_stands(lowering, flat, known)
+    if flat.events.delays:
+        symbols, scalar = lowering.symbols, lowering.scalar
+        starts = [*(each.start for each in flat.coordinates), *(each.rate_start for each in flat.coordinates)]
+        starts += [*(each.start for each in flat.states), *(each.default for each in flat.inputs)]
+        moving = (*symbols.q, *symbols.qd, *symbols.z, *symbols.u)
+        values = dict(zip(moving, map(scalar, starts), strict=True))
+        values |= {symbols.previous[name]: node for name, node in known.items()}
+        at_start = Substitution(lowering.graph, values)
+        known |= {each.name: at_start.of(scalar(each.value)) for each in flat.events.delays}
     return list(known.values())
 
 

@@ -53,7 +53,8 @@ def _differentiated(flat: fm.FlatModel) -> Iterator[Use]:
     if flat.gravity is not None:
         yield "the gravity", [flat.gravity], None
     for constraint in flat.constraints:
-        yield "a constraint", constraint.residuals, constraint
+        if not constraint.of_law:
+            yield "a constraint", constraint.residuals, constraint
     actions = (action for branch in branches(flat) for action in branch.actions)
     for contact in flat.events.contacts:
         yield "a gap", [contact.gap], contact
