@@ -95,5 +95,6 @@ lag_status lag_run_keep_past(lag_run *run, double t)
             h *= 2.0;
         }
     }
+    (void)lag_delays_next(&run->motion.delays); /* up to where it reads on this side of a jump */
     return status;
 }
