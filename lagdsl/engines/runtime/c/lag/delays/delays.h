@@ -1,6 +1,6 @@
 /*
  * Delayed values: what expressions were some time ago. Steps are at most as long as the shortest delay, so what is read is always known (method of
- * steps). Where a derivative of low order jumps, as at the start of a motion and at events, it jumps again after a delay, one order higher; steps end
+ * steps). A derivative of low order that jumps, as at the start of a motion and at events, jumps again after a delay, one order higher; steps end
  * there.
  * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.17.
  *
@@ -54,7 +54,7 @@ double lag_delays_shortest(const lag_delays *delays);
 /* The next time at which a jump comes back, of those known; infinite without. */
 double lag_delays_next(lag_delays *delays);
 
-/* What is read has passed the jumps that come back up to time t; and the opposite of the last of these calls. */
+/* Reading passes the jumps that come back up to time t; and the opposite of the last of these calls. */
 void lag_delays_change(lag_delays *delays, double t);
 void lag_delays_take_back(lag_delays *delays);
 
