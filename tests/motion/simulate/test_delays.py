@@ -112,7 +112,9 @@ def test_a_force_with_a_delay_is_stable_up_to_the_critical_one() -> None:
     critical = math.atan(w) / w
     for part in (0.97, 1.0, 1.03):
         motion = _model(PD).simulate(stop=120, tolerance=1e-9, parameters={"T": part * critical})
-        before, after = (np.max(np.abs(motion["x"][(motion["time"] > at) & (motion["time"] < at + 5)])) for at in (50, 110))
+        before, after = (
+            np.max(np.abs(motion["x"][(motion["time"] > at) & (motion["time"] < at + 5)])) for at in (50, 110)
+        )
         growth = math.log(after / before) / 60.0
         assert abs(growth) < 1e-4 if part == 1.0 else growth * (part - 1.0) > 1e-4
 

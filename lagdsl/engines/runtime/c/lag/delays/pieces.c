@@ -6,8 +6,6 @@
 
 #include "lag/linalg/arena.h"
 
-/* No piece is more exact than this part of its size. */
-static const double ROUNDING = 8.0 * DBL_EPSILON;
 /* Of the pieces, so many are free after joining. */
 enum { FREE = LAG_DELAY_PIECES / 8 };
 
@@ -114,7 +112,7 @@ double lag_delay_try(lag_delay_pieces *pieces, double tolerance, double end)
         for (size_t j = 0; j < LAG_DELAY_TERMS; ++j) {
             pieces->size[i] = fmax(pieces->size[i], fabs(pieces->sample[j * n + i]));
         }
-        pieces->limit[i] = fmax(fmax(tolerance, ROUNDING) * pieces->size[i], DBL_MIN);
+        pieces->limit[i] = fmax(fmax(tolerance, 8.0 * DBL_EPSILON) * pieces->size[i], DBL_MIN); /* round-off is no error of the piece */
         const double off = fabs(sum_of(terms, lag_delay_places[LAG_DELAY_TERMS], &slope) - beside[i]);
         most = fmax(most, fmax(fabs(terms[LAG_DELAY_DEGREE]), off) / pieces->limit[i]);
     }
