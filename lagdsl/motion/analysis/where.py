@@ -17,6 +17,7 @@ from lagdsl.language.flat.spans import around, place
 from lagdsl.language.settings.aliases import own_name
 from lagdsl.motion.analysis.bode import bode_at, sampled_bode
 from lagdsl.motion.analysis.control.frequency_response import FrequencyResponse
+from lagdsl.motion.analysis.delayed import delayed_bode
 from lagdsl.motion.analysis.held import report_held, sampled
 from lagdsl.motion.analysis.integrable import integrable_rows
 from lagdsl.motion.analysis.linearization import Linearization, linearize_at
@@ -76,12 +77,14 @@ def bode(
 ) -> FrequencyResponse:
     """From one input to one output or state, at angular frequencies `omega` [rad/s], else at those that show poles,
     zeros and crossings; with `every` [s] of the sampled system. Raises CompilationFailed; warnings go to `sink`."""
-    _refuse_delays(system, "frequency response")
+    if every is not None or where.trim:
+        _refuse_delays(system, "sampled linearization" if every is not None else "search for equilibria")
     _report_assumed(system, where, sink, holds=every is None)
 
     def search(own: Sink) -> FrequencyResponse | None:
         if every is None:
-            return bode_at(system, point(system, where, own), channel, omega, own)
+            respond = delayed_bode if system.flat.events.delays else bode_at
+            return respond(system, point(system, where, own), channel, omega, own)
         linear = _sampled(system, where, every, own)
         return None if linear is None else sampled_bode(linear, channel, omega)
 
