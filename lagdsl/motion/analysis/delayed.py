@@ -1,6 +1,6 @@
 """The frequency response of a model with delays: exact, as a delay is the factor exp(-sT) between two signals.
 
-What is delayed, e, and its delayed values, d = exp(-sT) e, cut the model into one without delays: inputs u and d,
+Delayed expressions e and their delayed values d = exp(-sT) e cut the model into one without delays: inputs u and d,
 outputs y and e. With its response G the loops are closed again: y = (Gyu + Gyd (exp(sT) - Ged)^-1 Geu) u.
 """
 

@@ -49,7 +49,7 @@ lag_status lag_delays_evaluate(lag_delays *delays, double *values)
     return (*delays->model)->delayed(delays->at, values, delays->time, &delays->direct);
 }
 
-/* How far the expressions are from the present values, into `apart` (ndelay). */
+/* Distances of the expressions from the present values, into `apart` (ndelay). */
 static lag_status compare(lag_delays *delays, double *apart)
 {
     const lag_status status = lag_delays_evaluate(delays, apart);
