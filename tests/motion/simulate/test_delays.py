@@ -152,6 +152,25 @@ def test_jumps_come_back_after_the_delay() -> None:
     assert motion["h"][-1] == pytest.approx(1.0, abs=1e-13)
 
 
+def test_a_relay_with_a_delay_swings() -> None:
+    text = """
+model Relay
+  state Real x(start = 0.5);
+  discrete Integer n(start = 0);
+equation
+  der(x) = (if delay(x, 1 s) > 0 then -1 else 1)/(1 s);
+  when delay(x, 1 s) > 0 then
+    n = pre(n) + 1;
+  end when;
+end Relay;
+"""
+    motion = _model(text).simulate(stop=40, tolerance=1e-4)
+    t = motion["time"]
+    swing = np.where(t < 1.5, 0.5 - t, 1.0 - np.abs((t - 1.5) % 4.0 - 2.0))
+    assert np.max(np.abs(motion["x"] - swing)) < 1e-12
+    assert motion["n"][-1] == 10
+
+
 def test_a_variable_follows_its_own_past() -> None:
     text = """
 model Echo
