@@ -17,7 +17,7 @@ COMMENT = re.compile(r"/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", re.DOTALL | re
 STRUCT = re.compile(r"\b(?:struct|union)\s*(\w*)\s*\{")
 MEMBERS = 20
 # The table of what is generated for a model: generated text fills it, member by member.
-LARGE = {"lag_model": 116}
+LARGE = {"lag_model": 118}
 SINGULAR = ("singular_crossing", "collocation")
 
 
@@ -79,7 +79,7 @@ def test_few_constants_have_names() -> None:
 
 
 def test_the_hybrid_model_is_no_longer() -> None:
-    assert _lines(hybrid_core(RUNTIME)) <= 8053
+    assert _lines(hybrid_core(RUNTIME)) <= 8082
 
 
 def test_crossings_of_singular_positions_are_short() -> None:

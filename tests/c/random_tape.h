@@ -187,7 +187,7 @@ static inline void draw_sizes(random_tape *tape)
         n[LAG_TAPE_NRESET] = 0;
     }
     n[LAG_TAPE_NW] = 1 + 2 * n[LAG_TAPE_NCONTACT] + n[LAG_TAPE_NINDICATOR] + n[LAG_TAPE_NTIMED] + n[LAG_TAPE_NCLOCK] + 3 +
-                     2 * n[LAG_TAPE_NFRICTION] + n[LAG_TAPE_NLOAD];
+                     2 * n[LAG_TAPE_NFRICTION] + n[LAG_TAPE_NLOAD] + 2 * n[LAG_TAPE_NDELAY];
     n[LAG_TAPE_PREPARED] = 4 + any(&tape->seed, 4);
     n[LAG_TAPE_ROW] = n[LAG_TAPE_PREPARED] + 4 + any(&tape->seed, MOST_PLACES);
     n[LAG_TAPE_NAME] = 0;
@@ -240,7 +240,8 @@ static inline void put_kinds(random_tape *tape)
         [LAG_KIND_IMPACTS] = n[LAG_TAPE_NCONTACT], [LAG_KIND_RELATION] = n[LAG_TAPE_NINDICATOR],
         [LAG_KIND_TIMED] = n[LAG_TAPE_NTIMED], [LAG_KIND_CONDITION] = 1, [LAG_KIND_CLOCK] = n[LAG_TAPE_NCLOCK],
         [LAG_KIND_INITIAL] = 1, [LAG_KIND_TERMINAL] = 1, [LAG_KIND_STICKS] = n[LAG_TAPE_NFRICTION],
-        [LAG_KIND_DIRECTION] = n[LAG_TAPE_NSLIP], [LAG_KIND_LOAD] = n[LAG_TAPE_NLOAD]};
+        [LAG_KIND_DIRECTION] = n[LAG_TAPE_NSLIP], [LAG_KIND_LOAD] = n[LAG_TAPE_NLOAD], [LAG_KIND_DELAY] = n[LAG_TAPE_NDELAY],
+        [LAG_KIND_DELAY_RATE] = n[LAG_TAPE_NDELAY]};
     unsigned char kinds[64];
     uint32_t end = 0;
     for (unsigned kind = 0; kind <= LAG_KIND_LOAD; ++kind) {

@@ -8,7 +8,7 @@ from dataclasses import replace
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.mechanics import constraints
 from lagdsl.derivation.mechanics.equations import Equations
-from lagdsl.derivation.mechanics.events import corner_functions, event_functions, way_functions
+from lagdsl.derivation.mechanics.events import corner_functions, delay_functions, event_functions, way_functions
 from lagdsl.derivation.mechanics.friction import friction_functions, load_functions
 from lagdsl.derivation.mechanics.lagrange import energies, lagrange
 from lagdsl.derivation.mechanics.lagrange.inverse import inverse_dynamics
@@ -77,6 +77,7 @@ def with_events(equations: Equations, program: Program) -> Program:
         *load_functions(lowering, flat, program),
         *corner_functions(lowering, flat),
         *way_functions(lowering, flat),
+        *delay_functions(lowering, flat),
         *turn_functions(lowering, flat),
     )
     return with_speeds(flat, with_components(replace(program, functions=(*program.functions, *added))))

@@ -16,7 +16,9 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group, Op
 from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.algebra.graph.taylor import TimeDerivative
+from lagdsl.derivation.mechanics.lowering.acceleration import needs_accelerations
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering
+from lagdsl.derivation.mechanics.lowering.symbols import delay_rates
 from lagdsl.derivation.program.functions import OPTIONAL
 from lagdsl.derivation.program.program import Block, Function, matrix_block, number_block, vector_block
 from lagdsl.language.flat.dependence import Dependence
@@ -78,7 +80,8 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
 
 def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> list[Block]:
     """First and second derivatives along the motion. Of what the equations do not differentiate, accelerations,
-    multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are."""
+    multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are; so do
+    those of delayed values, entries of w."""
     graph = lowering.graph
     differentiated_inputs = {item.derivative_of for item in flat.inputs}
     given = {Group.U: Group.DIRECTION_U, Group.QDD: Group.DIRECTION_QDD, Group.LAMBDA: Group.DIRECTION_LAMBDA}
@@ -88,7 +91,7 @@ def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> li
         is_known = group is Group.Z or (group is Group.U and flat.inputs[index].name in differentiated_inputs)
         return lowering.rate.of(symbol) if is_known else graph.symbol(given[group], index)
 
-    along = TimeDerivative(graph, rate)
+    along = TimeDerivative(graph, rate, delayed=delay_rates(lowering.symbols, flat))
     rates = [along.of(node) for node in indicators]
     return [vector_block("rate", rates), vector_block("acceleration", [along.of(node) for node in rates])]
 
@@ -103,6 +106,26 @@ def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...
     solved = number_block("solved", graph.constant(float(any(moving.values()))))
     blocks = (vector_block("far", list(moving)), solved)
     return (Function(name="corner", arguments=OPTIONAL["corner"], results=blocks),)
+
+
+def delay_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """`delayed` of a model with delayed values; none for others."""
+    graph, delays = lowering.graph, flat.events.delays
+    if not delays:
+        return ()
+    values = []
+    for each in delays:
+        lowering.place = each.spans
+        values.append(lowering.scalar(each.value))
+        if graph.depends(values[-1], Group.QDD, Group.LAMBDA):
+            raise needs_accelerations(each.spans, f"`{each.name}`")
+    own = {lowering.symbols.previous[each.name] for each in delays}
+    blocks = (
+        vector_block("value", values),
+        vector_block("time", [lowering.scalar(each.time) for each in delays]),
+        number_block("direct", graph.constant(float(not own.isdisjoint(graph.live(values))))),
+    )
+    return (Function(name="delayed", arguments=OPTIONAL["delayed"], results=blocks),)
 
 
 def way_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -131,10 +154,20 @@ def _continuous(lowering: Lowering, way: FlatExpression) -> tuple[int, ...]:
 
 
 def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
-    """Discrete variables as declared, what time alone changes as it is; all else is found by looking, at the start."""
+    """Discrete variables as declared, what time alone changes as it is, what is delayed as it is with the start values;
+    all else is found by looking, at the start."""
     known = dict.fromkeys(lowering.symbols.previous, lowering.graph.zero)
     known |= {each.name: lowering.scalar(each.start) for each in flat.events.discretes}
     known |= _as_time_stands(lowering, flat, known)
+    if flat.events.delays:
+        symbols, scalar = lowering.symbols, lowering.scalar
+        starts = [*(each.start for each in flat.coordinates), *(each.rate_start for each in flat.coordinates)]
+        starts += [*(each.start for each in flat.states), *(each.default for each in flat.inputs)]
+        moving = (*symbols.q, *symbols.qd, *symbols.z, *symbols.u)
+        values = dict(zip(moving, map(scalar, starts), strict=True))
+        values |= {symbols.previous[name]: node for name, node in known.items()}
+        at_start = Substitution(lowering.graph, values)
+        known |= {each.name: at_start.of(scalar(each.value)) for each in flat.events.delays}
     return list(known.values())
 
 
@@ -287,7 +320,9 @@ class Pass:
                 return self._symbols.by_name[entry.name]
             case "condition":
                 return self._memories[entry.name]
-            case "contact" | "impacts" | "sticks" | "direction" | "relation" | "timed" | "clock" | "instant" | "load":
+            case "contact" | "impacts" | "sticks" | "direction" | "relation" | "timed" | "delay" | "delay_rate":
+                return self._symbols.previous[entry.name]
+            case "clock" | "instant" | "load":
                 return self._symbols.previous[entry.name]
             case _:
                 assert_never(entry.kind)

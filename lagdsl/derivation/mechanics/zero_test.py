@@ -60,8 +60,8 @@ def _random_points(equations: Equations) -> dict[Group, np.ndarray]:
 
 
 def _discretes(flat: FlatModel, random: np.random.Generator) -> np.ndarray:
-    """Discrete variables, senses of slips and loads of any value, truths of both."""
-    numbers = ("variable", "direction", "load")
+    """Discrete variables, senses of slips, delayed values and loads of any value, truths of both."""
+    numbers = ("variable", "direction", "delay", "delay_rate", "load")
     columns = [
         random.uniform(-1.0, 1.0, _POINTS) if entry.kind in numbers else random.integers(0, 2, _POINTS).astype(float)
         for entry in entries(flat.events)

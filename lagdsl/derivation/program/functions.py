@@ -58,6 +58,7 @@ class Presence(Enum):
     FRICTION = "Only in models with dry friction"
     FEEDBACK = "Only in models with loads that depend on accelerations or multipliers"
     CORNERS = "Only in models with corners"
+    DELAYS = "Only in models with delayed values"
     TURNS = "Only in models with outputs that are known up to whole turns"
     WAYS = "Only in models in which ways of masses depend on discretes"
     NAMED = "Only in programs that tell every named value"
@@ -218,6 +219,13 @@ FUNCTIONS: tuple[Signature, ...] = (
         Presence.TURNS,
     ),
     _function(
+        "delayed",
+        STATE,
+        "value[ndelay] time[ndelay] direct",
+        "what is delayed, as it is now, and by how much [s]; 1 where one of them reads delayed values itself",
+        Presence.DELAYS,
+    ),
+    _function(
         "friction",
         SOLVED,
         "slip[nslip] jacobian[nslip,nq] limit[nfriction] sticking[nfriction] gain[nfriction,nc] "
@@ -315,7 +323,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 # Lengths that a program tells by its results only.
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
-    *("ntimed", "ndistance", "ncorner", "nway", "nturn", "nslip", "nfriction", "nload"),
+    *("ntimed", "ndistance", "ncorner", "nway", "nturn", "ndelay", "nslip", "nfriction", "nload"),
     *("ninertial", "nplace", "naxes", "ntwist"),
 )
 

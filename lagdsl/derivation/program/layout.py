@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.derivation.program.program import Instants, Layout, Slot
+from lagdsl.foundation.units.dimension import TIME
 from lagdsl.foundation.units.naming import unit_text
 from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.event_flow import branches, reset_states
-from lagdsl.language.flat.events import Check, Discrete, Entry, Reset, Terminate, entries
+from lagdsl.language.flat.events import Check, Delay, Discrete, Entry, Reset, Terminate, entries
 from lagdsl.language.flat.model import Constraint, FlatModel
 from lagdsl.language.flat.quantity import Item, Quantity
 
@@ -38,6 +39,8 @@ def layout(flat: FlatModel) -> Layout:
 
 def _discrete(entry: Entry) -> Slot:
     unit = entry.item.unit if isinstance(entry.item, Discrete) else "1"
+    if isinstance(entry.item, Delay):
+        unit = unit_text(entry.item.dimension if entry.kind == "delay" else entry.item.dimension / TIME)
     return Slot(name=entry.name, unit=unit, place=_place(entry.item))
 
 

@@ -48,13 +48,14 @@ def symbols(flat: FlatModel) -> Symbols:
 
 
 def rates_of_motion(flat: FlatModel, symbols: Symbols) -> dict[Symbol, Expr]:
-    """d/dt of time, coordinates, rates, and of inputs whose derivatives are inputs too."""
+    """d/dt of time, coordinates, rates, and of inputs whose derivatives are inputs too, and of delayed values."""
     rates: dict[Symbol, Expr] = {symbols.time: Integer(1)}
     rates |= dict(zip(symbols.q, symbols.qd, strict=True))
     rates |= dict(zip(symbols.qd, symbols.qdd, strict=True))
     for item, symbol in zip(flat.inputs, symbols.u, strict=True):
         if item.derivative_of is not None:
             rates[Symbol(item.derivative_of)] = symbol
+    rates |= {Symbol(each.name): Symbol(each.rate) for each in flat.events.delays}
     return rates
 
 

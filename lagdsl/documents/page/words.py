@@ -20,4 +20,6 @@ WORDS = {
     Status.MOMENTUM_UNREACHABLE: "No rates have the momentum or the energy that an event leaves.",
     Status.BRANCH_POINT: "Branches of the motion meet here; the equations do not tell which one it takes.",
     Status.BAD_CLOCK: "A clock has no positive period.",
+    Status.BAD_DELAY: "A delay is not positive.",
+    Status.LONG_PAST: "The past of a delayed value has too many events.",
 }

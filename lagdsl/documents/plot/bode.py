@@ -31,7 +31,7 @@ def plot_bode(found: FrequencyResponse, path: Path | str | None = None) -> Figur
         canvas_class(figure)
         above, below = figure.subplots(2, 1, sharex=True)
     _draw(above, below, found)
-    unit = found.transfer.output.unit, found.transfer.input.unit
+    unit = found.output.unit, found.input.unit
     units = "" if unit == ("", "") else f" [{unit[0] or '1'} per {unit[1] or '1'}]"
     above.set_title(
         escaped(f"{found.model}: from {found.input.name} to {found.output.name}{units}"),
@@ -57,9 +57,9 @@ def _draw(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     below.margins(y=0.12)
     below.yaxis.set_major_locator(_steps(turns))
     above.set_xlim(float(found.frequencies[0]), float(found.frequencies[-1]))
-    if found.transfer.every is not None:
+    if found.every is not None:
         for panel in (above, below):
-            panel.axvline(0.5 / found.transfer.every, color=_GUIDE, linewidth=0.8)
+            panel.axvline(0.5 / found.every, color=_GUIDE, linewidth=0.8)
     if found.margins is not None:
         _draw_margins(above, below, found)
 

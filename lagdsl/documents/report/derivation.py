@@ -26,7 +26,7 @@ from lagdsl.documents.report.page import Page
 from lagdsl.documents.report.plain import plain
 from lagdsl.documents.report.sections.by_parts import derivatives
 from lagdsl.documents.report.sections.forces import loads
-from lagdsl.documents.report.sections.instants import contacts, events, feedbacks, frictions
+from lagdsl.documents.report.sections.instants import contacts, delays, events, feedbacks, frictions
 from lagdsl.documents.report.sections.intermediate import with_intermediates
 from lagdsl.documents.report.sections.left_side import (
     coordinates,
@@ -66,6 +66,7 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     contacts,
     frictions,
     feedbacks,
+    delays,
     states,
     events,
     outputs,

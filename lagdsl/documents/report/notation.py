@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from sympy import Symbol
 
 from lagdsl.derivation.textbook.reading import STANDARD_GRAVITY
 from lagdsl.derivation.textbook.symbols import Symbols
-from lagdsl.documents.report.boxes import Box, Dotted, Name, Number, Operator, Row, Subscript, Upright
+from lagdsl.documents.report.boxes import Box, Bracket, Dotted, Name, Number, Operator, Row, Subscript, Sum, Upright
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat.expression_text import flat_expression_text
 from lagdsl.language.flat.model import Definition, FlatModel
 from lagdsl.language.flat.quantity import Quantity, Variability
 
@@ -120,6 +123,7 @@ def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...
             bare = Symbol(symbol.name[4 * inner : len(symbol.name) - inner])
             boxes[symbol] = dotted(boxes[bare] if bare in boxes else name_box(bare.name), inner)
     boxes[symbols.time] = made.letter("t")
+    boxes |= _delayed(flat, boxes, boxes[symbols.time])
     boxes.setdefault(STANDARD_GRAVITY, Subscript(Name("g"), Upright("n")))
     known = [row for constraint in flat.constraints for row in constraint.rows]
     base = made.letter("λ")
@@ -127,6 +131,20 @@ def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...
         boxes[multiplier] = _multiplier(base, name, rows)
     made.renamed.clear()
     return made
+
+
+def _delayed(flat: FlatModel, boxes: Mapping[Symbol, Box], time: Box) -> dict[Symbol, Box]:
+    """`delay(x, T)` is x(t − T); what is no name is called as it is written."""
+    found: dict[Symbol, Box] = {}
+    for each in flat.events.delays:
+        value, by = flat_expression_text(each.value), flat_expression_text(each.time)
+        of, ago = boxes.get(Symbol(value)), boxes.get(Symbol(by))
+        if of is None:
+            continue
+        ago = Row((Number(by), Upright("s"))) if ago is None and isinstance(each.time, fx.Number) else ago
+        inside = Sum((("+", time), ("-", Upright(by) if ago is None else ago)))
+        found[Symbol(each.name)] = Row((of, Bracket(inside)))
+    return found
 
 
 def _quantities(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...]) -> dict[Symbol, Box]:

@@ -52,7 +52,10 @@ def enumerators() -> str:
 def dispatcher() -> str:
     """One function for each, which lays its results out, and the choice among them."""
     parameters = "const lag_model *model, {}const lag_arguments *at, double *results"
-    cases = "".join(f"        [{_enumerator(each)}] = evaluate_{each.name},\n" for each in _single())
+    every = " ".join(
+        f"[{_enumerator(each)}]\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}evaluate_{each.name}," for each in _single()
+    )
+    cases = textwrap.indent(textwrap.fill(every, _WIDTH - 8).replace("\N{NO-BREAK SPACE}", " "), " " * 8) + "\n"
     chosen = (
         f"lag_status lag_evaluate({parameters.format('lag_function which, ')})\n{{\n"
         f"    static lag_status (*const functions[])({parameters.format('')}) = {{\n{cases}    }};\n"

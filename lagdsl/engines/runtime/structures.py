@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 8
+VERSION = 9
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
@@ -56,6 +56,8 @@ class Status(IntEnum):
     WAY_JUMP = 20
     MOMENTUM_UNREACHABLE = 21
     NO_FORCES = 22
+    BAD_DELAY = 23
+    LONG_PAST = 24
 
 
 class InitialFault(IntEnum):
@@ -124,6 +126,7 @@ class Model(Structure):
         *_all(_evaluated(2), "corner"),
         *_all(_evaluated(1), "way"),
         *_all(_evaluated(4), "turn"),
+        *_all(_evaluated(3), "delayed"),
         *_all(_evaluated(6), "friction"),
         *_all(_evaluated(3), "load"),
         *_all(_evaluated(1), "load_tangent"),
@@ -139,7 +142,7 @@ class Model(Structure):
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
-        *_all(c_size_t, "ncorner nway nturn nslip nfriction nload"),
+        *_all(c_size_t, "ncorner nway nturn ndelay nslip nfriction nload"),
         *_all(c_void_p, "kinds strict whole_inputs contact_rows one_way frictions friction_rows"),
         *_all(c_void_p, "friction_slips friction_contacts"),
         *_all(c_size_t, "nswitched"),

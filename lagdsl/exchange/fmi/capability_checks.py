@@ -4,9 +4,10 @@ know."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from lagdsl.exchange.fmi.variables.names import named
+from lagdsl.exchange.fmi.variables.variables import Kind
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.language.flat.evaluate import Values, evaluate
 from lagdsl.language.flat.events import Discrete
@@ -17,9 +18,12 @@ from lagdsl.language.flat.spans import around, place
 _LEAST, _MOST = -(2**31), 2**31 - 1
 
 
-def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sink) -> None:
-    """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902), and which inputs
-    belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
+def refuse(flat: FlatModel, version: int, kinds: Collection[Kind], values: Mapping[str, float], sink: Sink) -> None:
+    """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902), delays for model exchange
+    (E0917), and which inputs belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
+    if flat.events.delays and "me" in kinds:
+        first = flat.events.delays[0]
+        sink.report("E0917", place(first), *around(first), name=first.name)
     counted: tuple[Parameter | Discrete | Input, ...] = (*flat.parameters, *flat.events.discretes, *flat.inputs)
     for item in counted:
         for what, value in _integers(flat, item, values):

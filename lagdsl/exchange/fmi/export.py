@@ -70,7 +70,7 @@ def export(
     machines = _platforms(platforms)
     require_fmpy()
     compilation = with_structural_parameters(compilation, own)
-    refuse(compilation.flat, version, parameters or {}, own)
+    refuse(compilation.flat, version, kinds, parameters or {}, own)
     own.raise_if_errors()
     report_renamed(compilation.program.name, "c", own)
     exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine, ports, attribution)

@@ -115,7 +115,7 @@ def random_discretes(flat: FlatModel, program: Program, t: Any, p: Floats, rando
             w[..., k] += random.integers(0, 4, np.shape(t))
         elif kind == "direction":
             w[..., k] = random.integers(-1, 2, np.shape(t))
-        elif kind == "load" or slot.name in whole:
+        elif kind in ("delay", "delay_rate", "load") or slot.name in whole:
             w[..., k] = about(w[..., k : k + 1], random)[..., 0]
         else:
             w[..., k] = random.integers(0, 2, np.shape(t))

@@ -10,6 +10,7 @@ from lagdsl.interfaces.cli.state_text import point_text, steadiness_text
 from lagdsl.interfaces.cli.text_table import number, text_table
 from lagdsl.motion.analysis.control.frequency_response import FrequencyResponse
 from lagdsl.motion.analysis.control.margins import Margins, lag
+from lagdsl.motion.analysis.control.transfer import TransferFunction
 from lagdsl.motion.analysis.eigen import Complexes
 from lagdsl.motion.analysis.point import System
 from lagdsl.motion.analysis.sampled.schedule import time_text
@@ -22,22 +23,28 @@ def bode_text(system: System, found: FrequencyResponse) -> str:
     """State, poles and zeros, rows of the response, margins."""
     transfer = found.transfer
     units = f"[{found.output.unit or '1'} per {found.input.unit or '1'}]"
-    every = "" if transfer.every is None else f", sampled every {time_text(transfer.every)}"
-    letter, unit = ("s", " [1/s]") if transfer.every is None else ("z", "")
+    every = "" if found.every is None else f", sampled every {time_text(found.every)}"
     head = f"{found.model}: from {found.input.name} to {found.output.name} {units}{every}, about"
     parts = [
         f"{head}\n\n{point_text(system, found.point)}\n{steadiness_text(found.steadiness)}",
-        "\n".join(
-            [
-                f"gain   {number(transfer.gain)}, of G = gain prod({letter} - zeros)/prod({letter} - poles)",
-                f"zeros  {_roots(transfer.zeros)}{unit}",
-                f"poles  {_roots(transfer.poles)}{unit}",
-            ]
-        ),
+        *([] if transfer is None else [_quotient(transfer)]),
         _table(found),
-        _margins(found.margins),
+        _margins(found.margins)
+        if transfer is not None
+        else "Delays are exact here; with them there is no quotient of polynomials, and no margins.",
     ]
     return "\n\n".join(parts)
+
+
+def _quotient(transfer: TransferFunction) -> str:
+    letter, unit = ("s", " [1/s]") if transfer.every is None else ("z", "")
+    return "\n".join(
+        [
+            f"gain   {number(transfer.gain)}, of G = gain prod({letter} - zeros)/prod({letter} - poles)",
+            f"zeros  {_roots(transfer.zeros)}{unit}",
+            f"poles  {_roots(transfer.poles)}{unit}",
+        ]
+    )
 
 
 def _table(found: FrequencyResponse) -> str:

@@ -22,6 +22,10 @@ def event_sections(events: fe.Events) -> list[tuple[str, list[Line]]]:
         ("contacts", [_contact(each) for each in events.contacts]),
         ("frictions", [_friction(each) for each in events.frictions]),
         ("feedbacks", [_feedback(each) for each in events.feedbacks]),
+        (
+            "delays",
+            [(f"{each.name}: {text_of(each.value)}, {text_of(each.time)} s ago", each) for each in events.delays],
+        ),
         ("located", [(f"{each.name}: {_located(each)}", each) for each in events.relations]),
         ("timed", [(f"{each.name}: {text_of(each.value)}", each) for each in events.timed]),
         (

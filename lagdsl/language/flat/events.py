@@ -167,6 +167,22 @@ class Feedback(Item):
 
 
 @record(kw_only=True)
+class Delay(Item):
+    """`value` as it was `time` [s] ago, `name` as written; in the time before the start it is what it is there. `time`
+    depends on parameters only, `value` on what is known with the state. Expressions read the entry `name`."""
+
+    name: str
+    value: FlatExpression
+    time: FlatExpression
+    dimension: Dimension
+
+    @property
+    def rate(self) -> str:
+        """Name of the entry of its derivative."""
+        return f"der({self.name})"
+
+
+@record(kw_only=True)
 class Limit(Item):
     """Bounds of an argument of an event: `least <= value <= most`, with `strict` the first without equality."""
 
@@ -254,6 +270,7 @@ class Events:
     contacts: tuple[Contact, ...] = ()
     frictions: tuple[Friction, ...] = ()
     feedbacks: tuple[Feedback, ...] = ()
+    delays: tuple[Delay, ...] = ()
     relations: tuple[Relation, ...] = ()
     timed: tuple[Timed, ...] = ()
     corners: tuple[Corner, ...] = ()
@@ -274,6 +291,8 @@ Kind: TypeAlias = Literal[
     "direction",
     "relation",
     "timed",
+    "delay",
+    "delay_rate",
     "condition",
     "clock",
     "instant",
@@ -301,6 +320,8 @@ def entries(events: Events) -> tuple[Entry, ...]:
         *(Entry(name, "direction", each) for each in events.frictions for name in each.directions),
         *(Entry(each.name, "relation", each) for each in events.relations),
         *(Entry(each.name, "timed", each) for each in events.timed),
+        *(Entry(each.name, "delay", each) for each in events.delays),
+        *(Entry(each.rate, "delay_rate", each) for each in events.delays),
         *(Entry(name, "condition", branch) for branch in branches for name in branch.memories),
         *(Entry(each.name, "condition", each) for each in events.memories),
         *(Entry(each.name, "clock", each) for each in events.clocks),

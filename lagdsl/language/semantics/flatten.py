@@ -22,6 +22,7 @@ from lagdsl.language.semantics.classes.inheritance import expand_short
 from lagdsl.language.semantics.classes.selection import file_scope, functions_of, select
 from lagdsl.language.semantics.discontinuities.discontinuities import discontinuities
 from lagdsl.language.semantics.discontinuities.sampled import sampled_corners
+from lagdsl.language.semantics.events.delays import check_assumed
 from lagdsl.language.semantics.events.event_order import check_events, with_switches
 from lagdsl.language.semantics.events.whens import check_targets
 from lagdsl.language.semantics.expressions.expressions import elaborate
@@ -41,6 +42,7 @@ from lagdsl.language.semantics.variables.rates import check_inputs, check_linear
 from lagdsl.language.semantics.variables.resolver import Definitions, every
 from lagdsl.language.semantics.variables.scale_points import check_difference
 from lagdsl.language.semantics.wellformed.corners import check_changing_inertia, check_corners
+from lagdsl.language.semantics.wellformed.delays import check_delays
 from lagdsl.language.semantics.wellformed.feedback import with_feedback
 from lagdsl.language.semantics.wellformed.required_forces import with_required_forces
 from lagdsl.language.syntax import nodes
@@ -161,6 +163,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         with ctx.current.inside(placed.scope):
             initial_equation(ctx, physics, placed)
     outputs = _outputs(ctx, contents, discretes)
+    check_assumed(ctx)
     return FlatModel(
         name=node.name,
         doc=node.doc,
@@ -235,6 +238,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     flat = with_feedback(solved, flat, dependence)
     flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)
+    check_delays(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
     warn_unused(ctx, contents.symbols)
     warn_unlike(ctx)

@@ -14,9 +14,11 @@ from lagdsl.foundation.diagnostics import Sink, failed
 from lagdsl.foundation.diagnostics.suggest import listing
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.naming import rate_text
+from lagdsl.language.flat.spans import around, place
 from lagdsl.language.settings.aliases import own_name
 from lagdsl.motion.analysis.bode import bode_at, sampled_bode
 from lagdsl.motion.analysis.control.frequency_response import FrequencyResponse
+from lagdsl.motion.analysis.delayed import delayed_bode
 from lagdsl.motion.analysis.held import report_held, sampled
 from lagdsl.motion.analysis.integrable import integrable_rows
 from lagdsl.motion.analysis.linearization import Linearization, linearize_at
@@ -53,6 +55,7 @@ class Where:
 def linearize(system: System, where: Where, sink: Sink, *, every: float | None = None) -> Linearization:
     """With `every` [s] the sampled system, of a model with clocks the sampled loop. Raises CompilationFailed; warnings
     go to `sink`."""
+    _refuse_delays(system, "linearization")
     _report_assumed(system, where, sink, holds=every is None)
     if every is None:
         return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
@@ -75,11 +78,14 @@ def bode(
 ) -> FrequencyResponse:
     """From one input to one output or state, at angular frequencies `omega` [rad/s], else at those that show poles,
     zeros and crossings; with `every` [s] of the sampled system. Raises CompilationFailed; warnings go to `sink`."""
+    if every is not None or where.trim:
+        _refuse_delays(system, "sampled linearization" if every is not None else "search for equilibria")
     _report_assumed(system, where, sink, holds=every is None)
 
     def search(own: Sink) -> FrequencyResponse | None:
         if every is None:
-            return bode_at(system, point(system, where, own), channel, omega, own)
+            respond = delayed_bode if system.flat.events.delays else bode_at
+            return respond(system, point(system, where, own), channel, omega, own)
         linear = _sampled(system, where, every, own)
         return None if linear is None else sampled_bode(linear, channel, omega)
 
@@ -88,6 +94,7 @@ def bode(
 
 def modes(system: System, where: Where, sink: Sink) -> Modes:
     """Raises CompilationFailed; warnings go to `sink`."""
+    _refuse_delays(system, "modes")
     _report_assumed(system, where, sink, holds=not sampled(system))
 
     def search(own: Sink) -> Modes | None:
@@ -99,18 +106,20 @@ def modes(system: System, where: Where, sink: Sink) -> Modes:
 
 def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
     """Raises CompilationFailed; warnings go to `sink`."""
+    _refuse_delays(system, "search for equilibria")
     _report_assumed(system, where, sink)
     return _found(sink, lambda own: _equilibrium(system, where, own))
 
 
 def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
     """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
+    _refuse_delays(system, "modes")
     varied = _varied(system, name, sink)
     given = replace(where, inputs={**where.inputs, varied.name: 0.0})
     _report_assumed(system, given, sink, holds=not sampled(system))
     held = [*holonomic_rows(system), *integrable_rows(system, point(system, replace(where, trim=False), Sink()))]
 
-    def place(value: float) -> Point:
+    def placed(value: float) -> Point:
         own = Sink()
         found = loop_point(system, _with(system, where, varied.name, value), own)
         if found is None:
@@ -118,7 +127,7 @@ def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) ->
         own.raise_if_errors()
         return found
 
-    return variation(system, varied, values.tolist(), place, held)
+    return variation(system, varied, values.tolist(), placed, held)
 
 
 def point(system: System, where: Where, sink: Sink) -> Point:
@@ -165,6 +174,14 @@ def _report_assumed(system: System, where: Where, sink: Sink, *, holds: bool = T
     """N0875 for inputs that are taken as zero; N0876 for discrete variables that are held."""
     report_missing(system.flat, [*where.inputs, *where.free], sink)
     report_held(system, sink, of_loop=not holds)
+
+
+def _refuse_delays(system: System, what: str) -> None:
+    """E0868: the linear system would have a characteristic function that is no polynomial."""
+    sink = Sink()
+    for each in system.flat.events.delays[:1]:
+        sink.report("E0868", place(each), *around(each), what=what, name=each.name)
+    sink.raise_if_errors()
 
 
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:

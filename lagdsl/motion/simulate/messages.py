@@ -76,8 +76,8 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             row = _row(flat, fault.which)
             name, residual = layout.constraints[fault.which].name, f"{fault.value:.3g}"
             return _told(course, "E0811", fault, row, sink, name=name, residual=residual)
-        case Status.TOO_LONG:
-            return _told(course, "E0812", fault, None, sink, steps=course.most_steps)
+        case Status.TOO_LONG | Status.LONG_PAST:
+            return _report_too_much(course, status, fault, sink)
         case Status.BRANCH_POINT:
             name = layout.constraints[fault.which].name
             span = place(_row(flat, fault.which))
@@ -105,10 +105,21 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.EVENT_PENDING
             | Status.BAD_STATE_DATA
             | Status.BAD_CLOCK
+            | Status.BAD_DELAY
         ):
             raise AssertionError(f"the runtime ended a run with {status.name}")
         case _:
             assert_never(status)
+
+
+def _report_too_much(
+    course: Course, status: Literal[Status.TOO_LONG, Status.LONG_PAST], fault: Fault, sink: Sink
+) -> str | None:
+    """E0812 or E0898: more steps, or a longer past, than a run has room for."""
+    if status is Status.TOO_LONG:
+        return _told(course, "E0812", fault, None, sink, steps=course.most_steps)
+    delay = course.flat.events.delays[0]
+    return _told(course, "E0898", fault, delay, sink, name=delay.name)
 
 
 def _told(

@@ -86,3 +86,10 @@ def test_the_count_leaves_contacts_out() -> None:
     derivation = derived(BALL).derivation
     assert derivation is not None
     assert (derivation.count.rows, derivation.count.freedom) == (0, 2)
+
+
+def test_a_delayed_value_is_one_of_an_earlier_time() -> None:
+    text = FREE.format(items="parameter Time T = 1 s; force -delay(x, T)*(1 N/m) - delay(x^2, 0.5 s)*(1 N/m2) on x;")
+    page = render(derived(text), "text")
+    assert "ẍ = −x (t − T) − delay(x^2, 0.5 s)" in page
+    assert "Delayed values" in page and "In no formula" not in page

@@ -79,7 +79,11 @@ def model(name: str) -> lagdsl.Model:
 
 @cache
 def written(name: str) -> str:
-    compilation = model(name)._compilation
+    return written_of(model(name))
+
+
+def written_of(model: Any) -> str:
+    compilation = model._compilation
     initial = initial_state(compilation.flat, engine_of(compilation.program, "tape"))
     backend = ModelicaBackend(
         compilation.equations, compilation.structure, start_of(compilation.flat, initial.t, initial.x.tolist())
@@ -192,6 +196,20 @@ def test_a_reset_that_constraints_pass_on_is_refused() -> None:
     report_inexpressible(lagdsl.compile(source)._compilation.flat, sink)
     (diagnostic,) = sink.diagnostics
     assert diagnostic.code == "E0915" and "der(x)" in diagnostic.message
+
+
+def test_delays_are_those_of_modelica() -> None:
+    source = """
+        model Late
+          parameter Time T = 1 s;
+          state Real y(start = 1);
+        equation
+          der(y) = -delay(y, T)/(1 s) + delay(sin(time/(1 s)), 2*T)/(1 s);
+        end Late;
+    """
+    found = written_of(lagdsl.compile(source))
+    assert "'delay(y, T)' = delay(y, T);" in found
+    assert re.search(r"'delay\(sin\(time/\(1 s\)\), 2\*T\)' = delay\(sin\(.*\), 2\*T\);", found)
 
 
 @settings(max_examples=examples(300))

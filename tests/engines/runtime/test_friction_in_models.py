@@ -20,8 +20,8 @@ from lagdsl.exchange.verify.states import values
 
 ENGINES: tuple[EngineName, ...] = ("tape", "c", "numpy")
 KINDS = (
-    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
-    *("initial", "terminal", "load"),
+    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed"),
+    *("delay", "delay_rate", "condition", "clock", "initial", "terminal", "load"),
 )
 
 

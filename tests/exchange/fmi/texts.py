@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import fmpy
 
@@ -26,9 +27,9 @@ def exported_text(text: str, version: int, *, clocks: bool = False, scalar: bool
     return Exported(path, folder)
 
 
-def export_text(text: str, path: Path, version: int = 2) -> None:
+def export_text(text: str, path: Path, version: int = 2, **options: Any) -> None:
     """The FMU of a text, as `export_quickly` writes it."""
-    _export(_flat(text), path, version)
+    _export(_flat(text), path, version, **options)
 
 
 def _flat(text: str) -> FlatModel:
@@ -38,8 +39,8 @@ def _flat(text: str) -> FlatModel:
     return flat
 
 
-def _export(flat: FlatModel, path: Path, version: int, ports: Ports = Ports()) -> None:  # noqa: B008 it is immutable
+def _export(flat: FlatModel, path: Path, version: int, ports: Ports | None = None, **options: Any) -> None:
     sink = Sink()
     compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
-    export_quickly(compilation, path, version=version, ports=ports)
+    export_quickly(compilation, path, version=version, ports=ports, **options)

@@ -18,7 +18,7 @@ from lagdsl.derivation.mechanics.kinematics.poses import Poses, Release
 from lagdsl.derivation.mechanics.kinematics.vectors import Vector
 from lagdsl.derivation.mechanics.lowering.acceleration import as_coordinate, needs_accelerations
 from lagdsl.derivation.mechanics.lowering.operations import binary, function
-from lagdsl.derivation.mechanics.lowering.symbols import Symbols
+from lagdsl.derivation.mechanics.lowering.symbols import Symbols, delay_rates
 from lagdsl.derivation.mechanics.lowering.values import Value, Values
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as flat
@@ -69,8 +69,9 @@ class Lowering:
         self.symbols = symbols
         self.provide: Callable[[Provided, Sequence[int]], Value] | None = None
         self.place: Spans = ()
-        self.rate = TimeDerivative(graph, self._rate_of_symbol)
-        self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True)
+        delayed = delay_rates(symbols, model)
+        self.rate = TimeDerivative(graph, self._rate_of_symbol, delayed=delayed)
+        self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True, delayed=delayed)
         self.values = Values()
         self._items = _items(model)
         self._poses = Poses(graph, self.rate, release or Release())

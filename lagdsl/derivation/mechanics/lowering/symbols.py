@@ -24,7 +24,8 @@ class Directions:
 
 class Symbols:
     """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative,
-    `rows` for the name of a row its multiplier as the text means it."""
+    `rows` for the name of a row its multiplier as the text
+    means it."""
 
     def __init__(self, graph: Graph, flat: FlatModel) -> None:
         time = graph.symbol(Group.TIME)
@@ -52,6 +53,11 @@ class Symbols:
     @property
     def directions(self) -> Directions:
         return Directions(tuple(self.q), tuple(self.qd), Group.Q, Group.QD)
+
+
+def delay_rates(symbols: Symbols, flat: FlatModel) -> dict[int, int]:
+    """For each delayed value the entry that is its time derivative."""
+    return {symbols.previous[each.name]: symbols.previous[each.rate] for each in flat.events.delays}
 
 
 def _input_rates(graph: Graph, flat: FlatModel) -> Callable[[int], int]:

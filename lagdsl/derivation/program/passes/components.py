@@ -9,7 +9,9 @@ from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
 
 # Entries of w that belong to time alone, or to the whole model, couple nothing.
-_COUPLING = frozenset({"variable", "contact", "impacts", "sticks", "direction", "relation", "condition", "load"})
+_COUPLING = frozenset(
+    {"variable", "contact", "impacts", "sticks", "direction", "relation", "delay", "condition", "load"}
+)
 
 
 def with_components(program: Program) -> Program:
@@ -31,9 +33,9 @@ def components(program: Program) -> tuple[int, ...]:
     coordinates, states = range(nq), range(nq, nq + nz)
     multipliers = range(found.first[Group.LAMBDA], found.first[Group.LAMBDA] + len(layout.constraints))
     discretes = range(found.first[Group.W], found.first[Group.W] + len(layout.discretes))
-    relations, contacts, frictions, loads = (
+    relations, contacts, frictions, delays, loads = (
         [place for place, kind in zip(discretes, layout.kinds, strict=False) if kind == wanted]
-        for wanted in ("relation", "contact", "sticks", "load")
+        for wanted in ("relation", "contact", "sticks", "delay", "load")
     )
     counts = layout.instants.friction_slips
     slips = [place for place, count in zip(frictions, counts, strict=True) for _ in range(count)]
@@ -50,6 +52,7 @@ def components(program: Program) -> tuple[int, ...]:
         ("friction", 0, slips),
         ("friction", 2, frictions),
         ("friction", 3, frictions),
+        ("delayed", 0, delays),
         ("load", 0, loads),
         ("event", 0, discretes),
         ("event", 1, resets),

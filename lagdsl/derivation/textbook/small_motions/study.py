@@ -41,6 +41,7 @@ _SWITCHES = "Relations, corners or discrete variables occur in the equations; `l
 _FRICTION = (
     "Dry friction holds the system at rest in whole ranges of positions; `lag trim` finds one of them in numbers."
 )
+_DELAYS = "Delayed values make the characteristic function one that is no polynomial: simulate small motions."
 _FEEDBACK = (
     "Loads depend on multipliers, reactions or accelerations: `lag trim` finds an equilibrium in numbers, `lag modes` "
     "its modes."
@@ -152,6 +153,8 @@ def _reason(balance: Balance, residuals: Sequence[Expr]) -> str | None:
     table = balance.derivation.symbols
     if any(row.friction for row in balance.derivation.constraints):
         return _FRICTION
+    if balance.flat.events.delays:
+        return _DELAYS
     if balance.flat.events.feedbacks:
         return _FEEDBACK
     if any(row.level != "position" for row in balance.rows):

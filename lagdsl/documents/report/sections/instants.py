@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from sympy import Symbol
+
 from lagdsl.derivation.textbook.recipe import ConstraintRow
 from lagdsl.documents.report.boxes import (
     Box,
@@ -119,6 +121,27 @@ def feedbacks(page: Page) -> list[Block]:
         Heading("Loads found with the accelerations"),
         Paragraph(text(_FEEDBACK)),
         Table(("load", "value"), table),
+    ]
+
+
+def delays(page: Page) -> list[Block]:
+    """Values of the past."""
+    found = page.flat.events.delays
+    if not found:
+        return []
+    rows: list[tuple[Inline, ...]] = [
+        (
+            (Code(each.name),),
+            (Math(page.notation.of(Symbol(each.name))),),
+            text(flat_expression_text(each.value)),
+            text(f"{flat_expression_text(each.time)} s"),
+        )
+        for each in found
+    ]
+    return [
+        Heading("Delayed values"),
+        Paragraph(text("They are what they were some time ago; before the start, what they are there:")),
+        Table(("in the model", "here", "value", "so long ago"), tuple(rows)),
     ]
 
 

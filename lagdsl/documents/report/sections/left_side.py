@@ -33,8 +33,10 @@ from lagdsl.documents.report.sections.by_parts import is_by_parts
 from lagdsl.documents.report.sections.counting import count_blocks
 from lagdsl.documents.report.unicode_math import line
 from lagdsl.documents.report.unit_text import readable_unit, unit_of, value_and_unit
+from lagdsl.language.flat.expression import Variable
 from lagdsl.language.flat.model import Parameter
 from lagdsl.language.flat.quantity import Quantity
+from lagdsl.language.flat.traversal import records
 
 _LONGEST_LINE = 80
 _POSITIONS = "From the world origin, in world axes; of a body its mass centre."
@@ -44,17 +46,21 @@ _ENERGIES_BY_HAND = "No mass or body is declared: the energies are written by ha
 def parameters(page: Page) -> list[Block]:
     items = [p for p in page.flat.parameters if not p.structural]
     pairs = list(zip(page.derivation.symbols.p, items, strict=True))
+    times = {
+        each.name for delay in page.flat.events.delays for each in records(delay.time) if isinstance(each, Variable)
+    }
+    shown = {*(symbol.name for symbol in page.derivation.occurring), *times}
     rows: list[tuple[Inline, ...]] = [
         ((Math(page.notation.of(symbol)),), text(value(item)), text(item.doc or ""))
         for symbol, item in pairs
-        if symbol in page.derivation.occurring
+        if symbol.name in shown
     ]
     if STANDARD_GRAVITY in page.derivation.occurring and STANDARD_GRAVITY not in page.derivation.symbols.p:
         rows.append(((Math(page.notation.of(STANDARD_GRAVITY)),), text("9.80665 m/s²"), text("standard gravity")))
     if not rows:
         return []
     blocks: list[Block] = [Heading("Parameters"), Table(("symbol", "value", "meaning"), tuple(rows))]
-    blocks += _left_out(page, tuple(item.name for symbol, item in pairs if symbol not in page.derivation.occurring))
+    blocks += _left_out(page, tuple(item.name for _, item in pairs if item.name not in shown))
     if page.derivation.dependent_parameters:
         blocks += [Paragraph(text("Quantities that follow from them:"))]
         blocks += [definition_lines(page, page.derivation.dependent_parameters)]

@@ -28,7 +28,8 @@ class Nodes:
 
     `starts` are those of (q, qd, z); None where they are the numbers of a consistent start, because constraints,
     initial equations or free parameters decide on them. `inputs`, `discrete_starts` and `clocks` (first instant and
-    period) are values at the start, too; `standing` are relations and what time alone changes.
+    period) are values at the start, too; `standing` are relations and what time alone changes, `delays` what is delayed
+    and by how much.
     """
 
     motion: Motion
@@ -41,6 +42,7 @@ class Nodes:
     inputs: tuple[int, ...]
     discrete_starts: Mapping[str, int]
     clocks: Mapping[str, tuple[int, int]]
+    delays: Mapping[str, tuple[int, int]]
 
     def roots(self) -> list[int]:
         """All of them."""
@@ -49,7 +51,7 @@ class Nodes:
             *(*found.accelerations, *found.multipliers, *found.residuals),
             *(*self.state_rates, *self.outputs, *self.assertions, *self.standing.values(), *nodes_of(self.whens)),
             *(*(self.starts or ()), *self.inputs, *self.discrete_starts.values()),
-            *(node for pair in self.clocks.values() for node in pair),
+            *(node for pairs in (self.clocks, self.delays) for pair in pairs.values() for node in pair),
         ]
 
 
@@ -119,7 +121,15 @@ def _nodes(equations: Equations, program: Program, structure: Structure, start: 
         inputs=at("start", 3),
         discrete_starts={name: node for name, node in values if name in variables},
         clocks=dict(zip((each.name for each in flat.events.clocks), clocks, strict=True)),
+        delays=dict(zip((each.name for each in flat.events.delays), _delays(program), strict=True)),
     )
+
+
+def _delays(program: Program) -> list[tuple[int, int]]:
+    if not program.has("delayed"):
+        return []
+    values, times, _ = (block.elements for block in program.function("delayed").results)
+    return list(zip(values, times, strict=True))
 
 
 def _solved(flat: FlatModel, graph: Graph, found: Motion, shared: Mapping[int, str]) -> dict[int, str]:

@@ -98,5 +98,5 @@ def is_truth(entry: Entry, flat: FlatModel) -> bool:
             return not isinstance(entry.item, Memory) or entry.item.truth
         case "contact" | "sticks" | "relation" | "clock" | "instant":
             return True
-        case "impacts" | "direction" | "load":
+        case "impacts" | "direction" | "delay" | "delay_rate" | "load":
             return False

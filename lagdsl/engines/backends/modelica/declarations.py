@@ -20,6 +20,7 @@ from lagdsl.engines.backends.modelica.variables import (
     unit,
     units_of_motion,
 )
+from lagdsl.foundation.units.naming import unit_text
 from lagdsl.language.flat.events import entries
 from lagdsl.language.flat.listing import computed_outputs, discrete_outputs
 
@@ -108,6 +109,8 @@ def _discretes(body: Body) -> Iterator[str]:
         else:
             attributes = [("start", body.expressions.number(node)), _FIXED, *unit(item.unit)]
             yield declaration(f"discrete {word}Real", quoted(item.name), attributes, doc=item.doc)
+    for delay in body.flat.events.delays:
+        yield declaration("Real", quoted(delay.name), unit(unit_text(delay.dimension)))
     for index, entry in enumerate(entries(body.flat.events)):
         if entry.name in body.nodes.standing:
             truth = body.expressions.is_truth(body.graph.symbol(Group.W, index))

@@ -52,7 +52,9 @@ def _outputs(body: Body) -> Iterator[str]:
 
 
 def _standing(body: Body) -> Iterator[str]:
-    """Relations, and what time alone changes."""
+    """Delayed values, relations, and what time alone changes."""
+    for name, (value, time) in body.nodes.delays.items():
+        yield f"{quoted(name)} = delay({body.expressions.number(value)}, {body.expressions.number(time)});"
     for index, entry in enumerate(entries(body.flat.events)):
         if entry.name in body.nodes.standing:
             truth = body.expressions.is_truth(body.graph.symbol(Group.W, index))

@@ -11,7 +11,7 @@ from lagdsl.engines.backends.modelica.expressions import literal
 from lagdsl.engines.backends.modelica.names import own, quoted, text
 from lagdsl.foundation.units.dimension import TIME
 from lagdsl.foundation.units.naming import rate_text
-from lagdsl.language.flat.events import entries
+from lagdsl.language.flat.events import Delay, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Quantity
 
@@ -54,6 +54,8 @@ def leaves(graph: Graph, flat: FlatModel) -> dict[int, str]:
     found = {graph.symbol(group, k): name for group, names in groups.items() for k, name in enumerate(names)}
     for index, entry in enumerate(entries(flat.events)):
         name = entry.name if entry.kind == "instant" else quoted(entry.name)
+        if entry.kind == "delay_rate" and isinstance(entry.item, Delay):
+            name = f"der({quoted(entry.item.name)})"
         found[graph.symbol(Group.W, index)] = name
         found[previous(graph, flat, index)] = f"pre({name})"
     return found

@@ -20,12 +20,12 @@ from lagdsl.engines.backends.tape.nodes import Ints, Nodes, distinct, live_sets,
 from lagdsl.engines.backends.tape.settled import Settled, settle
 from lagdsl.language.flat.events import INITIAL
 
-VERSION: Final = 10
+VERSION: Final = 11
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (
-    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed", "condition", "clock"),
-    *("initial", "terminal", "load"),
+    *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed"),
+    *("delay", "delay_rate", "condition", "clock", "initial", "terminal", "load"),
 )
 
 # Functions by number, as lag_function counts them.
@@ -46,6 +46,7 @@ SIZES: Final = (
         "ncorner",
         "nway",
         "nturn",
+        "ndelay",
         "nslip",
         "nfriction",
         "nload",

@@ -80,4 +80,9 @@ ROWS: dict[str, Row] = {
         None,
         "write it as a constraint of positions, `constraint x == 2*y` in place of `constraint der(x) == 2*der(y)`",
     ),
+    "E0868": error(
+        "no {what} of a model with delays: `{name}` needs a past, which no finite state tells",
+        "delayed",
+        "simulate it; or write an approximation by states in place of the delay, for a short one `der(y) = (x - y)/T`",
+    ),
 }

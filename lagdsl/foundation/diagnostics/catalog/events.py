@@ -100,4 +100,15 @@ ROWS: dict[str, Row] = {
         label="`{name}` is an option of gaps",
         help="write `contact name: rate >= 0;`: rates do not bounce",
     ),
+    "E0390": error(
+        "`delay` takes what is known with the state, and this reads accelerations, multipliers or reactions",
+        label="found by solving the equations",
+        help="delay a position, a rate, a state or an input, and compute from that: `m*delay(der(x), T)`",
+    ),
+    "E0391": error(
+        "`{name}` stands in {what}, where the equations need its derivative",
+        label="a delayed value has a value only",
+        help="let a force or a state read it: `force -k*delay(x, T) at P;`; for its rate, delay the rate: "
+        "`delay(der(x), T)`",
+    ),
 }

@@ -49,6 +49,11 @@ ROWS: dict[str, Row] = {
         help="choose the target `numpy` or `c`, or an FMU; or write a load that is known before the equations are "
         "solved",
     ),
+    "E0917": error(
+        "an FMU for model exchange cannot hold `{name}`: the importer makes the steps, and keeps no past",
+        label="needs the past",
+        help="export for co-simulation, which contains the runtime of lagdsl: `--kind cs`",
+    ),
     "E0925": error(
         "no variable that can be an output of the FMU is called `{name}`",
         help="name a coordinate, a rate, a state, a discrete variable or a definition",

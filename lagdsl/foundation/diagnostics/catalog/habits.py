@@ -48,7 +48,6 @@ _FUNCTIONS = {
     "log2": "write `log({0})/log(2)`",
     "Rational": "write `{0}/{1}`",
     **dict.fromkeys(("range", "arange"), "a range is written `1:n`"),
-    "delay": "delays are not part of the language; a `FirstOrder` of Lag.Blocks lags behind",
 }  # fmt: skip
 
 # Names by text; what stands in the place of a value.

@@ -277,4 +277,9 @@ ROWS: dict[str, Row] = {
         "explicit start rate",
         "leave one of them out, or write `fixed = true` at the one that holds",
     ),
+    "E0898": error(
+        "{time}: `{name}` would need a past of more than 4096 pieces",
+        "delayed",
+        "so many events within one delay: take a shorter delay, or longer steps of what drives the model",
+    ),
 }

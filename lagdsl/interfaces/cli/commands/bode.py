@@ -82,6 +82,7 @@ def _band(text: str) -> Floats:
 
 def _data(found: FrequencyResponse) -> dict[str, Any]:
     transfer, margins = found.transfer, found.margins
+    quotient = {} if transfer is None else {"gain": transfer.gain, "zeros": transfer.zeros, "poles": transfer.poles}
     told = {} if margins is None else {
         "gain_margin": margins.gain,
         "phase_margin": margins.phase,
@@ -96,14 +97,12 @@ def _data(found: FrequencyResponse) -> dict[str, Any]:
         "input_unit": found.input.unit,
         "output_unit": found.output.unit,
         "kind": found.steadiness.kind,
-        "every": transfer.every,
+        "every": found.every,
         "frequencies": found.frequencies,
         "response": found.response,
         "magnitude": found.magnitude,
         "phase": found.phase,
-        "gain": transfer.gain,
-        "zeros": transfer.zeros,
-        "poles": transfer.poles,
+        **quotient,
         **told,
     }
 

@@ -61,4 +61,5 @@ def _what_moves(flat: fm.FlatModel) -> Iterator[FlatExpression]:
         yield from constraint.residuals
     yield from (contact.gap for contact in flat.events.contacts)
     yield from (feedback.value for feedback in flat.events.feedbacks)
+    yield from (delay.value for delay in flat.events.delays)
     yield from (state.derivative for state in flat.states)

@@ -73,6 +73,7 @@ class _Guards:
         known = {id(each.expression) for each in met if each.order == Order.STILL}
         self._steps = self._truths | (whole & (self._branching | known)) if whole & self._branching else set()
         self._moving = {"time"} | {item.name for item in (*flat.coordinates, *flat.states, *flat.inputs)}
+        self._moving |= {delay.name for delay in flat.events.delays}
         self._resting = {id(each.expression) for each in met if self._rests(operands(each.expression))}
 
     def _rests(self, parts: Sequence[FlatExpression]) -> bool:

@@ -1,5 +1,5 @@
 """Functions of events: `pre`, `edge`, `change`, `sample`, `initial`, `terminal`, `closed`, `impacts`,
-`sticks`."""
+`sticks`, `delay`."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.flat.events import INITIAL, TERMINAL
 from lagdsl.language.flat.quantity import Variability
+from lagdsl.language.semantics.events.delays import delayed
 from lagdsl.language.semantics.operators.arguments import labelled_one, named_element, positional
 from lagdsl.language.semantics.operators.event_limits import require
 from lagdsl.language.semantics.operators.frictions import friction_named
@@ -160,6 +161,7 @@ OF_EVENTS: dict[str, Callable[[Context, Scope, nodes.Call], Value]] = {
     "closed": of_contact,
     "impacts": of_contact,
     "sticks": sticks,
+    "delay": delayed,
     "reinit": action,
     "terminate": action,
     "impact": action,

@@ -9,11 +9,13 @@ from typing import TypeVar
 
 from lagdsl.foundation.record import mutable_record
 from lagdsl.foundation.units import Dimension
+from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.language.flat.events import (
     INITIAL,
     TERMINAL,
     Clock,
     Contact,
+    Delay,
     Discrete,
     Events,
     Feedback,
@@ -24,6 +26,9 @@ from lagdsl.language.flat.events import (
 )
 from lagdsl.language.flat.expression import FlatExpression, Variable
 from lagdsl.language.flat.quantity import Spans
+from lagdsl.language.semantics.scope.scope import Indices, Scope, Symbol
+from lagdsl.language.semantics.scope.values import Scalar
+from lagdsl.language.syntax.nodes import Expression
 
 # Names are the text, as far as this.
 _LONGEST = 80
@@ -48,12 +53,18 @@ class ForceLaws:
 
 @mutable_record()
 class Occurrences:
-    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier."""
+    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier.
+
+    `assumed` are variables that are delayed before they have values, with the dimensions that they are taken to
+    have.
+    """
 
     discretes: list[Discrete] = field(default_factory=list)
     laws: ForceLaws = field(default_factory=ForceLaws)
     whens: list[When] = field(default_factory=list)
     clocks: dict[str, Clock] = field(default_factory=dict)
+    delays: dict[str, Delay] = field(default_factory=dict)
+    assumed: list[tuple[Expression, Scope, Symbol, Indices, Dimension]] = field(default_factory=list)
     instants: set[str] = field(default_factory=set)
     limits: list[Limit] = field(default_factory=list)
     memories: dict[str, Memory] = field(default_factory=dict)
@@ -62,6 +73,15 @@ class Occurrences:
     def clock(self, text: str, spans: Spans, start: FlatExpression, period: FlatExpression) -> str:
         """The name of the clock; the same one again ticks at the same instants."""
         return entered(self.clocks, text, lambda name: Clock(spans=spans, name=name, start=start, period=period))
+
+    def delay(self, text: str, spans: Spans, value: Scalar, time: FlatExpression) -> Variable:
+        """The entry of a delayed value; the same one again is the same entry."""
+        dimension = value.dimension or DIMENSIONLESS
+
+        def make(name: str) -> Delay:
+            return Delay(spans=spans, name=name, value=value.expression, time=time, dimension=dimension)
+
+        return Variable(entered(self.delays, text, make))
 
     def condition(self, text: str) -> str:
         """A name for what a condition of a clause was before."""
@@ -80,6 +100,7 @@ class Occurrences:
             contacts=tuple(self.laws.contacts),
             frictions=tuple(self.laws.frictions),
             feedbacks=tuple(self.laws.feedbacks.values()),
+            delays=tuple(self.delays.values()),
             whens=tuple(self.whens),
             memories=tuple(self.memories.values()),
             clocks=tuple(self.clocks.values()),

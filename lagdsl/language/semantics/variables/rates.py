@@ -86,6 +86,8 @@ def _values(flat: FlatModel) -> Iterator[tuple[FlatExpression, Item, str]]:
             yield value, load, "occurs in a load"
     for feedback in flat.events.feedbacks:
         yield feedback.value, feedback, "occurs in a load"
+    for delay in flat.events.delays:
+        yield delay.value, delay, f"occurs in `{delay.name}`"
     for friction in flat.events.frictions:
         for value in (friction.limit, *(() if friction.sticking is None else (friction.sticking,))):
             yield value, friction, "occurs in a limit of friction"

@@ -40,6 +40,8 @@ def physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
         yield from (dependence.of_frame(frame) for frame in load_frames(load))
     for feedback in flat.events.feedbacks:
         yield dependence.of(feedback.value)
+    for delay in flat.events.delays:
+        yield dependence.of(delay.value)
 
 
 def load_expressions(load: fm.Load) -> list[fx.FlatExpression]:

@@ -27,8 +27,8 @@ _MOST_DECADES = 12.0
 class FrequencyResponse:
     """`response` (k,) is y/u in SI units at `frequencies` [Hz] (k,), for sinusoids about `point`.
 
-    `transfer` is the same as a quotient of polynomials, `margins` are those of the loop u = -y; None where there are
-    none, for a sampled system with a pole at z = -1.
+    `transfer` is the same as a quotient of polynomials, None for a model with delays. `margins` are those of the loop
+    u = -y; None where there are none, for a sampled system with a pole at z = -1, and with delays.
     """
 
     model: str
@@ -38,8 +38,13 @@ class FrequencyResponse:
     output: Named
     frequencies: Floats
     response: Complexes
-    transfer: TransferFunction
+    transfer: TransferFunction | None
     margins: Margins | None
+
+    @property
+    def every(self) -> float | None:
+        """The period of a sampled system [s]."""
+        return None if self.transfer is None else self.transfer.every
 
     @property
     def magnitude(self) -> Floats:

@@ -173,6 +173,10 @@ static const char *reason(lag_status status)
         return "no forces satisfy the law of friction";
     case LAG_BAD_CLOCK:
         return "a clock has no positive period";
+    case LAG_BAD_DELAY:
+        return "a delay is not positive";
+    case LAG_LONG_PAST:
+        return "the past of a delayed value has too many events";
     default:
         return "the motion cannot go on";
     }

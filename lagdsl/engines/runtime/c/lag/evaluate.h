@@ -37,6 +37,7 @@ typedef enum lag_function {
     LAG_CORNER,
     LAG_WAY,
     LAG_TURN,
+    LAG_DELAYED,
     LAG_FRICTION,
     LAG_LOAD,
     LAG_LOAD_TANGENT,

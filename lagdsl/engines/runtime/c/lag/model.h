@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 8u
+#define LAG_MODEL_VERSION 9u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -76,6 +76,8 @@ typedef enum lag_kind {
     LAG_KIND_DIRECTION, /* the sense of a slip, -1, 0 or 1; of two components the speed [as slip] that gives slip at rest a direction */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
     LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
+    LAG_KIND_DELAY,     /* what an expression was some time ago: delayed() tells what it is now; one for each delay */
+    LAG_KIND_DELAY_RATE, /* its derivative; one for each delay */
     LAG_KIND_CONDITION, /* the truth of a condition, or a value that `pre` reads, when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
@@ -261,6 +263,11 @@ typedef struct lag_model {
      */
     lag_status (*turn)(const lag_arguments *at, double *value, double *rate, double *turn, double *entry);
     /*
+     * t q qd z u w p -> value (ndelay), time (ndelay), direct: what is delayed, as it is now, and by how much [s]; 1 where one of
+     * them reads delayed values itself. Only in models with delayed values
+     */
+    lag_status (*delayed)(const lag_arguments *at, double *value, double *time, double *direct);
+    /*
      * t q qd z u w p qdd lam -> slip (nslip), jacobian (nslip, nq), limit (nfriction), sticking (nfriction), gain (nfriction, nc),
      * sticking_gain (nfriction, nc): slips of dry friction and their derivatives by qd, as the rows that hold them are; the forces
      * while it slides, the largest ones while it sticks, and how both change with lam. Only in models with dry friction
@@ -351,6 +358,7 @@ typedef struct lag_model {
     size_t ncorner; /* of models with corners along the motion */
     size_t nway;    /* of models in which ways of masses depend on discretes */
     size_t nturn;   /* of models with outputs that are known up to whole turns */
+    size_t ndelay;  /* of models with delayed values */
     size_t nslip, nfriction; /* of models with dry friction: components of slips, frictions */
     size_t nload;   /* of models with loads that depend on accelerations or multipliers */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */

@@ -318,6 +318,8 @@ void lag_run_lose(lag_run *run, double t, const double *x);
 /* True if runs of the model cross singular positions by themselves. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
+/* Keeps the past of delayed expressions up to time t in the last step. */
+lag_status lag_run_keep_past(lag_run *run, double t);
 /* Records the rows before time t, or up to it, from the last step. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
 /*

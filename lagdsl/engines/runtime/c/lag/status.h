@@ -27,7 +27,9 @@ typedef enum lag_status {
     LAG_BAD_CLOCK = 19,    /* a clock has no positive period, or no first instant */
     LAG_WAY_JUMP = 20,   /* the position of a mass would jump with what changes */
     LAG_MOMENTUM_UNREACHABLE = 21,    /* no rates have the momenta or the energy that an impulse leaves */
-    LAG_NO_FORCES = 22  /* no forces, or impulses, satisfy the law of friction, or sliding leaves them undetermined: wedging */
+    LAG_NO_FORCES = 22,  /* no forces, or impulses, satisfy the law of friction, or sliding leaves them undetermined: wedging */
+    LAG_BAD_DELAY = 23,    /* a delay is not positive and finite */
+    LAG_LONG_PAST = 24     /* the past of delayed values takes more pieces than the run keeps */
 } lag_status;
 
 #endif

@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 10u
+#define LAG_TAPE_VERSION 11u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -90,6 +90,7 @@ typedef enum lag_tape_size {
     LAG_TAPE_NCORNER,
     LAG_TAPE_NWAY,
     LAG_TAPE_NTURN,
+    LAG_TAPE_NDELAY,
     LAG_TAPE_NSLIP,
     LAG_TAPE_NFRICTION,
     LAG_TAPE_NLOAD,

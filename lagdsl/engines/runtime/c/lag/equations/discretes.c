@@ -31,6 +31,8 @@ lag_places lag_places_of(const lag_model *model)
         .direction = first[LAG_KIND_DIRECTION],
         .relation = first[LAG_KIND_RELATION],
         .timed = first[LAG_KIND_TIMED],
+        .delay = first[LAG_KIND_DELAY],
+        .delay_rate = first[LAG_KIND_DELAY_RATE],
         .condition = first[LAG_KIND_CONDITION],
         .clock = first[LAG_KIND_CLOCK],
         .initial = only(model, LAG_KIND_INITIAL, first[LAG_KIND_INITIAL]),

@@ -9,6 +9,7 @@ typedef struct lag_places {
     size_t sticks, direction; /* (nfriction) (nslip) */
     size_t relation;         /* (nindicator) truths. Turned by event_sides.c; carried over by event_iteration.c, event_contacts.c, refraction.c */
     size_t timed;            /* (ntimed) */
+    size_t delay, delay_rate; /* (ndelay) each */
     size_t condition, clock; /* up to `clock`; (nclock) */
     size_t initial, terminal; /* one entry each; nw where the model has none */
     size_t load;             /* (nload) up to the end */

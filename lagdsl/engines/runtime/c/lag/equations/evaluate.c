@@ -220,6 +220,14 @@ static lag_status evaluate_turn(const lag_model *model, const lag_arguments *at,
     return model->turn == NULL ? LAG_MISSING : model->turn(at, value, rate, turn, entry);
 }
 
+static lag_status evaluate_delayed(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const time = value + model->ndelay;
+    double *const direct = time + model->ndelay;
+    return model->delayed == NULL ? LAG_MISSING : model->delayed(at, value, time, direct);
+}
+
 static lag_status evaluate_friction(const lag_model *model, const lag_arguments *at, double *results)
 {
     double *const slip = results;
@@ -343,51 +351,25 @@ static lag_status evaluate_kinematics(const lag_model *model, const lag_argument
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
 {
     static lag_status (*const functions[])(const lag_model *model, const lag_arguments *at, double *results) = {
-        [LAG_START] = evaluate_start,
-        [LAG_POSITION_CONSTRAINT] = evaluate_position_constraint,
-        [LAG_VELOCITY_CONSTRAINT] = evaluate_velocity_constraint,
-        [LAG_MASS_MATRIX] = evaluate_mass_matrix,
-        [LAG_DYNAMICS] = evaluate_dynamics,
-        [LAG_INVERSE_DYNAMICS] = evaluate_inverse_dynamics,
-        [LAG_RESIDUAL] = evaluate_residual,
-        [LAG_RESIDUAL_TANGENT] = evaluate_residual_tangent,
-        [LAG_STATE_DERIVATIVE] = evaluate_state_derivative,
-        [LAG_STATE_DERIVATIVE_TANGENT] = evaluate_state_derivative_tangent,
-        [LAG_OUTPUT] = evaluate_output,
-        [LAG_OUTPUT_TANGENT] = evaluate_output_tangent,
-        [LAG_ENERGIES] = evaluate_energies,
-        [LAG_MOMENTA] = evaluate_momenta,
-        [LAG_POWER] = evaluate_power,
-        [LAG_MONITOR] = evaluate_monitor,
-        [LAG_INITIAL_EQUATION] = evaluate_initial_equation,
-        [LAG_CONSTRAINT_TANGENT] = evaluate_constraint_tangent,
-        [LAG_ELIMINATION] = evaluate_elimination,
-        [LAG_DISCRETE_START] = evaluate_discrete_start,
-        [LAG_INDICATOR] = evaluate_indicator,
-        [LAG_INDICATOR_RATE] = evaluate_indicator_rate,
-        [LAG_STANDING] = evaluate_standing,
-        [LAG_CONTACT] = evaluate_contact,
-        [LAG_CLOCK] = evaluate_clock,
-        [LAG_EVENT] = evaluate_event,
-        [LAG_TIME_EVENT] = evaluate_time_event,
-        [LAG_CORNER] = evaluate_corner,
-        [LAG_WAY] = evaluate_way,
-        [LAG_TURN] = evaluate_turn,
-        [LAG_FRICTION] = evaluate_friction,
-        [LAG_LOAD] = evaluate_load,
-        [LAG_LOAD_TANGENT] = evaluate_load_tangent,
-        [LAG_LOAD_GAIN] = evaluate_load_gain,
-        [LAG_MOMENTUM_TANGENT] = evaluate_momentum_tangent,
-        [LAG_DEFINITION] = evaluate_definition,
-        [LAG_DEFINITION_TANGENT] = evaluate_definition_tangent,
-        [LAG_START_TANGENT] = evaluate_start_tangent,
-        [LAG_ENERGIES_TANGENT] = evaluate_energies_tangent,
-        [LAG_INITIAL_EQUATION_TANGENT] = evaluate_initial_equation_tangent,
-        [LAG_TIME_TANGENT] = evaluate_time_tangent,
-        [LAG_CORRECTION] = evaluate_correction,
-        [LAG_EQUATION_TERMS] = evaluate_equation_terms,
-        [LAG_REGRESSOR] = evaluate_regressor,
-        [LAG_KINEMATICS] = evaluate_kinematics,
+        [LAG_START] = evaluate_start, [LAG_POSITION_CONSTRAINT] = evaluate_position_constraint,
+        [LAG_VELOCITY_CONSTRAINT] = evaluate_velocity_constraint, [LAG_MASS_MATRIX] = evaluate_mass_matrix,
+        [LAG_DYNAMICS] = evaluate_dynamics, [LAG_INVERSE_DYNAMICS] = evaluate_inverse_dynamics, [LAG_RESIDUAL] = evaluate_residual,
+        [LAG_RESIDUAL_TANGENT] = evaluate_residual_tangent, [LAG_STATE_DERIVATIVE] = evaluate_state_derivative,
+        [LAG_STATE_DERIVATIVE_TANGENT] = evaluate_state_derivative_tangent, [LAG_OUTPUT] = evaluate_output,
+        [LAG_OUTPUT_TANGENT] = evaluate_output_tangent, [LAG_ENERGIES] = evaluate_energies, [LAG_MOMENTA] = evaluate_momenta,
+        [LAG_POWER] = evaluate_power, [LAG_MONITOR] = evaluate_monitor, [LAG_INITIAL_EQUATION] = evaluate_initial_equation,
+        [LAG_CONSTRAINT_TANGENT] = evaluate_constraint_tangent, [LAG_ELIMINATION] = evaluate_elimination,
+        [LAG_DISCRETE_START] = evaluate_discrete_start, [LAG_INDICATOR] = evaluate_indicator,
+        [LAG_INDICATOR_RATE] = evaluate_indicator_rate, [LAG_STANDING] = evaluate_standing, [LAG_CONTACT] = evaluate_contact,
+        [LAG_CLOCK] = evaluate_clock, [LAG_EVENT] = evaluate_event, [LAG_TIME_EVENT] = evaluate_time_event,
+        [LAG_CORNER] = evaluate_corner, [LAG_WAY] = evaluate_way, [LAG_TURN] = evaluate_turn, [LAG_DELAYED] = evaluate_delayed,
+        [LAG_FRICTION] = evaluate_friction, [LAG_LOAD] = evaluate_load, [LAG_LOAD_TANGENT] = evaluate_load_tangent,
+        [LAG_LOAD_GAIN] = evaluate_load_gain, [LAG_MOMENTUM_TANGENT] = evaluate_momentum_tangent,
+        [LAG_DEFINITION] = evaluate_definition, [LAG_DEFINITION_TANGENT] = evaluate_definition_tangent,
+        [LAG_START_TANGENT] = evaluate_start_tangent, [LAG_ENERGIES_TANGENT] = evaluate_energies_tangent,
+        [LAG_INITIAL_EQUATION_TANGENT] = evaluate_initial_equation_tangent, [LAG_TIME_TANGENT] = evaluate_time_tangent,
+        [LAG_CORRECTION] = evaluate_correction, [LAG_EQUATION_TERMS] = evaluate_equation_terms,
+        [LAG_REGRESSOR] = evaluate_regressor, [LAG_KINEMATICS] = evaluate_kinematics,
     };
     return (size_t)which < sizeof functions / sizeof *functions ? functions[which](model, at, results) : LAG_MISSING;
 }

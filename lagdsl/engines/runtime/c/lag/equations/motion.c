@@ -34,7 +34,7 @@ static void place_written(lag_written *written, const lag_model *model, double *
 size_t lag_motion_memory(const lag_model *model)
 {
     const size_t values = model->nu + model->nw + model->nq + model->nc + 1;
-    return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model);
+    return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model) + lag_delays_memory(model);
 }
 
 /* From so many directions on, several are followed at once: the functions for that have to be made first. */
@@ -138,6 +138,9 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.w = motion->w;
     motion->at.qdd = motion->qdd;
     motion->at.lam = motion->lam;
+    const lag_places places = lag_places_of(model);
+    double *delays = motion->loads + loads_memory(model);
+    lag_delays_place(&motion->delays, &motion->model, &motion->at, motion->w + places.delay, motion->w + places.delay_rate, delays);
     motion->until = (double)INFINITY;
     motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian};
 }
@@ -172,6 +175,9 @@ void lag_motion_set_state(lag_motion *motion, double t, const double *x)
     motion->at.z = x + 2 * n;
     if (motion->inputs != NULL) {
         motion->inputs(motion->context, t, t >= motion->until, motion->u);
+    }
+    if (motion->model->ndelay > 0) {
+        lag_delays_set(&motion->delays, t);
     }
 }
 

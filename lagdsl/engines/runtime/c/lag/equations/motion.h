@@ -2,6 +2,7 @@
 #ifndef LAG_MOTION_H
 #define LAG_MOTION_H
 
+#include "lag/delays/delays.h"
 #include "lag/dynamics.h"
 #include "lag/ode.h"
 #include "lag/parallel.h"
@@ -50,6 +51,7 @@ typedef struct lag_motion {
     void *context;       /* of inputs, and of along.tell */
     lag_motion_along along;
     const double *sizes, *row_sizes; /* (nq) (nc) natural sizes, or both null: not known */
+    lag_delays delays;
     double until;        /* from this time on inputs are those before a jump */
     lag_ode ode;         /* the system that the methods see; its context is this structure */
     size_t coordinate;   /* of the last singular state */
@@ -79,7 +81,7 @@ lag_status lag_motion_start(lag_motion *motion, double t, double *x);
 /* The loads into w, as they are at the state, accelerations and multipliers of `at`. */
 lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at);
 
-/* Lets `at` be the state x at time t, inputs included. */
+/* Lets `at` be the state x at time t, inputs and delayed values included. */
 void lag_motion_set_state(lag_motion *motion, double t, const double *x);
 
 /* The same, with qdd and lam solved. */

@@ -68,7 +68,7 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    const double next = fmin(instants->timed.next, lag_contacts_end_of_bounces(&instants->contacts));
+    const double next = fmin(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
     return fmin(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
 }
 
@@ -81,7 +81,8 @@ static int is_reported(const lag_instants *instants, double t)
 
 int lag_instants_due(const lag_instants *instants, double t)
 {
-    return is_reported(instants, t) || instants->timed.next <= t;
+    const int jumps = lag_delays_next(&instants->motion->delays) <= lag_timed_behind(&instants->timed, t);
+    return is_reported(instants, t) || jumps || instants->timed.next <= t;
 }
 
 double lag_instants_same(const lag_instants *instants, double t)
@@ -280,6 +281,7 @@ void lag_instants_take_back(const lag_instants *instants, double *x)
     const lag_model *model = instants->motion->model;
     memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
     memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
+    lag_delays_take_back(&instants->motion->delays);
 }
 
 /* Carries out all that is due before the clauses: changes with time, clocks, the end of bounces. */

@@ -154,8 +154,10 @@ static lag_status change(lag_noise *noise, double t, const double *x, unsigned k
     memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
     motion->inputs = NULL;
     change_inputs(noise, k, sign);
+    motion->delays.change = 2.0 * sign * CHANGE * part_of(0, k);
     const lag_status status = lag_noise_evaluate(noise, after, noise->point, values);
     motion->inputs = inputs;
+    motion->delays.change = 0.0;
     memcpy(motion->u, noise->u, motion->model->nu * sizeof(double));
     return status;
 }

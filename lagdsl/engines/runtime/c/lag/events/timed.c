@@ -210,9 +210,14 @@ static double affine_zero(distance *one, double t)
     return fmax(t, guess - value / a.rate);
 }
 
+double lag_timed_next(const lag_timed *timed)
+{
+    return fmin(timed->next, lag_delays_next(&timed->motion->delays));
+}
+
 int lag_timed_due(const lag_timed *timed, double t)
 {
-    return timed->next <= lag_timed_behind(timed, t);
+    return lag_timed_next(timed) <= lag_timed_behind(timed, t);
 }
 
 lag_status lag_timed_set(lag_timed *timed, double t)
@@ -275,6 +280,13 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     const double later = lag_timed_behind(timed, t);
     double *w = timed->motion->w + timed->first;
     int lost = 0;
+    lag_delays_change(&timed->motion->delays, later);
+    if (timed->next <= later) {
+        timed->motion->delays.pieces.level = 0;
+    }
+    if (model->ntimed == 0) {
+        return LAG_OK;
+    }
     memcpy(timed->before, w, model->ntimed * sizeof(double));
     lag_status status = evaluate(timed, later);
     memcpy(w, timed->value, model->ntimed * sizeof(double));
@@ -301,7 +313,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
 int lag_timed_is_reported(const lag_timed *timed)
 {
     const double *w = timed->motion->w + timed->first;
-    int told = 0;
+    int told = timed->motion->delays.jumps.any;
     for (size_t i = 0; i < timed->motion->model->ntimed; ++i) {
         told = told || (timed->told[i] != 0.0 && w[i] != timed->before[i]);
     }

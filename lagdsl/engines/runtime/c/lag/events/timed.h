@@ -40,6 +40,9 @@ double lag_timed_behind(const lag_timed *timed, double t);
 /* Finds `next` after time t, with the present discretes. */
 lag_status lag_timed_find_next(lag_timed *timed, double t);
 
+/* The time of it, or of the next jump of what is delayed. */
+double lag_timed_next(const lag_timed *timed);
+
 /* True if that is now, or later by round-off: lag_timed_change() carries it out. */
 int lag_timed_due(const lag_timed *timed, double t);
 

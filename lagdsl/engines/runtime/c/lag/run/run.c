@@ -189,7 +189,7 @@ static int alike(const lag_model *a, const lag_model *b)
         a->nc == b->nc && a->ny == b->ny && a->ni == b->ni && a->na == b->na && a->nk == b->nk && a->nindicator == b->nindicator &&
         a->ncontact == b->ncontact && a->ngap == b->ngap && a->nclock == b->nclock && a->nreset == b->nreset &&
         a->nfriction == b->nfriction && a->nslip == b->nslip && a->nload == b->nload &&
-        a->ncorner == b->ncorner && a->nway == b->nway && a->nturn == b->nturn && a->ncollision == b->ncollision && a->nstop == b->nstop && a->nfail == b->nfail;
+        a->ncorner == b->ncorner && a->nway == b->nway && a->nturn == b->nturn && a->ndelay == b->ndelay && a->ncollision == b->ncollision && a->nstop == b->nstop && a->nfail == b->nfail;
 }
 
 lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace)

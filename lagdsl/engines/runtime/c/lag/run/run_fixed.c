@@ -68,7 +68,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
     }
     const double end = lag_run_end_of_step(run, h);
     run->motion.until = end; /* inputs that jump there do so as the next step begins */
-    status = lag_instants_next(&run->instants) < end - LAG_SAME_TICK * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
+    status = run->motion.model->ndelay > 0 || lag_instants_next(&run->instants) < end - LAG_SAME_TICK * h ? LAG_EVENT_PENDING : step_once(run, h, end, step, memory);
     if (status == LAG_EVENT_PENDING) {
         if (s->t == end) {
             s->t = s->t_before;

@@ -44,6 +44,7 @@ static void note_doubtful(lag_run *run, const double *changed)
 static lag_status begin(lag_run *run, const double *changed)
 {
     ++run->counts.events;
+    run->motion.delays.pieces.level = 0;
     if (changed != NULL) {
         note_doubtful(run, changed);
     }
@@ -79,9 +80,15 @@ static lag_status end_with_relations(lag_run *run, lag_status status)
 
 lag_status lag_run_enter(lag_run *run)
 {
+    lag_delays_clear(&run->motion.delays);
     const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
     if (status == LAG_OK) {
         lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+    }
+    if ((status == LAG_OK || status == LAG_STOPPED) && run->motion.model->ndelay > 0) {
+        lag_motion_set_state(&run->motion, run->stepper.t, run->stepper.x);
+        const lag_status begun = lag_delays_begin(&run->motion.delays, run->stepper.t);
+        return begun == LAG_OK ? status : begun;
     }
     return status;
 }
@@ -245,6 +252,7 @@ lag_status lag_run_jump(lag_run *run)
 {
     int blown = 0;
     int any = 0;
+    run->motion.delays.pieces.level = 0;
     run->motion.until = (double)INFINITY;
     lag_status status = apply_input_jump(run, &blown);
     if (status == LAG_OK && has_instants(run)) {
@@ -268,6 +276,9 @@ lag_status lag_run_back(lag_run *run, double t)
     lag_stepper *s = &run->stepper;
     int moved = 0;
     lag_status status = lag_run_rows(run, t, 0);
+    if (status == LAG_OK) {
+        status = lag_run_keep_past(run, t);
+    }
     if (status == LAG_OK) {
         status = lag_stepper_dense(s, t, run->point);
     }

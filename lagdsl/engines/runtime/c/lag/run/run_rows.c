@@ -1,5 +1,10 @@
-/* Rows of a run at requested times. */
+/* States within the last step: rows of a run at requested times, the past of what is delayed. */
+#include <math.h>
+
 #include "lag/run.h"
+
+/* Pieces of the past are at least this part of a step: there may be a corner that nobody told. */
+static const double LEAST = 1e-6;
 
 lag_status lag_run_inside(lag_run *run, double t, double *x)
 {
@@ -49,5 +54,47 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
     while (status == LAG_OK && up_to && run->counts.row < options->count && options->times[run->counts.row] == t) {
         status = record(run, t, run->stepper.x);
     }
+    return status;
+}
+
+/* ---- the past ---- */
+
+/* The delayed expressions at time t, into `values` (ndelay). */
+static lag_status sample(lag_run *run, double t, double *values)
+{
+    const lag_stepper *s = &run->stepper;
+    const lag_status status = lag_stepper_dense(&run->stepper, fmin(fmax(t, s->t_before), s->t), run->point);
+    if (status != LAG_OK) {
+        return status;
+    }
+    lag_motion_set_state(&run->motion, t, run->point);
+    return lag_delays_evaluate(&run->motion.delays, values);
+}
+
+lag_status lag_run_keep_past(lag_run *run, double t)
+{
+    lag_delay_pieces *pieces = &run->motion.delays.pieces;
+    lag_status status = LAG_OK;
+    if (pieces->count == 0) {
+        return LAG_OK;
+    }
+    lag_delays_cut(&run->motion.delays, run->stepper.t_before);
+    double h = t - lag_delay_end(pieces);
+    const double least = LEAST * h;
+    while (status == LAG_OK && lag_delay_end(pieces) < t) {
+        const double a = lag_delay_end(pieces);
+        const double b = a + h * (1.0 + LEAST) < t ? a + h : t;
+        const double half = 0.5 * (b - a);
+        for (size_t j = 0; j < LAG_DELAY_SAMPLES && status == LAG_OK; ++j) {
+            status = sample(run, j == 0 ? b : a + half * (1.0 + lag_delay_places[j]), pieces->sample + j * pieces->n);
+        }
+        if (status == LAG_OK && lag_delay_try(pieces, run->accuracy.relative, b) > 1.0 && half > least && a + half > a) {
+            h = half;
+        } else if (status == LAG_OK) {
+            status = lag_delay_add(pieces);
+            h *= 2.0;
+        }
+    }
+    (void)lag_delays_next(&run->motion.delays); /* up to where it reads on this side of a jump */
     return status;
 }

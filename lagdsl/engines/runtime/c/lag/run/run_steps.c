@@ -287,7 +287,8 @@ lag_status lag_run_step(lag_run *run, double stop)
     lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
-    lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
+    const double known = t + lag_delays_shortest(&run->motion.delays);
+    lag_status status = advance_to_corner(run, fmin(fmin(stop, known), lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
     memcpy(run->half.pending, run->guards.changed, lag_guard_count(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
@@ -325,8 +326,8 @@ lag_status lag_run_finish(lag_run *run, double stop)
     }
     half->open = 0;
     lag_status status = lag_run_count_step(run);
-    if (status == LAG_OK && half->own) {
-        status = lag_run_back(run, half->t);
+    if (status == LAG_OK) {
+        status = half->own ? lag_run_back(run, half->t) : lag_run_keep_past(run, half->t);
     }
     if (status != LAG_OK) {
         return undo_step(run, s->t_before, status);
@@ -338,6 +339,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
+        run->motion.delays.pieces.level = 0;
         lag_run_pass_corner(run, fmin(stop, lag_instants_next(&run->instants)));
         s->h = fmin(fmax(s->h, half->next), s->h_most);
         status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;

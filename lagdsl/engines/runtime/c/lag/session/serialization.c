@@ -141,6 +141,11 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->guards.pieces.reach);
     RECORD(run->guards.pieces.limit);
     RECORD(run->sizes.found);
+    RECORD(run->motion.delays.pieces.first);
+    RECORD(run->motion.delays.pieces.count);
+    RECORD(run->motion.delays.pieces.level);
+    RECORD(run->motion.delays.pieces.length);
+    RECORD(run->motion.delays.direct);
     RECORD(run->counts.row);
     RECORD(run->counts.steps);
     RECORD(run->counts.events);
@@ -213,7 +218,7 @@ static size_t remembered(const lag_model *model)
 unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options)
 {
     const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk,
-        model->nfriction, model->nslip, model->nload, options->count, remembered(model), sizeof(lag_run)};
+        model->nfriction, model->nslip, model->nload, model->ndelay, options->count, remembered(model), sizeof(lag_run)};
     const double one = 1.0; /* how numbers are written */
     unsigned long long sum = mixed(lag_record_sum((const unsigned char *)&one, sizeof one), LAG_MODEL_VERSION);
     for (const char *letter = model->name; *letter != '\0'; ++letter) {

@@ -205,6 +205,12 @@ static lag_status turn(const lag_arguments *at, double *value, double *rate, dou
     return run(at, 1 + LAG_TURN, results);
 }
 
+static lag_status delayed(const lag_arguments *at, double *value, double *time, double *direct)
+{
+    double *const results[] = {value, time, direct};
+    return run(at, 1 + LAG_DELAYED, results);
+}
+
 static lag_status friction(
         const lag_arguments *at, double *slip, double *jacobian, double *limit, double *sticking, double *gain,
         double *sticking_gain)
@@ -332,6 +338,7 @@ static void give(lag_tape *tape)
     tape->model.corner = lag_tape_has(tape, LAG_CORNER) ? corner : NULL;
     tape->model.way = lag_tape_has(tape, LAG_WAY) ? way : NULL;
     tape->model.turn = lag_tape_has(tape, LAG_TURN) ? turn : NULL;
+    tape->model.delayed = lag_tape_has(tape, LAG_DELAYED) ? delayed : NULL;
     tape->model.friction = lag_tape_has(tape, LAG_FRICTION) ? friction : NULL;
     tape->model.load = lag_tape_has(tape, LAG_LOAD) ? load : NULL;
     tape->model.load_tangent = lag_tape_has(tape, LAG_LOAD_TANGENT) ? load_tangent : NULL;

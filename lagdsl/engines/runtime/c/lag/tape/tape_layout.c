@@ -98,6 +98,7 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ncorner = size[LAG_TAPE_NCORNER];
     model->nway = size[LAG_TAPE_NWAY];
     model->nturn = size[LAG_TAPE_NTURN];
+    model->ndelay = size[LAG_TAPE_NDELAY];
     model->nslip = size[LAG_TAPE_NSLIP];
     model->nfriction = size[LAG_TAPE_NFRICTION];
     model->nload = size[LAG_TAPE_NLOAD];

@@ -179,7 +179,7 @@ static int texts_end(const lag_tape_parts *parts)
     return below(parts, LAG_TAPE_MESSAGES, texts->length);
 }
 
-/* Kinds stand in their order, as many of each as there are contacts, frictions, relations, clocks and loads. */
+/* Kinds stand in their order, as many of each as there are contacts, frictions, relations, delays, clocks and loads. */
 static int kinds_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
@@ -194,7 +194,8 @@ static int kinds_agree(const lag_tape_parts *parts)
     return found[LAG_KIND_CONTACT] == n[LAG_TAPE_NCONTACT] && found[LAG_KIND_IMPACTS] == n[LAG_TAPE_NCONTACT] &&
            found[LAG_KIND_RELATION] == n[LAG_TAPE_NINDICATOR] && found[LAG_KIND_TIMED] == n[LAG_TAPE_NTIMED] &&
            found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK] && found[LAG_KIND_STICKS] == n[LAG_TAPE_NFRICTION] &&
-           found[LAG_KIND_DIRECTION] == n[LAG_TAPE_NSLIP] && found[LAG_KIND_LOAD] == n[LAG_TAPE_NLOAD];
+           found[LAG_KIND_DIRECTION] == n[LAG_TAPE_NSLIP] && found[LAG_KIND_LOAD] == n[LAG_TAPE_NLOAD] &&
+           found[LAG_KIND_DELAY] == n[LAG_TAPE_NDELAY] && found[LAG_KIND_DELAY_RATE] == n[LAG_TAPE_NDELAY];
 }
 
 /* The functions of several directions are all there that the model needs, with rows that fit; or none is. */
@@ -266,9 +267,10 @@ static int functions_there(const lag_tape_parts *parts)
         const int every = i < LAG_ELIMINATION && !(written_out && by_columns);
         const int of_events = i >= LAG_DISCRETE_START && i <= LAG_TIME_EVENT && n[LAG_TAPE_NW] > 0;
         const int of_forces = (i == LAG_FRICTION && n[LAG_TAPE_NFRICTION] > 0) || (i >= LAG_LOAD && i <= LAG_LOAD_GAIN && n[LAG_TAPE_NLOAD] > 0);
+        const int of_delays = i == LAG_DELAYED && n[LAG_TAPE_NDELAY] > 0;
         const int of_kept = i == LAG_ELIMINATION && n[LAG_TAPE_NK] > 0;
         const int named = i == LAG_DEFINITION && n[LAG_TAPE_ND] > 0;
-        if ((every || of_events || of_forces || of_kept || named) && table[2 * (1 + i) + 1] == 0) {
+        if ((every || of_events || of_forces || of_delays || of_kept || named) && table[2 * (1 + i) + 1] == 0) {
             return 0;
         }
     }

@@ -25,11 +25,11 @@ static double reached(const lag_run *run)
 /* The state at a time that the run has reached. */
 static lag_status deliver(lag_instance *instance, double t)
 {
-    const lag_run *run = instance->run;
-    lag_status status = LAG_OK;
+    lag_run *run = instance->run;
+    lag_status status = run->half.open ? lag_run_keep_past(run, t) : LAG_OK; /* inputs may change from here on */
     if (run->stepper.t == t) {
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-    } else {
+    } else if (status == LAG_OK) {
         status = lag_run_inside(instance->run, t, instance->x);
     }
     instance->held.t = t;

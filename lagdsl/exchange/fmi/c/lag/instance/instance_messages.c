@@ -83,6 +83,8 @@ static const char *const PLAIN[] = {
     [LAG_BRANCH_POINT] = "branches of the motion meet, and the equations do not determine the branch",
     [LAG_POSITION_JUMP] = "a constraint becomes active, but the current position violates it",
     [LAG_BAD_CLOCK] = "a clock has no positive period, or no first instant",
+    [LAG_BAD_DELAY] = "a delay is not positive",
+    [LAG_LONG_PAST] = "the past of a delayed value has too many events",
     [LAG_TOO_LONG] = "this takes too many steps",
 };
 
