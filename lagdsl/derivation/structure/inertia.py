@@ -6,13 +6,17 @@ import numpy as np
 
 from lagdsl.derivation.structure.points import Geometry, Probe, free_directions
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.units.dimension import CHARGE
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.flat.spans import around, place
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
 _TOLERANCE = 1e-12
+# Eigenvalues of M, scaled to a unit diagonal, that are surely inertia.
+_SAFE = 1e-6
 _MOST_SHOWN = 6
 _INDUCTANCE = (
     "every closed path of charge needs an inductance: put an inductor into this loop, as its wire is one, with a time "
@@ -28,6 +32,8 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink:
     """
     masses = [point.mass for point in points if point.mass is not None]
     if len(masses) < max(len(points), 1) or not flat.coordinates:
+        return
+    if all(_shows_inertia(point, mass) for point, mass in zip(points, masses, strict=True)):
         return
     projectors = [_massless(space, point, mass) for point, mass in zip(points, masses, strict=True)]
     shares = np.min([np.sqrt(np.diag(each)) for each in projectors], axis=0)
@@ -51,6 +57,25 @@ def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> Non
     labels = around(coordinate)
     help = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
     sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help, name=coordinate.name)
+
+
+def _shows_inertia(point: Probe, mass: Floats) -> bool:
+    """True if coordinates without a mass follow from the rows, and M of the others is positive definite. Of many
+    coordinates only: the directions that are free need not be formed then."""
+    if len(mass) <= FEW:
+        return False
+    heavy = np.diag(mass) > 0.0
+    if np.any(mass[~heavy]):
+        return False
+    own = mass[np.ix_(heavy, heavy)]
+    scale = 1.0 / np.sqrt(np.diag(own))
+    own = own * scale[:, None] * scale
+    for parts in connected_blocks(own != 0.0).parts:
+        try:
+            np.linalg.cholesky(entries(own, parts) - _SAFE * np.eye(parts.rows.shape[1]))
+        except np.linalg.LinAlgError:
+            return False
+    return independent(point.rows[:, ~heavy].T)
 
 
 def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
