@@ -308,12 +308,20 @@ def probes(
         if probe is None:
             scale *= 0.6
         else:
-            (found if probe.residual <= _EXACT else rough).append(probe)
+            kept = found if probe.residual <= _EXACT else rough
+            kept.append(_sharing(probe, kept[-1]) if kept else probe)
             here = probe.q
         if len(found) == wanted:
             return found
     last = _probe(space, space.q, space.qd, rows)
     return found or rough[:wanted] or ([last] if last is not None else [])
+
+
+def _sharing(probe: Probe, other: Probe) -> Probe:
+    """The same without matrices of its own where those of another point are equal: constants of a large circuit."""
+    rows = other.rows if np.array_equal(probe.rows, other.rows) else probe.rows
+    alike = probe.mass is not None and other.mass is not None and np.array_equal(probe.mass, other.mass)
+    return replace(probe, rows=rows, mass=other.mass if alike else probe.mass)
 
 
 def _tangent(space: Geometry, q: Floats, rows: list[int], direction: Floats) -> Floats:

@@ -99,9 +99,6 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
 size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *general, size_t *weakest)
 {
     const size_t rows = *general = lag_singular_rows(s, t, x);
-    if (rows <= s->run->ranks.estimate.most && lag_singular_margin(s, t, x) > LAG_RANK_NEAR) {
-        return rows; /* as nearly always: the values of many rows cost the cube of their number */
-    }
     const lag_svd svd = lag_svd_of(s->run->motion.model->nq, rows, s->rows, s->memory);
     double most = -1.0;
     size_t rank = 0;
