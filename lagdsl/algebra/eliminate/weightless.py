@@ -22,7 +22,7 @@ from lagdsl.foundation.record import record
 
 # The least entry, as a part of the largest one of its column.
 _NOT_SMALL = 0.1
-# What subtraction leaves of a constant entry is round-off below this part of it.
+# Subtraction that leaves less than this part of a constant entry leaves round-off.
 _ROUND_OFF = 1e-13
 
 

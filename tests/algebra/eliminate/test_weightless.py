@@ -70,7 +70,7 @@ def test_rows_solved_and_following() -> None:
 
 
 def test_rows_left_to_run_time() -> None:
-    """What the program does at run time with a kept row in which rates without inertia stand."""
+    """As the program completes the solution at run time: rates without inertia stand in the kept row."""
     problem = Problem()
     rows = problem.rows
     solution = solve(problem.form, problem.rates, Rows(solved=tuple(rows[:3]), kept=(rows[4],)))
