@@ -116,7 +116,7 @@ def test_elimination_tells_no_dependent_rows_for_independent(sample: tuple[np.nd
 
 @pytest.mark.parametrize("n", [40, 400])
 def test_elimination_shows_that_the_laws_of_a_ladder_are_independent(n: int) -> None:
-    """Node i has the coils i and i + 1 and a capacitor, the ground all capacitors and a wire, without which it follows."""
+    """Node i has the coils i and i + 1 and a capacitor; the ground has all capacitors and a wire that no other has."""
     laws = np.zeros((n + 1, 2 * n + 2))
     for i in range(n):
         laws[i, [i, i + 1, n + 1 + i]] = 1.0, -1.0, -1.0
