@@ -52,6 +52,11 @@ def multiplier_of(row: int) -> int:
     return -1 - 2 * row
 
 
+def row_of(multiplier: int) -> int:
+    """The index of the row of a multiplier."""
+    return (-1 - multiplier) // 2
+
+
 def velocity_of(row: int) -> int:
     """The variable that stands for J qd of a row; nodes have other numbers."""
     return -2 - 2 * row

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from lagdsl.algebra.eliminate.count import Budget, TooMany, flops
 from lagdsl.algebra.eliminate.definitions import Definitions, find_definitions
@@ -13,6 +14,7 @@ from lagdsl.algebra.eliminate.pivots import References, least
 from lagdsl.algebra.eliminate.redundant_multipliers import RedundantMultipliers, find_redundant_multipliers, shortest
 from lagdsl.algebra.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
 from lagdsl.algebra.eliminate.steps import Pivoted, Step, solve_steps
+from lagdsl.algebra.eliminate.weightless import Reduced, reduce, reduced_biases, shares
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.foundation.record import record
 
@@ -29,12 +31,14 @@ class Factor:
 
     `pivot` is the least part that subtraction left of the pivot of a rate; about 1e-16 where M is singular. `strengths`
     are, by row that is not kept, the pivot of its multiplier, and what it would be without the others; of a row that
-    follows from others, these leave nothing.
+    follows from others, these leave nothing. They are told of the rows of `left`: those of `rows` as they are once the
+    rates without inertia are exchanged.
     """
 
     graph: Graph
     rates: Sequence[int]
     rows: Rows
+    left: Rows
     terms: Mapping[int, Mapping[int, int]]
     steps: Sequence[Step]
     pivot: int
@@ -70,17 +74,21 @@ def solve(
     needs more than `most` operations, by and large.
     """
     rows = rows or Rows()
+    reduced = reduce(form, rates, rows)
     definitions = find_definitions(form.graph, dict.fromkeys((*form.weights, *form.forces)))
-    stiffened = [row for row in (*rows.solved, *rows.kept) if row.index in rows.stiffened]
+    stiffened = [row for row in (*reduced.left.solved, *reduced.left.kept) if row.index in rows.stiffened]
     terms = {**definitions.terms, **{velocity_of(row.index): row.terms for row in stiffened}}
     definitions = Definitions(terms=terms, rotations=definitions.rotations)
+    exchanged = {step.rate for step in reduced.steps}
+    heavy = [rate for rate in rates if rate not in exchanged]
     candidates = []
-    for delayed in ((), rates) if 1 < len(rates) <= _LARGEST_DELAYED else ((),):
-        for priority in (by_depth(definitions, rates), by_creation(definitions, rates)):
-            order = Order(rates=rates, priority=priority, delayed=frozenset(delayed))
+    for delayed in ((), heavy) if 1 < len(heavy) <= _LARGEST_DELAYED else ((),):
+        for priority in (by_depth(definitions, heavy), by_creation(definitions, heavy)):
+            order = Order(rates=heavy, priority=priority, delayed=frozenset(delayed))
             budget = Budget(form.graph, None if most is None else _NODES_PER_OPERATION * (most + _FEWEST))
             try:
-                factor = _factorize(form, definitions, rows, order, budget)
+                factor = _factorize(form, definitions, rows, reduced, order, budget)
+                factor = replace(factor, rates=rates)
                 candidates.append(_solve(form, factor, budget))
             except TooMany:
                 continue
@@ -95,8 +103,9 @@ def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Respons
     given = dict(side.forces)
     for row in rows.solved:
         given[multiplier_of(row.index)] = graph.negate(side.biases.get(row.index, graph.zero))
+    along = reduced_biases(graph, factor.steps, side.biases) if rows.stiffened else {}
     for index, weight in rows.stiffened.items():
-        given[velocity_of(index)] = graph.multiply(weight, side.biases.get(index, graph.zero))
+        given[velocity_of(index)] = graph.multiply(weight, along.get(multiplier_of(index), graph.zero))
     known = solve_steps(graph, factor.terms, factor.steps, given, budget or Budget(graph, None))
     multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
     return Response(
@@ -114,28 +123,31 @@ def _solve(form: AccelerationForm, factor: Factor, budget: Budget) -> Solution:
     return Solution(factor=factor, own=own, along=along, flops=flops(form.graph, roots))
 
 
-def _factorize(form: AccelerationForm, definitions: Definitions, rows: Rows, order: Order, budget: Budget) -> Factor:
-    graph = form.graph
+def _factorize(
+    form: AccelerationForm, definitions: Definitions, rows: Rows, reduced: Reduced, order: Order, budget: Budget
+) -> Factor:
+    graph, left = form.graph, reduced.left
     system = SparseSystem(graph, form.weights)
     for index, weight in rows.stiffened.items():
         system.add(velocity_of(index), velocity_of(index), weight)
-    for row in (*rows.solved, *rows.following):
+    for row in (*left.solved, *left.following):
         for rate, term in row.terms.items():
             system.add(multiplier_of(row.index), rate, graph.negate(term))
-    elimination = Elimination(system, definitions, order, budget, rows)
+    elimination = Elimination(system, definitions, order, budget, left)
     steps, found = elimination.run(), elimination.multipliers
     pivots = {step.variable: step.pivot for step in steps if isinstance(step, Pivoted)}
     inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
-    references = References(graph, of_sums=bool(rows.solved))
-    left = found.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
-    multipliers = {row.index: multiplier_of(row.index) for row in (*rows.solved, *rows.following)}
+    references = References(graph, of_sums=bool(left.solved))
+    rests = found.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
+    multipliers = {row.index: multiplier_of(row.index) for row in (*left.solved, *left.following)}
     return Factor(
         graph=graph,
         rates=order.rates,
         rows=rows,
+        left=left,
         terms=definitions.terms,
-        steps=steps,
+        steps=(*reduced.steps, *steps),
         pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
-        strengths={index: (left[v], found.sizes[v]) for index, v in multipliers.items()},
-        redundant_multipliers=find_redundant_multipliers(graph, rows, found.tied),
+        strengths={index: (rests[v], found.sizes[v]) for index, v in multipliers.items()},
+        redundant_multipliers=find_redundant_multipliers(graph, rows, shares(graph, reduced.steps) | found.tied),
     )

@@ -35,7 +35,21 @@ class Exchanged:
     factor: int
 
 
-Step = Defined | Pivoted | Exchanged
+@record()
+class Weightless:
+    """A rate without inertia that a row gives, and the multiplier of the row, which the equation of the rate gives.
+
+    `row` has the other rates of the row, `column` the multipliers of the other rows with the rate; nodes.
+    """
+
+    rate: int
+    multiplier: int
+    factor: int
+    row: dict[int, int]
+    column: dict[int, int]
+
+
+Step = Defined | Pivoted | Exchanged | Weightless
 
 
 def solve_steps(
@@ -102,6 +116,11 @@ def _forward(
                 own = graph.divide(left.pop(rate, graph.zero), factor)
                 move(own, {variable: graph.one})
                 move(graph.negate(own), {p: c for p, c in terms[variable].items() if p != rate})
+            case Weightless(rate, multiplier, factor, row, column):
+                parts[rate] = graph.negate(graph.divide(left.pop(multiplier, graph.zero), factor))
+                parts[multiplier] = graph.negate(graph.divide(left.pop(rate, graph.zero), factor))
+                move(parts[multiplier], row)
+                move(parts[rate], column)
     return parts
 
 
@@ -127,4 +146,8 @@ def _backward(
             case Exchanged(rate, variable, factor):
                 rest = graph.subtract(known[variable], total({p: c for p, c in terms[variable].items() if p != rate}))
                 known[rate] = graph.divide(rest, factor)
+            case Weightless(rate, multiplier, factor, row, column):
+                known[rate] = graph.subtract(parts[rate], graph.divide(total(row), factor))
+                acting = {p: c for p, c in column.items() if p in known}
+                known[multiplier] = graph.subtract(parts[multiplier], graph.divide(total(acting), factor))
     return known

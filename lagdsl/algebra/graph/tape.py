@@ -32,10 +32,17 @@ class Tape:
 
     def __init__(self, graph: Graph, roots: Sequence[int]) -> None:
         self._graph = graph
-        constants = graph.value  # most entries of a large matrix are zero
-        varied = [i for i, node in enumerate(roots) if node not in constants]
+        constants = graph.value
+        self._template = np.zeros(len(roots))
+        varied = []
+        for i in np.flatnonzero(
+            np.fromiter(roots, np.intp, len(roots)) != graph.zero
+        ).tolist():  # few, in a large matrix
+            if roots[i] in constants:
+                self._template[i] = constants[roots[i]]
+            else:
+                varied.append(i)
         self._varied = np.array(varied, dtype=np.intp)
-        self._template = np.array([constants.get(node, 0.0) for node in roots])
         self._roots = [roots[i] for i in varied]
         slots: dict[int, int] = {}
         self._initial: list[float] = []

@@ -40,12 +40,24 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
 def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[list[int]]:
     """J: d(phi)/dq of rows of position level, d(residual)/d(qd) of rows of velocity level."""
     matrix = []
-    for residual, position_level in zip(rows.residuals, rows.position_level, strict=True):
-        symbols = directions.positions if position_level else directions.rates
-        group = directions.position_group if position_level else directions.rate_group
-        row = adjoints(graph, {residual: graph.one}, (group,))
-        matrix.append([row.get(symbol, graph.zero) for symbol in symbols])
+    for entries in _entries(graph, rows, directions):
+        matrix.append([graph.zero] * len(directions.rates))
+        for column, node in entries.items():
+            matrix[-1][column] = node
     return matrix
+
+
+def _entries(graph: Graph, rows: Rows, directions: Directions) -> list[dict[int, int]]:
+    """J row by row, without what is identically zero, by column, ascending."""
+    columns = [{symbol: j for j, symbol in enumerate(each)} for each in (directions.positions, directions.rates)]
+    groups = (directions.position_group, directions.rate_group)
+    found = []
+    for residual, position_level in zip(rows.residuals, rows.position_level, strict=True):
+        level = 0 if position_level else 1
+        row = adjoints(graph, {residual: graph.one}, (groups[level],))
+        known = {columns[level][symbol]: node for symbol, node in row.items() if symbol in columns[level]}
+        found.append({column: known[column] for column in sorted(known) if known[column] != graph.zero})
+    return found
 
 
 def constraint_forces(graph: Graph, rows: Rows, multipliers: list[int], directions: Directions) -> list[int]:
@@ -100,13 +112,8 @@ def with_baumgarte_terms(lowering: Lowering, rows: Rows, plain: list[Row], rate:
 
 def rows_of(lowering: Lowering, rows: Rows, directions: Directions) -> list[Row]:
     """J qdd = gamma row by row, as elimination takes them."""
-    matrix = constraint_jacobian(lowering.graph, rows, directions)
-    zero = lowering.graph.zero
+    matrix = _entries(lowering.graph, rows, directions)
     return [
-        Row(
-            index=index,
-            terms={rate: term for rate, term in zip(directions.rates, terms, strict=True) if term != zero},
-            bias=gamma,
-        )
+        Row(index=index, terms={directions.rates[column]: term for column, term in terms.items()}, bias=gamma)
         for index, (terms, gamma) in enumerate(zip(matrix, bias(lowering, rows), strict=True))
     ]

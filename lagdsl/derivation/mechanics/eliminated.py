@@ -84,7 +84,7 @@ def eliminate(
 def _with_rows(
     form: AccelerationForm, directions: Directions, rows: Sequence[Row], structure: Structure, most: int
 ) -> tuple[Solution, int]:
-    chosen: Rows | None = choose_rows(form.graph, rows, structure)
+    chosen: Rows | None = choose_rows(form, directions.rates, rows, structure)
     while chosen is not None:
         solution = solve(form, directions.rates, chosen, most=most)
         strengths = strengths_at_points(solution.factor, structure)

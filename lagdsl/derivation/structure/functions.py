@@ -12,6 +12,9 @@ from lagdsl.derivation.program.program import Layout, Program
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
+# Columns of M that are found together: each node has as many values then.
+_AT_ONCE = 256
+
 
 @record()
 class ProgramFunctions:
@@ -68,9 +71,17 @@ class ProgramFunctions:
         return tuple(blocks)
 
     def _mass_by_columns(self, *state: Floats | float) -> Floats:
-        """M, from its products with all unit vectors at once."""
-        count = len(self.layout.coordinates)
-        return np.array(self.along("momentum_tangent", 0, *state, np.eye(count)).T)
+        """M, from its products with many unit vectors at once."""
+        definition = self.program.function("momentum_tangent")
+        (momentum,) = definition.results
+        n = len(momentum.elements)
+        mass = np.zeros((n, n))
+        for first in range(0, n, _AT_ONCE):
+            given = (*state, np.eye(min(_AT_ONCE, n - first), n, first))
+            symbols = dict(zip(definition.arguments, given, strict=True))
+            for row, product in zip(mass, evaluate(self.program.graph, momentum.elements, symbols), strict=True):
+                row[first : first + _AT_ONCE] = product
+        return mass
 
     def along(self, function: str, result: int, *arguments: Floats | float) -> Floats:
         """The result of this number for many directions: (k, n) where the last argument has k rows."""

@@ -7,7 +7,9 @@ import numpy as np
 from lagdsl.derivation.structure.names import listed
 from lagdsl.derivation.structure.points import Geometry, Probe, free_directions
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import CHARGE
 from lagdsl.language.flat.model import FlatModel
@@ -18,6 +20,8 @@ _TOLERANCE = 1e-12
 # Part of a direction that a coordinate needs to be told, and to be told alone.
 _SHARE = 1e-3
 _ALONE = 0.999
+# Eigenvalues of M, scaled to a unit diagonal, that are surely inertia.
+_SAFE = 1e-6
 _MOST_SHOWN = 6
 _INDUCTANCE = (
     "every closed path of charge needs an inductance, a resistance or a capacitance: put a resistor into this loop, as "
@@ -42,6 +46,8 @@ def massless(flat: FlatModel, space: Geometry, points: list[Probe]) -> Massless 
     singular (quaternions, massless links)."""
     masses = [point.mass for point in points if point.mass is not None]
     if len(masses) < max(len(points), 1) or not flat.coordinates:
+        return None
+    if all(_shows_inertia(point, mass) for point, mass in zip(points, masses, strict=True)):
         return None
     found = [_directions(space, point, mass) for point, mass in zip(points, masses, strict=True)]
     shares = np.min([np.linalg.norm(basis, axis=1) for basis, _ in found], axis=0)
@@ -73,6 +79,25 @@ def report_direction(flat: FlatModel, index: int, why: str, sink: Sink, help: st
     labels = around(coordinate)
     known = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
     sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help or known, name=coordinate.name)
+
+
+def _shows_inertia(point: Probe, mass: Floats) -> bool:
+    """True if coordinates without a mass follow from the rows, and M of the others is positive definite. Of many
+    coordinates only: the directions that are free need not be formed then."""
+    if len(mass) <= FEW:
+        return False
+    heavy = np.diag(mass) > 0.0
+    if np.any(mass[~heavy]):
+        return False
+    own = mass[np.ix_(heavy, heavy)]
+    scale = 1.0 / np.sqrt(np.diag(own))
+    own = own * scale[:, None] * scale
+    for parts in connected_blocks(own != 0.0).parts:
+        try:
+            np.linalg.cholesky(entries(own, parts) - _SAFE * np.eye(parts.rows.shape[1]))
+        except np.linalg.LinAlgError:
+            return False
+    return independent(point.rows[:, ~heavy].T)
 
 
 def _directions(space: Geometry, point: Probe, mass: Floats) -> tuple[Floats, Floats]:

@@ -22,13 +22,19 @@ _HELD = 0.2
 _NOTHING = 1e-6
 
 
-def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Probe]) -> dict[int, float]:
-    """Inertia by row, in its unit: about that of the coordinates it moves. Rows with few coordinates come first."""
+def stiffened(
+    independent: Sequence[int], space: Geometry, points: Sequence[Probe], exchanged: Sequence[tuple[int, int]]
+) -> dict[int, float]:
+    """Inertia by row, in its unit: about that of the coordinates it moves. Rows with few coordinates come first.
+
+    `exchanged` are rows, each with the coordinate that it gives: neither takes part.
+    """
+    left = np.delete(np.arange(len(space.q)), [column for _, column in exchanged])
     known = [(point.rows, point.mass) for point in points if point.mass is not None]
-    free = [_weightless(mass, space.sizes) for _, mass in known]
+    free = [_weightless(mass[np.ix_(left, left)], space.sizes[left]) for _, mass in known]
     if not any(directions.shape[1] for directions in free):
         return {}
-    reach = [rows @ directions for (rows, _), directions in zip(known, free, strict=True)]
+    reach = [_without(rows, exchanged)[:, left] @ directions for (rows, _), directions in zip(known, free, strict=True)]
     longest = np.max([np.max(np.abs(at), axis=1, initial=0.0) for at in reach], axis=0)
     candidates = [row for row in independent if longest[row] > _NOTHING]
     candidates.sort(key=lambda row: (int(np.sum(space.pattern[row])), row))
@@ -41,6 +47,16 @@ def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Prob
     inertia = np.median([np.diag(mass) for _, mass in known], axis=0) * space.sizes**2
     moved = {row: _moved(space, row, inertia) for row in sorted(chosen)}
     return {row: power_of_two(own / float(space.row_sizes[row]) ** 2) for row, own in moved.items()}
+
+
+def _without(rows: Floats, exchanged: Sequence[tuple[int, int]]) -> Floats:
+    """Rows in which the exchanged coordinates are expressed by the others."""
+    rows = rows.copy()
+    for row, column in exchanged:
+        users = np.flatnonzero(rows[:, column])
+        users = users[users != row]
+        rows[users] -= np.outer(rows[users, column] / rows[row, column], rows[row])
+    return rows
 
 
 def _moved(space: Geometry, row: int, inertia: Floats) -> float:

@@ -1,5 +1,4 @@
-"""Points of the constraint set at which ranks and inertia are probed: deterministic, near the start, inside the
-bounds."""
+"""Points of the constraint set at which ranks and inertia are probed: deterministic, near the start, within bounds."""
 
 from __future__ import annotations
 
@@ -17,6 +16,7 @@ from lagdsl.derivation.structure.row_sizes import Look, row_sizes
 from lagdsl.foundation.numerics.connected_blocks import Flags, Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
 from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
+from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import Dimension
 from lagdsl.language.flat.model import Coordinate, FlatModel
@@ -308,12 +308,20 @@ def probes(
         if probe is None:
             scale *= 0.6
         else:
-            (found if probe.residual <= _EXACT else rough).append(probe)
+            kept = found if probe.residual <= _EXACT else rough
+            kept.append(_sharing(probe, kept[-1]) if kept else probe)
             here = probe.q
         if len(found) == wanted:
             return found
     last = _probe(space, space.q, space.qd, rows)
     return found or rough[:wanted] or ([last] if last is not None else [])
+
+
+def _sharing(probe: Probe, other: Probe) -> Probe:
+    """The same without matrices of its own where those of another point are equal: constants of a large circuit."""
+    rows = other.rows if np.array_equal(probe.rows, other.rows) else probe.rows
+    alike = probe.mass is not None and other.mass is not None and np.array_equal(probe.mass, other.mass)
+    return replace(probe, rows=rows, mass=other.mass if alike else probe.mass)
 
 
 def _tangent(space: Geometry, q: Floats, rows: list[int], direction: Floats) -> Floats:
@@ -352,12 +360,17 @@ def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition)
     """Rank of each independent part of the rows at a probed point.
 
     J is known there to the residual times the bend of the rows, so singular values below a thousand residuals are
-    none.
+    none. Elimination shows the rank of many rows sooner where they are independent.
     """
     tolerance = max(RANK_TOLERANCE, _RESIDUAL_FACTOR * probe.residual)
     ranks = np.zeros(split.count)
     for parts in split.parts:
-        values = np.linalg.svd(entries(probe.rows[rows], parts), compute_uv=False)
+        blocks = entries(probe.rows[rows], parts)
+        count = blocks.shape[1]
+        if count > FEW and tolerance <= _ROW and all(independent(block) for block in blocks):
+            ranks[parts.labels] = count
+            continue
+        values = np.linalg.svd(blocks, compute_uv=False)
         ranks[parts.labels] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
     return ranks
 
@@ -366,7 +379,9 @@ def solved(matrix: Floats, right: Floats, split: Partition) -> Floats:
     """The least-squares solution of smallest norm, part by part."""
     result = np.zeros(matrix.shape[1])
     for parts in split.parts:
-        result[parts.columns] = minimum_norms(entries(matrix, parts), right[parts.rows])
+        moving = np.any(right[parts.rows] != 0.0, axis=1)
+        blocks = entries(matrix, parts)[moving]
+        result[parts.columns[moving]] = minimum_norms(blocks, right[parts.rows[moving]])
     return result
 
 

@@ -5,16 +5,18 @@ depend on each other there and nowhere else.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
 
+from lagdsl.algebra.eliminate.form import AccelerationForm
 from lagdsl.algebra.eliminate.pivots import Loop, weakest
-from lagdsl.algebra.eliminate.rows import Row, Rows, components
+from lagdsl.algebra.eliminate.rows import Row, Rows, components, row_of
 from lagdsl.algebra.eliminate.solve import Factor
 from lagdsl.algebra.eliminate.steps import strength
+from lagdsl.algebra.eliminate.weightless import reduce
 from lagdsl.algebra.graph.evaluate import evaluate
-from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.structure.mass_augmentation import power_of_two, stiffened
 from lagdsl.derivation.structure.points import Geometry, Probe
@@ -29,14 +31,19 @@ _WELL_CONDITIONED = 1e-4
 Strengths: TypeAlias = Mapping[int, tuple[Floats, Floats]]
 
 
-def choose_rows(graph: Graph, rows: Sequence[Row], structure: Structure) -> Rows:
+def choose_rows(form: AccelerationForm, rates: Sequence[int], rows: Sequence[Row], structure: Structure) -> Rows:
     """Rows that depend on no others are solved for; those of contacts come and go, which run time sees."""
     redundant, contacts = structure.redundant, structure.contacts
     coming = [row for row in rows if row.terms and row.index in contacts]
     solved = [row for row in rows if row.terms and not redundant[row.index] and row.index not in contacts]
     others = [row for row in rows if row.terms and redundant[row.index]]
-    weights = stiffened([row.index for row in solved], structure.space, structure.points)
-    return _divided(solved, others, coming, {index: graph.constant(weight) for index, weight in weights.items()})
+    chosen = _divided(solved, others, coming, {})
+    reduced = reduce(form, rates, chosen)
+    columns = {rate: column for column, rate in enumerate(rates)}
+    exchanged = [(row_of(step.multiplier), columns[step.rate]) for step in reduced.steps]
+    independent = [row.index for row in reduced.left.solved]
+    weights = stiffened(independent, structure.space, structure.points, exchanged)
+    return replace(chosen, stiffened={index: form.graph.constant(weight) for index, weight in weights.items()})
 
 
 def _divided(solved: list[Row], following: list[Row], kept: list[Row], stiffened: Mapping[int, int]) -> Rows:
@@ -50,17 +57,18 @@ def _divided(solved: list[Row], following: list[Row], kept: list[Row], stiffened
 def without_weak_rows(factor: Factor, strengths: Strengths) -> Rows | None:
     """The rows of a factor, those of loops in which a multiplier had a small pivot at some point left to run time; None
     where there are none."""
-    rows = factor.rows
+    rows, left = factor.rows, factor.left
+    given = {row.index: row for row in (*rows.solved, *rows.following)}
     kept = {row.index: row for row in rows.kept}
-    independent = {row.index for row in rows.solved}
-    for members in components((*rows.solved, *rows.following)):
+    independent = {row.index for row in left.solved}
+    for members in components((*left.solved, *left.following)):
         solved = [row.index for row in members if row.index in independent]
         sizes = {index: strengths[index][1] / _usual(strengths[index][1]) for index in solved}
         largest = np.max(list(sizes.values()), axis=0, initial=0.0)
         for index in solved:
             pivot, size = strengths[index]
             if not np.all(pivot / _usual(size) > _WELL_CONDITIONED * largest):
-                kept |= {row.index: row for row in members}
+                kept |= {row.index: given[row.index] for row in members}
     if len(kept) == len(rows.kept):
         return None
     return _divided(
@@ -77,10 +85,10 @@ def least_pivot(factor: Factor, strengths: Strengths) -> int:
 
     Rows are compared in their usual sizes: one that is short is no row in a singular position, whatever its direction.
     """
-    rows = factor.rows
-    solved = {row.index: _usual(strengths[row.index][1]) for row in rows.solved}
+    rows, left = factor.rows, factor.left
+    solved = {row.index: _usual(strengths[row.index][1]) for row in left.solved}
     groups = []
-    for members in components((*rows.solved, *rows.following)):
+    for members in components((*left.solved, *left.following)):
         indices = [row.index for row in members]
         usual = {index: solved[index] for index in indices if index in solved}
         following = [index for index in indices if index not in solved]

@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.foundation.numerics.disjoint_sets import DisjointSets
 from lagdsl.foundation.record import record
 
 Floats = NDArray[np.float64]
@@ -51,11 +50,16 @@ class Partition:
 def connected_blocks(pattern: Flags) -> Partition:
     """The finest partition of rows and columns for which entries outside of `pattern` (m, n) are zero."""
     m, n = pattern.shape
-    blocks = DisjointSets(range(m + n))
-    for row, column in zip(*(index.tolist() for index in np.nonzero(pattern)), strict=True):
-        blocks.join(row, m + column)
-    names: dict[int, int] = {}
-    labels = np.array([names.setdefault(blocks.first(x), len(names)) for x in range(m + n)], dtype=np.intp)
+    rows, columns = np.nonzero(pattern)
+    first = np.arange(m + n)  # a row or column of the same part that comes before, in the end the first
+    while True:
+        one, other = first[rows], first[m + columns]
+        if np.array_equal(one, other):
+            break
+        np.minimum.at(first, np.maximum(one, other), np.minimum(one, other))
+        while not np.array_equal(first, first[first]):
+            first = first[first]
+    names, labels = np.unique(first, return_inverse=True)
     return labelled(labels[:m], labels[m:], len(names))
 
 

@@ -67,6 +67,8 @@ def independent_rows(matrix: Floats, order: list[int], count: int) -> list[bool]
     With the right number known, by singular values, no tolerance of its own decides: it is lowered until so many rows
     are found.
     """
+    if count == len(matrix):
+        return [True] * count
     tolerance = 1e-6
     while True:
         kept = _independent(matrix, order, tolerance, count)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import lagdsl
-from lagdsl.foundation.diagnostics import Diagnostic
+from lagdsl.foundation.diagnostics import Diagnostic, Sink
+from lagdsl.motion.pipeline import compile_flat, flatten_file, read
 
 RING = """
 model Ring
@@ -86,3 +89,25 @@ def test_a_source_across_another_is_told_with_both() -> None:
     assert error.notes == ("no force determines the motion in which `C1.q` and `other.q` change together",)
     assert [label.span.text for label in error.labels] == ["q", "C1"]
     assert not _errors(text.replace("VoltageSource other(v = 1 V)", "Resistor other(R = 1 Ohm)"))
+
+
+LADDER = Path(__file__).parents[3] / "benchmarks" / "models" / "ladder.lag"
+
+
+def test_a_ladder_grows_by_as_much_with_each_cell() -> None:
+    """Nodes of the graph and of the solved equations; no row of a circuit lends inertia."""
+    sizes = []
+    for n in (2, 4, 6):
+        sink = Sink()
+        file = read(LADDER, sink)
+        assert file is not None
+        flat = flatten_file(file, sink, structural={"N": n})
+        assert flat is not None
+        compilation = compile_flat(flat, sink)
+        assert compilation is not None
+        program = compilation.program
+        solved = [node for block in program.function("elimination").results for node in block.elements]
+        sizes.append((len(program.graph), len(program.graph.live(solved))))
+    (graph, solved), (more, solved_more), (most, solved_most) = sizes
+    assert most - more <= more - graph + 5
+    assert solved_most - solved_more == solved_more - solved

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from lagdsl.foundation.numerics.levenberg_marquardt import descend
 from lagdsl.foundation.numerics.rank import independent_rows, minimum_norm, minimum_norms, null_space, rank
+from lagdsl.foundation.numerics.sparse_pivots import independent
 
 
 @st.composite
@@ -104,3 +105,23 @@ def test_descend_without_root_ends_at_the_smallest_residual() -> None:
 def test_descend_from_nothing_defined() -> None:
     found = descend(lambda x: (np.array([np.nan]), np.array([[1.0]])), np.array([3.0]))
     assert found.size == np.inf
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(low_rank())
+def test_elimination_tells_no_dependent_rows_for_independent(sample: tuple[np.ndarray, int]) -> None:
+    matrix, expected = sample
+    assert not independent(matrix) or expected == len(matrix)
+
+
+@pytest.mark.parametrize("n", [40, 400])
+def test_elimination_shows_that_the_laws_of_a_ladder_are_independent(n: int) -> None:
+    """Node i has the coils i and i + 1 and a capacitor; the ground has all capacitors and a wire that no other has."""
+    laws = np.zeros((n + 1, 2 * n + 2))
+    for i in range(n):
+        laws[i, [i, i + 1, n + 1 + i]] = 1.0, -1.0, -1.0
+        laws[n, n + 1 + i] = 1.0
+    laws[n, [0, n]] = -1.0, 1.0
+    assert not independent(laws)
+    laws[n, -1] = 1.0
+    assert independent(laws)

@@ -223,6 +223,16 @@ def test_massless_coordinate_tied_to_a_massive_one_is_accepted() -> None:
     assert not sink.diagnostics
 
 
+@pytest.mark.parametrize(("tie", "names"), [("s - m0 - m1", []), ("m0 - m1", ["`s` has no inertia"])])
+def test_among_many_coordinates_one_without_inertia_is_found_too(tie: str, names: list[str]) -> None:
+    """Of so many that elimination shows the inertia of the others."""
+    masses = tuple(f"m{i}" for i in range(60))
+    kinetic = tuple(energy("kinetic", f"der({name})^2") for name in masses)
+    flat = model(coordinates=(*masses, "s"), energies=kinetic, constraints=(constraint("tie", tie),))
+    _, sink = examined(flat)
+    assert [d.message for d in sink.diagnostics] == names
+
+
 def test_quaternion_has_a_singular_mass_matrix_and_is_accepted() -> None:
     e = tuple(Variable(name) for name in ("e0", "e1", "e2", "e3"))
     starts = (1.0, 0.0, 0.0, 0.0)

@@ -23,8 +23,8 @@ def patterns(program: Program) -> dict[str, tuple[tuple[int, int], Pattern]]:
 def jacobian_pattern(program: Program) -> Pattern:
     """Entries of the constraint Jacobian that are not zero by themselves."""
     zero, width = program.graph.zero, len(program.layout.coordinates)
-    blocks = [program.function(name).results[1].elements for name in ("position_constraint", "velocity_constraint")]
-    places = [index for index, nodes in enumerate(zip(*blocks, strict=True)) if any(node != zero for node in nodes)]
+    one, other = (program.function(name).results[1].elements for name in ("position_constraint", "velocity_constraint"))
+    places = [i for i, (x, y) in enumerate(zip(one, other, strict=True)) if x != zero or y != zero]
     return [place // width for place in places], [place % width for place in places]
 
 

@@ -5,6 +5,7 @@
 
 #include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /*
  * With x' J1 J0' x above this part of x' J0 J0' x for all x, no combination of rows vanishes on the straight way from J0 to J1:
@@ -185,6 +186,23 @@ static double product(const lag_rank_estimate *estimate, size_t i, size_t j, con
     return sum;
 }
 
+/* x . y in sums of which none waits for another. */
+static double dot(size_t count, const double *x, const double *y)
+{
+    double first = 0.0;
+    double second = 0.0;
+    double third = 0.0;
+    double fourth = 0.0;
+    size_t k = 0;
+    for (; k + 4 <= count; k += 4) {
+        first += x[k] * y[k];
+        second += x[k + 1] * y[k + 1];
+        third += x[k + 2] * y[k + 2];
+        fourth += x[k + 3] * y[k + 3];
+    }
+    return (first + second) + (third + fourth) + lag_dot(count - k, x + k, y + k);
+}
+
 /*
  * Cholesky's method within the band, without up to `spare` rows that follow from others. Returns the smallest pivot; zero where the matrix is
  * not positive definite.
@@ -199,11 +217,8 @@ static double least_pivot(lag_rank_estimate *estimate, size_t spare)
         for (size_t j = reach; j < i; ++j) {
             const size_t other = (size_t)estimate->reach[j];
             const double *above = estimate->band + (size_t)estimate->start[j];
-            double sum = line[j - reach];
-            for (size_t k = other > reach ? other : reach; k < j; ++k) {
-                sum -= line[k - reach] * above[k - other];
-            }
-            line[j - reach] = sum / above[j - other];
+            const size_t both = other > reach ? other : reach;
+            line[j - reach] = (line[j - reach] - dot(j - both, line + (both - reach), above + (both - other))) / above[j - other];
             pivot -= line[j - reach] * line[j - reach];
         }
         if (spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
@@ -252,6 +267,12 @@ static void scale(lag_rank_estimate *estimate, const double *jacobian)
     }
 }
 
+/* True if J is that of the last state. */
+static int has_stayed(const lag_rank_estimate *estimate)
+{
+    return lag_same(lag_entries_count(estimate->model), estimate->now, estimate->rows);
+}
+
 int lag_rank_estimate_has_turned(lag_rank_estimate *estimate, const double *jacobian)
 {
     scale(estimate, jacobian);
@@ -273,6 +294,10 @@ double lag_rank_estimate_margin(lag_rank_estimate *estimate, const double *jacob
 
 lag_status lag_rank_estimate_update(lag_rank_estimate *estimate, const double *jacobian)
 {
+    scale(estimate, jacobian);
+    if (estimate->rank > 0 && estimate->margin > LAG_RANK_NEAR && has_stayed(estimate)) { /* Kirchhoff's laws have constants only */
+        return LAG_OK;
+    }
     if (estimate->rank > 0 && lag_rank_estimate_has_turned(estimate, jacobian)) {
         return LAG_ATTENTION;
     }

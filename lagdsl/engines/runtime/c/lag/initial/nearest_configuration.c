@@ -108,8 +108,12 @@ static void relaxed(void *context, const double *y, double *residual, double *ja
     const size_t m = s->equations->m;
     const size_t n = s->equations->n;
     s->equations->evaluate(s->equations->context, y, residual, jacobian);
-    lag_fill(n * n, 0.0, jacobian + m * n);
     for (size_t j = 0; j < n; ++j) {
+        size_t first = 0;
+        const size_t columns = lag_parts_columns(s->parts, (size_t)s->parts->column_part[j], &first);
+        for (size_t place = first; place < first + columns; ++place) {
+            jacobian[(m + j) * n + (size_t)s->parts->column[place]] = 0.0;
+        }
         residual[m + j] = s->relaxed.penalty * y[j];
         jacobian[(m + j) * n + j] = s->relaxed.penalty;
     }

@@ -227,15 +227,19 @@ static int judge(lag_levenberg_marquardt *d, size_t which, double target)
 static void take(lag_levenberg_marquardt *d, const lag_parts *parts, size_t which, double *point)
 {
     size_t first = 0;
+    size_t begin = 0;
     const size_t rows = lag_parts_rows(parts, which, &first);
+    const size_t columns = lag_parts_columns(parts, which, &begin);
     for (size_t i = 0; i < rows; ++i) {
         const size_t row = (size_t)parts->row[first + i];
         d->residual[row] = d->other[row];
-        memcpy(d->jacobian + row * parts->n, d->others_jacobian + row * parts->n, parts->n * sizeof(double));
+        for (size_t j = begin; j < begin + columns; ++j) {
+            const size_t entry = row * parts->n + (size_t)parts->column[j];
+            d->jacobian[entry] = d->others_jacobian[entry];
+        }
     }
-    const size_t columns = lag_parts_columns(parts, which, &first);
-    for (size_t j = 0; j < columns; ++j) {
-        const size_t column = (size_t)parts->column[first + j];
+    for (size_t j = begin; j < begin + columns; ++j) {
+        const size_t column = (size_t)parts->column[j];
         point[column] = d->trial[column];
     }
 }

@@ -25,7 +25,10 @@ enum { LAG_DESCENTS = 100 };
 /* A step for central differences of such equations. */
 static const double LAG_DIFFERENCE = 1e-6;
 
-/* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. */
+/*
+ * Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. Entries of the
+ * Jacobian outside of the parts need not be written.
+ */
 typedef struct lag_equations {
     size_t m, n;
     void (*evaluate)(void *context, const double *x, double *residual, double *jacobian);

@@ -24,10 +24,17 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
 {
+    lag_singular *singular = &run->ranks.singular;
+    const lag_stepper *s = &run->stepper;
     *general = *weakest = 0;
-    return lag_run_crosses(run->motion.model, &run->options)
-        ? lag_singular_rank(&run->ranks.singular, run->stepper.t, run->stepper.x, general, weakest)
-        : 0;
+    if (!lag_run_crosses(run->motion.model, &run->options)) {
+        return 0;
+    }
+    *general = lag_singular_rows(singular, s->t, s->x);
+    if (*general <= run->ranks.estimate.most && lag_singular_margin(singular, s->t, s->x) > LAG_RANK_NEAR) {
+        return *general; /* as nearly always: singular values of many rows cost the cube of their number */
+    }
+    return lag_singular_rank(singular, s->t, s->x, general, weakest);
 }
 
 /* The place of the largest; what is no number is larger than all others. */

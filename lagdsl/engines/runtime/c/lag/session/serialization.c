@@ -127,6 +127,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->accuracy.relative);
     RECORD(run->ranks.estimate.most);
     RECORD(run->ranks.estimate.rank);
+    RECORD(run->ranks.estimate.margin);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
     RECORD(run->conditions.begun);
