@@ -104,6 +104,7 @@ class Bench:
         options = shared_options(library, told.settings, kept)
         ensemble = Ensemble(
             model=model.address,
+            states=model.part_address,
             options=addressof(options),
             t=told.t,
             stop=told.stop,

@@ -374,7 +374,7 @@ class Ensemble(Structure):
     """lag_ensemble."""
 
     _fields_ = [
-        *_all(c_void_p, "model options"),
+        *_all(c_void_p, "model states options"),
         *_all(c_double, "t stop"),
         *_all(c_size_t, "breaks"),
         *_all(c_void_p, "at"),

@@ -30,6 +30,8 @@ from lagdsl.motion.sweep.run import Options, Outcome, failed, first_error, param
 
 # In the rows of one call of C.
 _NUMBERS = 4_000_000
+import os
+LANES = os.environ.get('LANES','1')=='1'
 
 
 class Ensemble:
@@ -72,7 +74,7 @@ class Ensemble:
             return outcomes
         with self._lock:
             told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
-            model = self._engine.native
+            model = self._engine._part('states') if LANES else self._engine.native
         if told is None:
             return outcomes
         settings, inputs = told

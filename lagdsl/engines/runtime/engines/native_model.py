@@ -33,7 +33,16 @@ class NativeModel:
     @property
     def address(self) -> int:
         """That of the lag_model."""
-        return ctypes.cast(cast(Any, self.model), ctypes.c_void_p).value or 0
+        return _address(self.model)
+
+    @property
+    def part_address(self) -> int:
+        """That of the part; 0: there is none."""
+        return 0 if self.part is None else _address(self.part)
+
+
+def _address(pointer: object) -> int:
+    return ctypes.cast(cast(Any, pointer), ctypes.c_void_p).value or 0
 
 
 def native_model(

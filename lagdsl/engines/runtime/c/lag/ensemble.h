@@ -10,6 +10,7 @@
 #include <stdatomic.h>
 
 #include "lag/initial.h"
+#include "lag/parallel.h"
 #include "lag/run.h"
 
 /* Results of the runs, one after the other. */
@@ -23,6 +24,7 @@ typedef struct lag_ensemble_results {
 
 typedef struct lag_ensemble {
     const lag_model *model;
+    const lag_states *states; /* of the model: runs go on together, to the same bits, where it permits that; null: one after the other */
     /* Of all runs, with a `start`; p, u, natural sizes, sizes of rows and results of it are not looked at. `times` are those of the rows. */
     const lag_run_options *options;
     double t, stop;

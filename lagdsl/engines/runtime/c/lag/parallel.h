@@ -26,6 +26,8 @@ typedef struct lag_states {
         double *jacobian,
         double *gamma,
         double *pivot);
+    /* null where there are no states z */
+    lag_status (*state_derivative)(const lag_arguments *at, double *rates);
 } lag_states;
 
 typedef struct lag_tangents {

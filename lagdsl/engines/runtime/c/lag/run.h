@@ -308,6 +308,9 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 /* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. */
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 
+/* A step to `stop` does not go beyond this time. */
+double lag_run_limit(const lag_run *run, double stop);
+
 /* For the parts of a run. */
 
 /* Checks invariants and assertions at x at time t. LAG_VIOLATED: this state violates one and is the last row. */

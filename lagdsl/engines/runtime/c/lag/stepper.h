@@ -46,6 +46,15 @@ typedef struct lag_passing {
     void *context;
 } lag_passing;
 
+/* An attempt at a step, of methods that may make it before the step is asked for (lag/methods/attempts.h). */
+typedef struct lag_attempt {
+    int begun, made;         /* there is one; and its error is known */
+    double t, first, limit;  /* the step that it is of: where, what was proposed for it, not beyond this */
+    double next, h, t_new;   /* what is proposed now; its length and its end */
+    double error;            /* at most 1: the attempt can be the step */
+    size_t rejections, evaluations; /* that the stepper has not counted yet */
+} lag_attempt;
+
 typedef struct lag_stepper {
     const lag_ode *ode;
     const lag_method *method;
@@ -60,6 +69,7 @@ typedef struct lag_stepper {
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
     lag_last_step last;
+    lag_attempt attempt;
     lag_step_counts counts;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;
@@ -123,8 +133,8 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
 void lag_stepper_pass(const lag_stepper *s, unsigned place, double t);
 /* Root mean square of error (size) over tolerance; infinite where it is no number. */
 double lag_stepper_norm(const lag_stepper *s, const double *error);
-/* Length of the next trial: the proposed one, cut or stretched a little to hit the limit. */
-double lag_stepper_length(const lag_stepper *s, double limit);
+/* Length of the next trial: the proposed h, cut or stretched a little to hit the limit. */
+double lag_stepper_length(const lag_stepper *s, double h, double limit);
 /* The end of a step of length h: the limit itself where it leads there. */
 double lag_stepper_end(const lag_stepper *s, double h, double limit);
 /* x_new becomes the state at t_new; f_new its derivative. */

@@ -92,6 +92,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 {
     s->method = method;
     s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
+    s->attempt.begun = 0;
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
@@ -132,6 +133,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
+    s->attempt.begun = 0;
     s->method->begin(s);
 }
 
@@ -148,11 +150,11 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
     return LAG_OK;
 }
 
-double lag_stepper_length(const lag_stepper *s, double limit)
+double lag_stepper_length(const lag_stepper *s, double h, double limit)
 {
     const double rest = limit - s->t;
-    const double h = fmin(s->h, s->h_most);
-    return h * LAG_STRETCH >= rest ? rest : h;
+    const double most = fmin(h, s->h_most);
+    return most * LAG_STRETCH >= rest ? rest : most;
 }
 
 double lag_stepper_end(const lag_stepper *s, double h, double limit)

@@ -281,13 +281,18 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
+double lag_run_limit(const lag_run *run, double stop)
+{
+    return fmin(stop, lag_instants_next(&run->instants));
+}
+
 lag_status lag_run_step(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
     lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
-    lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
+    lag_status status = advance_to_corner(run, lag_run_limit(run, stop), &own);
     half->left = 0.0;
     memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
@@ -338,7 +343,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
-        lag_run_pass_corner(run, fmin(stop, lag_instants_next(&run->instants)));
+        lag_run_pass_corner(run, lag_run_limit(run, stop));
         s->h = fmin(fmax(s->h, half->next), s->h_most);
         status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;
     } else if (status == LAG_OK) {

@@ -1,0 +1,142 @@
+/*
+ * An attempt of a step of DOP853, of one system or of several ones in lanes: entry i of lane k is at i * lanes + k. Operations and their
+ * order are the same, so that every lane gets the same bits as alone.
+ */
+#ifndef LAG_DOP853_H
+#define LAG_DOP853_H
+
+#include <math.h>
+#include <stddef.h>
+
+enum { LAG_DOP853_STAGES = 12, LAG_DOP853_END = 12, LAG_DOP853_SLOPES = 16, LAG_DOP853_DENSE = 4 };
+
+/* The most lanes that there may be; a power of two, as is every number of lanes. */
+enum { LAG_ATTEMPT_LANES = 8 };
+
+/* A sum of slopes, for the state at `node`. */
+typedef struct lag_combination {
+    double node;
+    unsigned count;
+    unsigned char slope[13];
+    double weight[13];
+} lag_combination;
+
+/* 12: the step itself; 13 to 15: further stages of the dense output. */
+extern const lag_combination lag_dop853_stages[LAG_DOP853_SLOPES];
+extern const lag_combination lag_dop853_fifth, lag_dop853_dense[LAG_DOP853_DENSE];
+/* Difference of the new state from the embedded formula of order 3. */
+extern const lag_combination lag_dop853_third;
+
+typedef struct lag_attempt_arrays {
+    size_t size, lanes;
+    const double *x, *tolerance; /* (size, lanes) */
+    double *slope;               /* (16, size, lanes), the first that at x */
+    double *stage, *x_new;       /* (size, lanes) */
+    double t[LAG_ATTEMPT_LANES];   /* of lane k */
+    double h[LAG_ATTEMPT_LANES];   /* of lane k % lanes */
+} lag_attempt_arrays;
+
+/* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
+typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);
+
+#if defined(__GNUC__)
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
+/* Four numbers side by side: a register of 256 bits, or two of 128. */
+typedef double lag_four __attribute__((vector_size(32), aligned(8), may_alias));
+#pragma GCC diagnostic ignored "-Wpsabi" /* all of this is inlined */
+
+LAG_ATTEMPT_INLINED lag_four lag_four_at(const double *x)
+{
+    return *(const lag_four *)(const void *)x;
+}
+
+/* Four entries at i of the weighted slopes, added to `sum`. */
+LAG_ATTEMPT_INLINED lag_four lag_four_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_four sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * lag_four_at(slope + c->slope[j] * count + i);
+    }
+    return sum;
+}
+#else
+#define LAG_ATTEMPT_INLINED static inline
+#endif
+
+/* The entry at i of the weighted slopes, added to `sum`. */
+LAG_ATTEMPT_INLINED double lag_added(size_t count, const lag_combination *c, const double *slope, size_t i, double sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * slope[c->slope[j] * count + i];
+    }
+    return sum;
+}
+
+/* out = base + h * sum of `count` entries; base may be null, h is as in lag_attempt_arrays. */
+LAG_ATTEMPT_INLINED void lag_combine(
+    size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
+{
+    size_t i = 0;
+#if defined(__GNUC__)
+    const lag_four none = {0.0};
+    for (; i + 4 <= count; i += 4) {
+        const lag_four from = base != NULL ? lag_four_at(base + i) : none;
+        *(lag_four *)(void *)(out + i) = from + lag_four_at(h + i % LAG_ATTEMPT_LANES) * lag_four_added(count, c, slope, i, none);
+    }
+#endif
+    for (; i < count; ++i) {
+        out[i] = (base != NULL ? base[i] : 0.0) + h[i % LAG_ATTEMPT_LANES] * lag_added(count, c, slope, i, 0.0);
+    }
+}
+
+/* Both estimates together, section II.10, formula (10.17), of lane k into error[k]. */
+LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double *error)
+{
+    const size_t count = at->size * at->lanes;
+    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
+    double fifth[LAG_ATTEMPT_LANES] = {0.0};
+    double third[LAG_ATTEMPT_LANES] = {0.0};
+    size_t i = 0;
+#if defined(__GNUC__)
+    const lag_four none = {0.0};
+    for (; i + 4 <= count; i += 4) {
+        const lag_four tolerance = lag_four_at(at->tolerance + i);
+        const lag_four e5 = lag_four_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
+        const lag_four e3 = lag_four_added(count, step, at->slope, i, lag_four_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        for (size_t k = 0; k < 4; ++k) {
+            fifth[(i + k) % at->lanes] += e5[k] * e5[k];
+            third[(i + k) % at->lanes] += e3[k] * e3[k];
+        }
+    }
+#endif
+    for (; i < count; ++i) {
+        const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, i, 0.0) / at->tolerance[i];
+        const double e3 = lag_added(count, step, at->slope, i, lag_added(count, &lag_dop853_third, at->slope, i, 0.0)) / at->tolerance[i];
+        fifth[i % at->lanes] += e5 * e5;
+        third[i % at->lanes] += e3 * e3;
+    }
+    for (size_t k = 0; k < at->lanes; ++k) {
+        const double both = fifth[k] + 0.01 * third[k];
+        const double of_both = both > 0.0 ? at->h[k] * fifth[k] / sqrt(both * (double)at->size) : 0.0;
+        error[k] = isfinite(both) ? of_both : (double)INFINITY;
+    }
+}
+
+/* All stages and the new state; the slope at its end is left to attempts that are accepted. 0: `rates` ended it. */
+LAG_ATTEMPT_INLINED int lag_attempt_stages(const lag_attempt_arrays *at, lag_attempt_rates *rates, void *context)
+{
+    const size_t count = at->size * at->lanes;
+    double t[LAG_ATTEMPT_LANES];
+    for (size_t i = 1; i < LAG_DOP853_STAGES; ++i) {
+        lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
+        for (size_t k = 0; k < at->lanes; ++k) {
+            t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
+        }
+        if (!rates(context, i, t, at->stage, at->slope + i * count)) {
+            return 0;
+        }
+    }
+    lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
+    return 1;
+}
+
+#endif
