@@ -231,6 +231,7 @@ class Results(Structure):
         *_all(c_size_t, "row note"),
         *_all(c_int, "any"),
         *_all(c_double, "last after"),
+        *_all(c_int, "bare"),
         *_all(c_void_p, "extremes"),
     ]
 

@@ -8,8 +8,8 @@ from itertools import groupby
 
 import numpy as np
 
-from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.foundation.diagnostics import Sink
@@ -30,8 +30,6 @@ from lagdsl.motion.sweep.run import Options, Outcome, failed, first_error, param
 
 # In the rows of one call of C.
 _NUMBERS = 4_000_000
-import os
-LANES = os.environ.get('LANES','1')=='1'
 
 
 class Ensemble:
@@ -74,7 +72,7 @@ class Ensemble:
             return outcomes
         with self._lock:
             told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
-            model = self._engine._part('states') if LANES else self._engine.native
+            model = self._engine.native
         if told is None:
             return outcomes
         settings, inputs = told
@@ -100,10 +98,9 @@ class Ensemble:
 
     def worked(self, seconds: float, left: float) -> None:
         """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""
-        if isinstance(self._engine, AutoEngine):
+        if isinstance(self._engine, CEngine):
             with self._lock:
                 self._engine.worked(seconds, left)
-                self._engine.hasten()
 
     def _parameters(self, task: Task) -> Floats | None:
         """The vector of parameters; None where they are not what the model allows."""

@@ -41,7 +41,7 @@ class Ensembles:
         if swept.flat is None or swept.program is None:
             return None
         try:
-            return Ensemble(swept.flat, engine_of(swept.program, self._options.engine), self._options)
+            return Ensemble(swept.flat, engine_of(swept.program, self._options.engine, together=True), self._options)
         except CompilationFailed:
             return None
 

@@ -313,8 +313,8 @@ double lag_run_limit(const lag_run *run, double stop);
 
 /* For the parts of a run. */
 
-/* Checks invariants and assertions at x at time t. LAG_VIOLATED: this state violates one and is the last row. */
-lag_status lag_run_watch(lag_run *run, double t, const double *x);
+/* Checks invariants and assertions at x at time t, where the rates are xd; null: not known. LAG_VIOLATED: this state violates one and is the last row. */
+lag_status lag_run_watch(lag_run *run, double t, const double *x, const double *xd);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
 

@@ -27,7 +27,12 @@ static const double AFTER_TROUBLE = 0.25;
 static lag_attempt_arrays place(const lag_stepper *s)
 {
     const size_t size = s->ode->size;
-    lag_attempt_arrays at = {.size = size, .lanes = 1, .x = s->x, .tolerance = s->tolerance, .slope = s->work};
+    lag_attempt_arrays at; /* times are not set to zero, which takes its time */
+    at.size = size;
+    at.lanes = 1;
+    at.x = s->x;
+    at.tolerance = s->tolerance;
+    at.slope = s->work;
     at.stage = at.slope + LAG_DOP853_SLOPES * size;
     at.x_new = at.stage + size;
     return at;

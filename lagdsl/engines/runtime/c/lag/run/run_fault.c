@@ -11,9 +11,9 @@ void lag_run_lose(lag_run *run, double t, const double *x)
     memmove(run->lost.x, x, run->stepper.ode->size * sizeof(double));
 }
 
-lag_status lag_run_watch(lag_run *run, double t, const double *x)
+lag_status lag_run_watch(lag_run *run, double t, const double *x, const double *xd)
 {
-    const lag_status status = lag_watch_check(&run->watch, t, x);
+    const lag_status status = lag_watch_check(&run->watch, t, x, xd);
     if (status == LAG_VIOLATED) {
         lag_watch_count(&run->watch);
         lag_run_lose(run, t, x);

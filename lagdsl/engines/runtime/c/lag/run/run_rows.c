@@ -40,7 +40,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
         const double time = options->times[run->counts.row];
         status = lag_run_inside(run, time, run->point);
         if (status == LAG_OK && run->motion.model->na > 0) {
-            status = lag_run_watch(run, time, run->point);
+            status = lag_run_watch(run, time, run->point, NULL);
         }
         if (status == LAG_OK) {
             status = record(run, time, run->point);

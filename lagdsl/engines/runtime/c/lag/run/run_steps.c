@@ -278,7 +278,7 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
     } else if (due) {
         status = lag_run_ticks(run);
     }
-    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
 }
 
 double lag_run_limit(const lag_run *run, double stop)
@@ -310,7 +310,7 @@ lag_status lag_run_step(lag_run *run, double stop)
         status = lag_results_step(run->options.results, run, half->t);
     }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
-        status = lag_run_watch(run, s->t, s->x);
+        status = lag_run_watch(run, s->t, s->x, s->f);
     }
     if (status != LAG_OK) {
         return undo_step(run, t, status);

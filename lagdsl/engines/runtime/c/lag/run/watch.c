@@ -28,13 +28,13 @@ void lag_watch_count(lag_watch *watch)
     (void)invariants(watch, 1);
 }
 
-lag_status lag_watch_check(lag_watch *watch, double t, const double *x)
+lag_status lag_watch_check(lag_watch *watch, double t, const double *x, const double *xd)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {
         return LAG_OK;
     }
-    lag_status status = lag_motion_solve(watch->motion, t, x);
+    lag_status status = lag_motion_know(watch->motion, t, x, xd);
     if (status == LAG_OK) {
         status = model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held);
     }

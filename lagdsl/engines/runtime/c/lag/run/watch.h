@@ -15,8 +15,8 @@ typedef struct lag_watch {
 /* Doubles for `value`, `scale` and `held`. */
 size_t lag_watch_memory(const lag_model *model);
 
-/* Looks at the state x at time t. LAG_VIOLATED: the state does not count. */
-lag_status lag_watch_check(lag_watch *watch, double t, const double *x);
+/* Looks at the state x at time t, where the rates are xd; null: not known. LAG_VIOLATED: the state does not count. */
+lag_status lag_watch_check(lag_watch *watch, double t, const double *x, const double *xd);
 
 /* Lets the state that was evaluated last count all the same: nothing follows. */
 void lag_watch_count(lag_watch *watch);

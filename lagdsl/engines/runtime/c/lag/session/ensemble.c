@@ -201,7 +201,8 @@ static void begin(crowd *all, size_t k)
         .rows = ensemble->results.rows + i * ensemble->options->count * lag_ensemble_width(model)
     };
     own->results = (lag_results){
-        .most_rows = ROWS, .most_notes = NOTES, .rows = own->rows, .notes = own->notes, .full = keep, .context = &own->kept
+        .most_rows = ROWS, .most_notes = NOTES, .rows = own->rows, .notes = own->notes, .full = keep, .context = &own->kept,
+        .bare = 1
     };
     own->options = *ensemble->options;
     own->options.p = ensemble->p + i * model->np;
