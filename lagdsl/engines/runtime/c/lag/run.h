@@ -310,6 +310,8 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 
 /* A step to `stop` does not go beyond this time. */
 double lag_run_limit(const lag_run *run, double stop);
+/* True if the run will look at states within a step from here to t. */
+int lag_run_looks_inside(const lag_run *run, double t);
 
 /* For the parts of a run. */
 

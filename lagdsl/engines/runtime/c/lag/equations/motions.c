@@ -75,10 +75,13 @@ static void take_inputs(lag_motions *motions, const double *t)
 /* Zero times what is no finite number is none, and so is every sum with it. */
 static void look(size_t count, size_t lanes, const double *x, double *sum)
 {
-    for (size_t i = 0; i < count; ++i) {
-        for (size_t k = 0; k < lanes; ++k) {
-            sum[k] += 0.0 * x[i * lanes + k];
-        }
+    size_t i = 0;
+    for (; i + 4 <= count * lanes && lanes >= 4; i += 4) {
+        double *to = sum + i % lanes;
+        lag_four_to(to, lag_four_at(to) + 0.0 * lag_four_at(x + i));
+    }
+    for (; i < count * lanes; ++i) {
+        sum[i % lanes] += 0.0 * x[i];
     }
 }
 

@@ -6,7 +6,7 @@
 
 size_t lag_attempts_memory(size_t size, size_t lanes)
 {
-    return (LAG_DOP853_END + 1 + 4) * size * lanes;
+    return (LAG_DOP853_SLOPES + 5) * size * lanes;
 }
 
 void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_rates_in_lanes *rates, void *context, double *memory)
@@ -18,9 +18,10 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_r
     attempts->at.size = size;
     attempts->at.lanes = lanes;
     attempts->at.stage = lag_take(&memory, count);
-    attempts->at.slope = lag_take(&memory, (LAG_DOP853_END + 1) * count);
+    attempts->at.slope = lag_take(&memory, LAG_DOP853_SLOPES * count);
     attempts->at.x_new = lag_take(&memory, count);
     attempts->at.x = attempts->x = lag_take(&memory, count);
+    attempts->inside = lag_take(&memory, count);
     attempts->at.tolerance = attempts->tolerance = lag_take(&memory, count);
 }
 
@@ -32,17 +33,47 @@ static int rates_of_stage(void *context, size_t i, const double *t, const double
     return 1;
 }
 
-LAG_ATTEMPT_INLINED void make(lag_attempts *attempts)
+static int rates_of_dense(void *context, size_t i, const double *t, const double *x, double *xd)
 {
-    (void)lag_attempt_stages(&attempts->at, rates_of_stage, attempts);
-    lag_attempt_errors(&attempts->at, attempts->error);
+    lag_attempts *attempts = context;
+    (void)i;
+    attempts->rates(attempts->context, t, x, xd, attempts->dense);
+    return 1;
+}
+
+LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
+{
+    const lag_attempt_arrays *at = &attempts->at;
+    double t_new[LAG_ATTEMPT_LANES];
+    int accepted = 0;
+    int dense = 0;
+    (void)lag_attempt_stages(at, rates_of_stage, attempts);
+    lag_attempt_errors(at, attempts->error);
+    for (size_t k = 0; k < at->lanes; ++k) {
+        const int can = s[k] != NULL && attempts->error[k] <= 1.0;
+        t_new[k] = can ? s[k]->attempt.t_new : at->t[k];
+        accepted = accepted || can;
+        dense = dense || (can && s[k]->attempt.dense);
+    }
+    if (accepted) {
+        (void)rates_of_stage(attempts, LAG_DOP853_END, t_new, at->x_new, at->slope + LAG_DOP853_END * at->size * at->lanes);
+    }
+    lag_attempt_arrays inside = *at; /* the last stage stays */
+    inside.stage = attempts->inside;
+    for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
+        inside.h[i] = t_new[i % at->lanes] - at->t[i % at->lanes]; /* as who comes afterwards sees it, rounded */
+    }
+    memcpy(attempts->dense, attempts->sound, sizeof attempts->dense);
+    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES && dense; ++i) {
+        (void)lag_attempt_stage(&inside, i, rates_of_dense, attempts);
+    }
 }
 
 /* Wider registers where the processor has them, which is asked when it runs: the library is one for all of them. */
 #if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__ && !defined(__AVX2__)
-__attribute__((target("avx2"))) static void make_wide(lag_attempts *attempts)
+__attribute__((target("avx2"))) static void make_wide(lag_attempts *attempts, lag_stepper *const *s)
 {
-    make(attempts);
+    make(attempts, s);
 }
 #define WIDE __builtin_cpu_supports("avx2")
 #else
@@ -71,8 +102,9 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
     const size_t size = attempts->at.size;
     const size_t lanes = attempts->at.lanes;
+    const size_t slopes = s->attempt.dense ? LAG_DOP853_SLOPES : LAG_DOP853_END + 1;
     double *to = s->work;
-    for (size_t j = 0; j <= LAG_DOP853_END; ++j) {
+    for (size_t j = 0; j < slopes; ++j) {
         for (size_t i = 0; i < size; ++i) {
             to[j * size + i] = attempts->at.slope[(j * size + i) * lanes + k];
         }
@@ -94,6 +126,7 @@ static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
     attempt->made = 1;
     attempt->error = attempts->error[k];
     attempt->evaluations += LAG_DOP853_STAGES - (attempt->error > 1.0);
+    attempt->dense = attempt->dense && attempts->dense[k];
     if (attempt->error <= 1.0) {
         leave(attempts, s, k);
     }
@@ -103,24 +136,15 @@ static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned char *done)
 {
     const size_t lanes = attempts->at.lanes;
-    double t_new[LAG_ATTEMPT_LANES] = {0.0};
-    int accepted = 0;
     for (size_t k = 0; k < lanes; ++k) {
         if (s[k] != NULL) {
             enter(attempts, s[k], k);
         }
     }
     if (WIDE) {
-        make_wide(attempts);
+        make_wide(attempts, s);
     } else {
-        make(attempts);
-    }
-    for (size_t k = 0; k < lanes; ++k) {
-        t_new[k] = s[k] != NULL ? s[k]->attempt.t_new : attempts->at.t[k];
-        accepted = accepted || (s[k] != NULL && attempts->error[k] <= 1.0);
-    }
-    if (accepted) {
-        attempts->rates(attempts->context, t_new, attempts->at.x_new, attempts->at.slope + LAG_DOP853_END * attempts->at.size * lanes, attempts->sound);
+        make(attempts, s);
     }
     for (size_t k = 0; k < lanes; ++k) {
         done[k] = s[k] != NULL && settle(attempts, s[k], k);

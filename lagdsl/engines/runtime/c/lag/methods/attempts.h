@@ -14,11 +14,11 @@ typedef void lag_rates_in_lanes(void *context, const double *t, const double *x,
 
 typedef struct lag_attempts {
     lag_attempt_arrays at;
-    double *x, *tolerance; /* (size, lanes) */
+    double *x, *tolerance, *inside; /* (size, lanes) */
     lag_rates_in_lanes *rates;
     void *context;
     double error[LAG_ATTEMPT_LANES];
-    unsigned char sound[LAG_ATTEMPT_LANES];
+    unsigned char sound[LAG_ATTEMPT_LANES], dense[LAG_ATTEMPT_LANES]; /* the attempt, and its further stages as well */
 } lag_attempts;
 
 /* Doubles for `attempts`, and its layout. */

@@ -16,7 +16,7 @@
 enum { DENSE_TERMS = 3 + LAG_DOP853_DENSE };
 
 /* Stages whose states are of the fifth order, as places of the step. */
-static const unsigned char PASSES[LAG_DOP853_STAGES] = {[6] = 1, [9] = 2, [10] = 3};
+static const unsigned char PASSES[LAG_DOP853_SLOPES] = {[6] = 1, [9] = 2, [10] = 3};
 
 static const double SAFETY = 0.8;
 static const double BETA = 0.04; /* weight of the error before, in the step control */
@@ -57,8 +57,10 @@ void lag_attempt_begin(lag_stepper *s, double limit)
     if (!attempt->begun || attempt->t != s->t || attempt->first != s->h || attempt->limit != limit) {
         *attempt = (lag_attempt){.begun = 1, .t = s->t, .first = s->h, .limit = limit, .next = s->h};
     }
-    attempt->h = lag_stepper_length(s, attempt->next, limit);
-    attempt->t_new = lag_stepper_end(s, attempt->h, limit);
+    if (!attempt->made) {
+        attempt->h = lag_stepper_length(s, attempt->next, limit);
+        attempt->t_new = lag_stepper_end(s, attempt->h, limit);
+    }
 }
 
 int lag_attempt_shorten(lag_stepper *s)
@@ -91,6 +93,7 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     lag_fill(LAG_ATTEMPT_LANES, attempt->h, at->h);
     memcpy(at->slope, s->f, at->size * sizeof(double));
     attempt->made = 1;
+    attempt->dense = 0;
     attempt->error = (double)INFINITY;
     if (lag_attempt_stages(at, rates_of_stage, s)) {
         lag_attempt_errors(at, &attempt->error);
@@ -170,6 +173,20 @@ static void begin(lag_stepper *s)
     (void)s;
 }
 
+/* Slopes of the last step that its dense output needs beside those of the step. */
+static lag_status find_dense_slopes(lag_stepper *s, lag_attempt_arrays *at, double h)
+{
+    at->t[0] = s->t_before;
+    at->x = s->x_before;
+    lag_fill(LAG_ATTEMPT_LANES, h, at->h);
+    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
+        if (!lag_attempt_stage(at, i, rates_of_stage, s)) {
+            return s->trouble;
+        }
+    }
+    return LAG_OK;
+}
+
 /* Terms of the polynomial that Hairer, Norsett and Wanner give at the end of section II.6. */
 static lag_status prepare_dense(lag_stepper *s)
 {
@@ -177,15 +194,11 @@ static lag_status prepare_dense(lag_stepper *s)
     double *terms = place_dense(s);
     const size_t size = at.size;
     const double h = s->t - s->t_before;
-    lag_fill(LAG_ATTEMPT_LANES, h, at.h);
-    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
-        lag_combine(size, &lag_dop853_stages[i], at.h, at.slope, s->x_before, at.stage);
-        const lag_status status =
-            lag_stepper_rates(s, s->t_before + lag_dop853_stages[i].node * h, at.stage, at.slope + i * size);
-        if (status != LAG_OK) {
-            return status;
-        }
+    const lag_status status = s->attempt.dense ? LAG_OK : find_dense_slopes(s, &at, h);
+    if (status != LAG_OK) {
+        return status;
     }
+    s->counts.evaluations += s->attempt.dense ? LAG_DOP853_SLOPES - LAG_DOP853_END - 1 : 0;
     for (size_t i = 0; i < size; ++i) {
         const double change = at.x_new[i] - s->x_before[i];
         const double first = at.slope[i];
@@ -194,9 +207,7 @@ static lag_status prepare_dense(lag_stepper *s)
         terms[size + i] = h * first - change;
         terms[2 * size + i] = 2.0 * change - h * (last + first);
     }
-    for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
-        lag_combine(size, &lag_dop853_dense[k], at.h, at.slope, NULL, terms + (3 + k) * size);
-    }
+    lag_attempt_dense(&at, h, terms + 3 * size);
     return LAG_OK;
 }
 

@@ -50,6 +50,11 @@ LAG_ATTEMPT_INLINED lag_four lag_four_at(const double *x)
     return *(const lag_four *)(const void *)x;
 }
 
+LAG_ATTEMPT_INLINED void lag_four_to(double *x, lag_four value)
+{
+    *(lag_four *)(void *)x = value;
+}
+
 /* Four entries at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED lag_four lag_four_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_four sum)
 {
@@ -71,7 +76,7 @@ LAG_ATTEMPT_INLINED double lag_added(size_t count, const lag_combination *c, con
     return sum;
 }
 
-/* out = base + h * sum of `count` entries; base may be null, h is as in lag_attempt_arrays. */
+/* out = base + h * sum of `count` entries; h is as in lag_attempt_arrays. */
 LAG_ATTEMPT_INLINED void lag_combine(
     size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
 {
@@ -79,12 +84,39 @@ LAG_ATTEMPT_INLINED void lag_combine(
 #if defined(__GNUC__)
     const lag_four none = {0.0};
     for (; i + 4 <= count; i += 4) {
-        const lag_four from = base != NULL ? lag_four_at(base + i) : none;
-        *(lag_four *)(void *)(out + i) = from + lag_four_at(h + i % LAG_ATTEMPT_LANES) * lag_four_added(count, c, slope, i, none);
+        lag_four_to(out + i, lag_four_at(base + i) + lag_four_at(h + i % LAG_ATTEMPT_LANES) * lag_four_added(count, c, slope, i, none));
     }
 #endif
     for (; i < count; ++i) {
-        out[i] = (base != NULL ? base[i] : 0.0) + h[i % LAG_ATTEMPT_LANES] * lag_added(count, c, slope, i, 0.0);
+        out[i] = base[i] + h[i % LAG_ATTEMPT_LANES] * lag_added(count, c, slope, i, 0.0);
+    }
+}
+
+/* The last terms of the dense output, (4, size) of one lane: their sums are found side by side, each in its own order. */
+LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double h, double *terms)
+{
+    const lag_combination *c = lag_dop853_dense; /* all of the same slopes */
+    const size_t size = at->size;
+    size_t i = 0;
+#if defined(__GNUC__)
+    const lag_four none = {0.0};
+    for (; i + 4 <= size; i += 4) {
+        lag_four sum[LAG_DOP853_DENSE] = {none, none, none, none};
+        for (unsigned j = 0; j < c->count; ++j) {
+            const lag_four slope = lag_four_at(at->slope + c->slope[j] * size + i);
+            for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
+                sum[k] += c[k].weight[j] * slope;
+            }
+        }
+        for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
+            lag_four_to(terms + k * size + i, none + h * sum[k]);
+        }
+    }
+#endif
+    for (; i < size; ++i) {
+        for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
+            terms[k * size + i] = 0.0 + h * lag_added(size, c + k, at->slope, i, 0.0);
+        }
     }
 }
 
@@ -121,21 +153,27 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     }
 }
 
-/* All stages and the new state; the slope at its end is left to attempts that are accepted. 0: `rates` ended it. */
-LAG_ATTEMPT_INLINED int lag_attempt_stages(const lag_attempt_arrays *at, lag_attempt_rates *rates, void *context)
+/* The rates of one stage, of the step or of its dense output. 0: `rates` ended the attempt. */
+LAG_ATTEMPT_INLINED int lag_attempt_stage(const lag_attempt_arrays *at, size_t i, lag_attempt_rates *rates, void *context)
 {
     const size_t count = at->size * at->lanes;
     double t[LAG_ATTEMPT_LANES];
+    lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
+    for (size_t k = 0; k < at->lanes; ++k) {
+        t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
+    }
+    return rates(context, i, t, at->stage, at->slope + i * count);
+}
+
+/* All stages and the new state; the slope at its end is left to attempts that are accepted. 0: `rates` ended it. */
+LAG_ATTEMPT_INLINED int lag_attempt_stages(const lag_attempt_arrays *at, lag_attempt_rates *rates, void *context)
+{
     for (size_t i = 1; i < LAG_DOP853_STAGES; ++i) {
-        lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
-        for (size_t k = 0; k < at->lanes; ++k) {
-            t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
-        }
-        if (!rates(context, i, t, at->stage, at->slope + i * count)) {
+        if (!lag_attempt_stage(at, i, rates, context)) {
             return 0;
         }
     }
-    lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
+    lag_combine(at->size * at->lanes, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
     return 1;
 }
 

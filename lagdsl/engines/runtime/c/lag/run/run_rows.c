@@ -13,6 +13,12 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
     return status;
 }
 
+int lag_run_looks_inside(const lag_run *run, double t)
+{
+    const lag_run_options *options = &run->options;
+    return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_zero_crossing_count(&run->crossings) > 0;
+}
+
 static lag_status record(lag_run *run, double t, const double *x)
 {
     const size_t size = run->stepper.ode->size;

@@ -272,7 +272,9 @@ static int step_together(crowd *all)
     if (count > 1 && lag_motions_take(&all->motions) == LAG_OK) {
         for (size_t k = 0; k < all->lanes; ++k) {
             if (steppers[k] != NULL) {
-                lag_attempt_begin(steppers[k], lag_run_limit(all->lane[k].run, all->lane[k].goal));
+                const lag_run *run = all->lane[k].run;
+                lag_attempt_begin(steppers[k], lag_run_limit(run, all->lane[k].goal));
+                steppers[k]->attempt.dense = lag_run_looks_inside(run, steppers[k]->attempt.t_new);
             }
         }
         lag_attempts_make(&all->attempts, steppers, done);
