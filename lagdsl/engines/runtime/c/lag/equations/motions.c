@@ -77,11 +77,11 @@ static void look(size_t count, size_t lanes, const double *x, double *sum)
 {
     size_t i = 0;
     for (; i + 4 <= count * lanes && lanes >= 4; i += 4) {
-        double *to = sum + i % lanes;
+        double *to = sum + (i & (lanes - 1));
         lag_four_to(to, lag_four_at(to) + 0.0 * lag_four_at(x + i));
     }
     for (; i < count * lanes; ++i) {
-        sum[i % lanes] += 0.0 * x[i];
+        sum[i & (lanes - 1)] += 0.0 * x[i];
     }
 }
 

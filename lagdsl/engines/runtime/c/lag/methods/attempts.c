@@ -61,7 +61,8 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
     lag_attempt_arrays inside = *at; /* the last stage stays */
     inside.stage = attempts->inside;
     for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
-        inside.h[i] = t_new[i % at->lanes] - at->t[i % at->lanes]; /* as who comes afterwards sees it, rounded */
+        const size_t k = i & (at->lanes - 1);
+        inside.h[i] = t_new[k] - at->t[k]; /* as who comes afterwards sees it, rounded */
     }
     memcpy(attempts->dense, attempts->sound, sizeof attempts->dense);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES && dense; ++i) {
@@ -97,6 +98,9 @@ static void enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
     attempts->sound[k] = 1;
 }
 
+/* Neither the step nor its dense output reads the slopes between the first one and this. */
+enum { FIRST_READ = 5 };
+
 /* Of lane k to s, as its own attempt leaves it: slopes that the step and its dense output read, the last stage, the new state. */
 static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
@@ -104,7 +108,8 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
     const size_t lanes = attempts->at.lanes;
     const size_t slopes = s->attempt.dense ? LAG_DOP853_SLOPES : LAG_DOP853_END + 1;
     double *to = s->work;
-    for (size_t j = 0; j < slopes; ++j) {
+    memcpy(to, s->f, size * sizeof(double));
+    for (size_t j = FIRST_READ; j < slopes; ++j) {
         for (size_t i = 0; i < size; ++i) {
             to[j * size + i] = attempts->at.slope[(j * size + i) * lanes + k];
         }

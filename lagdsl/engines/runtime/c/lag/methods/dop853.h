@@ -83,6 +83,17 @@ LAG_ATTEMPT_INLINED void lag_combine(
     size_t i = 0;
 #if defined(__GNUC__)
     const lag_four none = {0.0};
+    for (; i + 8 <= count; i += 8) { /* two sums, whose terms do not wait for each other */
+        lag_four a = none;
+        lag_four b = none;
+        for (unsigned j = 0; j < c->count; ++j) {
+            const double *from = slope + c->slope[j] * count + i;
+            a += c->weight[j] * lag_four_at(from);
+            b += c->weight[j] * lag_four_at(from + 4);
+        }
+        lag_four_to(out + i, lag_four_at(base + i) + lag_four_at(h) * a);
+        lag_four_to(out + i + 4, lag_four_at(base + i + 4) + lag_four_at(h + 4) * b);
+    }
     for (; i + 4 <= count; i += 4) {
         lag_four_to(out + i, lag_four_at(base + i) + lag_four_at(h + i % LAG_ATTEMPT_LANES) * lag_four_added(count, c, slope, i, none));
     }
@@ -124,6 +135,7 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
 LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double *error)
 {
     const size_t count = at->size * at->lanes;
+    const size_t last = at->lanes - 1; /* all ones: i & last is i % lanes, without a division */
     const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
     double fifth[LAG_ATTEMPT_LANES] = {0.0};
     double third[LAG_ATTEMPT_LANES] = {0.0};
@@ -134,17 +146,24 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
         const lag_four tolerance = lag_four_at(at->tolerance + i);
         const lag_four e5 = lag_four_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
         const lag_four e3 = lag_four_added(count, step, at->slope, i, lag_four_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        if (at->lanes >= 4) {
+            double *f = fifth + (i & last);
+            double *t = third + (i & last);
+            lag_four_to(f, lag_four_at(f) + e5 * e5);
+            lag_four_to(t, lag_four_at(t) + e3 * e3);
+            continue;
+        }
         for (size_t k = 0; k < 4; ++k) {
-            fifth[(i + k) % at->lanes] += e5[k] * e5[k];
-            third[(i + k) % at->lanes] += e3[k] * e3[k];
+            fifth[k & last] += e5[k] * e5[k];
+            third[k & last] += e3[k] * e3[k];
         }
     }
 #endif
     for (; i < count; ++i) {
         const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, i, 0.0) / at->tolerance[i];
         const double e3 = lag_added(count, step, at->slope, i, lag_added(count, &lag_dop853_third, at->slope, i, 0.0)) / at->tolerance[i];
-        fifth[i % at->lanes] += e5 * e5;
-        third[i % at->lanes] += e3 * e3;
+        fifth[i & last] += e5 * e5;
+        third[i & last] += e3 * e3;
     }
     for (size_t k = 0; k < at->lanes; ++k) {
         const double both = fifth[k] + 0.01 * third[k];
