@@ -97,11 +97,14 @@ class Ensemble:
         farthest = FAR * settings.settings.natural[:, :n]
         return np.asarray(np.all(np.abs(first[:, :n] - starts) <= farthest, axis=1))
 
-    def worked(self, seconds: float, left: float) -> None:
-        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""
-        if isinstance(self._engine, CEngine):
-            with self._lock:
-                self._engine.worked(seconds, left)
+    def worked(self, seconds: float, left: float) -> int:
+        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled. Returns
+        how many runs go on together."""
+        if not isinstance(self._engine, CEngine):
+            return 1
+        with self._lock:
+            self._engine.worked(seconds, left)
+            return self._engine.native.at_once
 
     def _parameters(self, task: Task) -> Floats | None:
         """The vector of parameters; None where they are not what the model allows."""

@@ -1,4 +1,4 @@
-"""Runs that C makes in bulk are those that are made one by one, to the bit: events, loops, control, contacts."""
+"""Runs that C makes together are those that are made one by one, to the bit: events, loops, control, contacts."""
 
 from __future__ import annotations
 
@@ -48,7 +48,9 @@ def test_runs_are_those_made_alone(file: str, stop: float) -> None:
     compilation = lagdsl.compile(MODELS / file)._compilation
     flat, program = compilation.flat, compilation.program
     options = Options(stop=stop, interval=stop / 20, tolerance=1e-7, solver="auto", engine="tape", inputs={})
-    made = Ensemble(flat, TapeEngine(program), options).run(tasks := _tasks(compilation), Bench(), Stop())
+    made = Ensemble(flat, TapeEngine(program, together=True), options).run(
+        tasks := _tasks(compilation), Bench(), Stop()
+    )
     alone = Runner([SweptModel(flat=flat, program=program)], options)
     assert len(made) == RUNS
     assert made[0] is not None
