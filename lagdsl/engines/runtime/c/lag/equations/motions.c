@@ -72,19 +72,6 @@ static void take_inputs(lag_motions *motions, const double *t)
     }
 }
 
-/* Zero times what is no finite number is none, and so is every sum with it. */
-static void look(size_t count, size_t lanes, const double *x, double *sum)
-{
-    size_t i = 0;
-    for (; i + 4 <= count * lanes && lanes >= 4; i += 4) {
-        double *to = sum + (i & (lanes - 1));
-        lag_four_to(to, lag_four_at(to) + 0.0 * lag_four_at(x + i));
-    }
-    for (; i < count * lanes; ++i) {
-        sum[i & (lanes - 1)] += 0.0 * x[i];
-    }
-}
-
 void lag_motions_rates(void *context, const double *t, const double *x, double *xd, unsigned char *sound)
 {
     lag_motions *motions = context;
@@ -107,8 +94,7 @@ void lag_motions_rates(void *context, const double *t, const double *x, double *
     if (status == LAG_OK && model->nz > 0) {
         status = states->state_derivative(at, xd + 2 * n);
     }
-    look(2 * model->nq + model->nz, states->lanes, xd, sum);
-    look(model->nc, states->lanes, motions->lam, sum);
+    lag_attempt_look(model->nc * states->lanes, states->lanes, motions->lam, sum);
     for (size_t k = 0; k < states->lanes; ++k) {
         sound[k] = sound[k] && status == LAG_OK && sum[k] == 0.0 && motions->pivot[k] > smallest;
     }

@@ -4,9 +4,12 @@
 
 #include "lag/linalg/arena.h"
 
+/* Neither the step nor its dense output reads the slopes between the first one and this. */
+enum { FIRST_READ = 5 };
+
 size_t lag_attempts_memory(size_t size, size_t lanes)
 {
-    return (LAG_DOP853_SLOPES + 5) * size * lanes;
+    return (LAG_DOP853_SLOPES + 5 + LAG_DOP853_TERMS) * size * lanes;
 }
 
 void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_rates_in_lanes *rates, void *context, double *memory)
@@ -22,6 +25,7 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_r
     attempts->at.x_new = lag_take(&memory, count);
     attempts->at.x = attempts->x = lag_take(&memory, count);
     attempts->inside = lag_take(&memory, count);
+    attempts->terms = lag_take(&memory, LAG_DOP853_TERMS * count);
     attempts->at.tolerance = attempts->tolerance = lag_take(&memory, count);
 }
 
@@ -33,12 +37,35 @@ static int rates_of_stage(void *context, size_t i, const double *t, const double
     return 1;
 }
 
-static int rates_of_dense(void *context, size_t i, const double *t, const double *x, double *xd)
+/* Lanes in which a slope from `first` to before `end` is no number lose their flag. */
+LAG_ATTEMPT_INLINED void look(const lag_attempt_arrays *at, size_t first, size_t end, unsigned char *sound)
 {
-    lag_attempts *attempts = context;
-    (void)i;
-    attempts->rates(attempts->context, t, x, xd, attempts->dense);
-    return 1;
+    const size_t count = at->size * at->lanes;
+    double sum[LAG_ATTEMPT_LANES] = {0.0};
+    lag_attempt_look((end - first) * count, at->lanes, at->slope + first * count, sum);
+    for (size_t k = 0; k < at->lanes; ++k) {
+        sound[k] = sound[k] && sum[k] == 0.0;
+    }
+}
+
+/* The dense output of the attempts that are accepted; the last stage stays. */
+LAG_ATTEMPT_INLINED void make_dense(lag_attempts *attempts, const double *t_new)
+{
+    unsigned char sound[LAG_ATTEMPT_LANES];
+    lag_attempt_arrays at = attempts->at;
+    at.stage = attempts->inside;
+    for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
+        const size_t k = i & (at.lanes - 1);
+        at.h[i] = t_new[k] - at.t[k]; /* as who comes afterwards sees it, rounded */
+    }
+    memcpy(sound, attempts->sound, sizeof sound);
+    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
+        (void)lag_attempt_stage(&at, i, rates_of_stage, attempts);
+    }
+    look(&at, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, attempts->sound);
+    lag_attempt_dense(&at, attempts->terms);
+    memcpy(attempts->dense, attempts->sound, sizeof sound);
+    memcpy(attempts->sound, sound, sizeof sound);
 }
 
 LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
@@ -48,6 +75,7 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
     int accepted = 0;
     int dense = 0;
     (void)lag_attempt_stages(at, rates_of_stage, attempts);
+    look(at, 1, LAG_DOP853_STAGES, attempts->sound);
     lag_attempt_errors(at, attempts->error);
     for (size_t k = 0; k < at->lanes; ++k) {
         const int can = s[k] != NULL && attempts->error[k] <= 1.0;
@@ -57,16 +85,10 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
     }
     if (accepted) {
         (void)rates_of_stage(attempts, LAG_DOP853_END, t_new, at->x_new, at->slope + LAG_DOP853_END * at->size * at->lanes);
+        look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->sound);
     }
-    lag_attempt_arrays inside = *at; /* the last stage stays */
-    inside.stage = attempts->inside;
-    for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
-        const size_t k = i & (at->lanes - 1);
-        inside.h[i] = t_new[k] - at->t[k]; /* as who comes afterwards sees it, rounded */
-    }
-    memcpy(attempts->dense, attempts->sound, sizeof attempts->dense);
-    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES && dense; ++i) {
-        (void)lag_attempt_stage(&inside, i, rates_of_dense, attempts);
+    if (dense) {
+        make_dense(attempts, t_new);
     }
 }
 
@@ -98,26 +120,32 @@ static void enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
     attempts->sound[k] = 1;
 }
 
-/* Neither the step nor its dense output reads the slopes between the first one and this. */
-enum { FIRST_READ = 5 };
+/* So many arrays of a lane to where its own attempt leaves them. */
+static void deal(const lag_attempts *attempts, size_t arrays, const double *from, size_t k, double *to)
+{
+    const size_t lanes = attempts->at.lanes;
+    for (size_t i = 0; i < arrays * attempts->at.size; ++i) {
+        to[i] = from[i * lanes + k];
+    }
+}
 
-/* Of lane k to s, as its own attempt leaves it: slopes that the step and its dense output read, the last stage, the new state. */
+/*
+ * Of lane k to s, as its own attempt leaves it: the slopes of the end, the last stage, the new state; terms of the dense output, or the slopes
+ * that it reads.
+ */
 static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
-    const size_t size = attempts->at.size;
-    const size_t lanes = attempts->at.lanes;
-    const size_t slopes = s->attempt.dense ? LAG_DOP853_SLOPES : LAG_DOP853_END + 1;
+    const lag_attempt_arrays *at = &attempts->at;
+    const size_t size = at->size;
+    const size_t first = s->attempt.dense ? LAG_DOP853_STAGES - 1 : FIRST_READ;
     double *to = s->work;
     memcpy(to, s->f, size * sizeof(double));
-    for (size_t j = FIRST_READ; j < slopes; ++j) {
-        for (size_t i = 0; i < size; ++i) {
-            to[j * size + i] = attempts->at.slope[(j * size + i) * lanes + k];
-        }
-    }
+    deal(attempts, LAG_DOP853_END + 1 - first, at->slope + first * size * at->lanes, k, to + first * size);
     to += LAG_DOP853_SLOPES * size;
-    for (size_t i = 0; i < size; ++i) {
-        to[i] = attempts->at.stage[i * lanes + k];
-        to[size + i] = attempts->at.x_new[i * lanes + k];
+    deal(attempts, 1, at->stage, k, to);
+    deal(attempts, 1, at->x_new, k, to + size);
+    if (s->attempt.dense) {
+        deal(attempts, LAG_DOP853_TERMS, attempts->terms, k, to + 2 * size);
     }
 }
 

@@ -9,12 +9,13 @@
 #include "lag/methods/dop853.h"
 #include "lag/stepper.h"
 
-/* xd (size, lanes) at t (lanes) and x (size, lanes). What is found nowhere, or no number, leaves 0 in its lane of `sound`. */
+/* xd (size, lanes) at t (lanes) and x (size, lanes). A lane in which there is none becomes 0 in `sound`; so will one with what is no number. */
 typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, unsigned char *sound);
 
 typedef struct lag_attempts {
     lag_attempt_arrays at;
     double *x, *tolerance, *inside; /* (size, lanes) */
+    double *terms;                  /* (7, size, lanes) of the dense output */
     lag_rates_in_lanes *rates;
     void *context;
     double error[LAG_ATTEMPT_LANES];

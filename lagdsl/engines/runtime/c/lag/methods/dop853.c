@@ -13,8 +13,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/methods/attempts.h"
 
-enum { DENSE_TERMS = 3 + LAG_DOP853_DENSE };
-
 /* Stages whose states are of the fifth order, as places of the step. */
 static const unsigned char PASSES[LAG_DOP853_SLOPES] = {[6] = 1, [9] = 2, [10] = 3};
 
@@ -46,7 +44,7 @@ static double *place_dense(const lag_stepper *s)
 
 static size_t memory(size_t size)
 {
-    return (LAG_DOP853_SLOPES + 2 + DENSE_TERMS) * size;
+    return (LAG_DOP853_SLOPES + 2 + LAG_DOP853_TERMS) * size;
 }
 
 /* ---- attempts ---- */
@@ -55,7 +53,12 @@ void lag_attempt_begin(lag_stepper *s, double limit)
 {
     lag_attempt *attempt = &s->attempt;
     if (!attempt->begun || attempt->t != s->t || attempt->first != s->h || attempt->limit != limit) {
-        *attempt = (lag_attempt){.begun = 1, .t = s->t, .first = s->h, .limit = limit, .next = s->h};
+        attempt->begun = 1;
+        attempt->made = attempt->dense = 0;
+        attempt->rejections = attempt->evaluations = 0;
+        attempt->t = s->t;
+        attempt->first = attempt->next = s->h;
+        attempt->limit = limit;
     }
     if (!attempt->made) {
         attempt->h = lag_stepper_length(s, attempt->next, limit);
@@ -173,41 +176,22 @@ static void begin(lag_stepper *s)
     (void)s;
 }
 
-/* Slopes of the last step that its dense output needs beside those of the step. */
-static lag_status find_dense_slopes(lag_stepper *s, lag_attempt_arrays *at, double h)
-{
-    at->t[0] = s->t_before;
-    at->x = s->x_before;
-    lag_fill(LAG_ATTEMPT_LANES, h, at->h);
-    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
-        if (!lag_attempt_stage(at, i, rates_of_stage, s)) {
-            return s->trouble;
-        }
-    }
-    return LAG_OK;
-}
-
-/* Terms of the polynomial that Hairer, Norsett and Wanner give at the end of section II.6. */
 static lag_status prepare_dense(lag_stepper *s)
 {
     lag_attempt_arrays at = place(s);
-    double *terms = place_dense(s);
-    const size_t size = at.size;
-    const double h = s->t - s->t_before;
-    const lag_status status = s->attempt.dense ? LAG_OK : find_dense_slopes(s, &at, h);
-    if (status != LAG_OK) {
-        return status;
+    if (s->attempt.dense) {
+        s->counts.evaluations += LAG_DOP853_SLOPES - LAG_DOP853_END - 1;
+        return LAG_OK;
     }
-    s->counts.evaluations += s->attempt.dense ? LAG_DOP853_SLOPES - LAG_DOP853_END - 1 : 0;
-    for (size_t i = 0; i < size; ++i) {
-        const double change = at.x_new[i] - s->x_before[i];
-        const double first = at.slope[i];
-        const double last = at.slope[LAG_DOP853_END * size + i];
-        terms[i] = change;
-        terms[size + i] = h * first - change;
-        terms[2 * size + i] = 2.0 * change - h * (last + first);
+    at.t[0] = s->t_before;
+    at.x = s->x_before;
+    lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
+    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
+        if (!lag_attempt_stage(&at, i, rates_of_stage, s)) {
+            return s->trouble;
+        }
     }
-    lag_attempt_dense(&at, h, terms + 3 * size);
+    lag_attempt_dense(&at, place_dense(s));
     return LAG_OK;
 }
 
@@ -219,7 +203,7 @@ static void dense(const lag_stepper *s, double t, double *x)
     const double part = h > 0.0 ? (t - s->t_before) / h : 1.0;
     for (size_t i = 0; i < size; ++i) {
         double sum = 0.0;
-        for (size_t k = DENSE_TERMS; k-- > 0;) {
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
             sum = (sum + terms[k * size + i]) * (k % 2 == 0 ? part : 1.0 - part);
         }
         x[i] = s->x_before[i] + sum;

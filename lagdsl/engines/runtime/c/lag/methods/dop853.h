@@ -9,6 +9,8 @@
 #include <stddef.h>
 
 enum { LAG_DOP853_STAGES = 12, LAG_DOP853_END = 12, LAG_DOP853_SLOPES = 16, LAG_DOP853_DENSE = 4 };
+/* Terms of the dense output. */
+enum { LAG_DOP853_TERMS = 3 + LAG_DOP853_DENSE };
 
 /* The most lanes that there may be; a power of two, as is every number of lanes. */
 enum { LAG_ATTEMPT_LANES = 8 };
@@ -103,31 +105,69 @@ LAG_ATTEMPT_INLINED void lag_combine(
     }
 }
 
-/* The last terms of the dense output, (4, size) of one lane: their sums are found side by side, each in its own order. */
-LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double h, double *terms)
+/*
+ * Terms (7, size, lanes) of the polynomial that Hairer, Norsett and Wanner give at the end of section II.6. The last four are of the same
+ * slopes: their sums are found side by side, each in its own order.
+ */
+LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double *terms)
 {
-    const lag_combination *c = lag_dop853_dense; /* all of the same slopes */
-    const size_t size = at->size;
+    const lag_combination *c = lag_dop853_dense;
+    const size_t count = at->size * at->lanes;
+    double *to = terms + 3 * count;
     size_t i = 0;
+    for (; i < count; ++i) {
+        const double h = at->h[i % LAG_ATTEMPT_LANES];
+        const double change = at->x_new[i] - at->x[i];
+        terms[i] = change;
+        terms[count + i] = h * at->slope[i] - change;
+        terms[2 * count + i] = 2.0 * change - h * (at->slope[LAG_DOP853_END * count + i] + at->slope[i]);
+    }
+    i = 0;
 #if defined(__GNUC__)
     const lag_four none = {0.0};
-    for (; i + 4 <= size; i += 4) {
-        lag_four sum[LAG_DOP853_DENSE] = {none, none, none, none};
+    for (; i + 4 <= count; i += 4) {
+        const lag_four h = lag_four_at(at->h + i % LAG_ATTEMPT_LANES);
+        lag_four sum0 = none;
+        lag_four sum1 = none;
+        lag_four sum2 = none;
+        lag_four sum3 = none;
         for (unsigned j = 0; j < c->count; ++j) {
-            const lag_four slope = lag_four_at(at->slope + c->slope[j] * size + i);
-            for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
-                sum[k] += c[k].weight[j] * slope;
-            }
+            const lag_four slope = lag_four_at(at->slope + c->slope[j] * count + i);
+            sum0 += c[0].weight[j] * slope;
+            sum1 += c[1].weight[j] * slope;
+            sum2 += c[2].weight[j] * slope;
+            sum3 += c[3].weight[j] * slope;
         }
-        for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
-            lag_four_to(terms + k * size + i, none + h * sum[k]);
-        }
+        lag_four_to(to + i, none + h * sum0);
+        lag_four_to(to + count + i, none + h * sum1);
+        lag_four_to(to + 2 * count + i, none + h * sum2);
+        lag_four_to(to + 3 * count + i, none + h * sum3);
     }
 #endif
-    for (; i < size; ++i) {
+    for (; i < count; ++i) {
         for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
-            terms[k * size + i] = 0.0 + h * lag_added(size, c + k, at->slope, i, 0.0);
+            to[k * count + i] = 0.0 + at->h[i % LAG_ATTEMPT_LANES] * lag_added(count, c + k, at->slope, i, 0.0);
         }
+    }
+}
+
+/* Zero in sum[k] if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
+LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *sum)
+{
+    const size_t last = lanes - 1;
+    size_t i = 0;
+#if defined(__GNUC__)
+    lag_four a = {0.0};
+    lag_four b = {0.0};
+    for (; i + 8 <= count && lanes >= 4; i += 8) {
+        a += 0.0 * lag_four_at(x + i);
+        b += 0.0 * lag_four_at(x + i + 4);
+    }
+    lag_four_to(sum, lag_four_at(sum) + a);
+    lag_four_to(sum + (4 & last), lag_four_at(sum + (4 & last)) + b);
+#endif
+    for (; i < count; ++i) {
+        sum[i & last] += 0.0 * x[i];
     }
 }
 
