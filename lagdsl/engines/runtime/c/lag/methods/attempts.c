@@ -1,3 +1,13 @@
+/* Wider registers where the processor has them, which is asked when it runs: the library is one for all of them. */
+#if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__ && !defined(__AVX2__)
+#define LAG_ATTEMPT_WIDTH 4
+#define IN_WIDE __attribute__((target("avx2")))
+#define IS_WIDE __builtin_cpu_supports("avx2")
+#else
+#define IN_WIDE
+#define IS_WIDE 1
+#endif
+
 #include "lag/methods/attempts.h"
 
 #include <string.h>
@@ -92,17 +102,10 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
     }
 }
 
-/* Wider registers where the processor has them, which is asked when it runs: the library is one for all of them. */
-#if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__ && !defined(__AVX2__)
-__attribute__((target("avx2"))) static void make_wide(lag_attempts *attempts, lag_stepper *const *s)
+IN_WIDE static void make_wide(lag_attempts *attempts, lag_stepper *const *s)
 {
     make(attempts, s);
 }
-#define WIDE __builtin_cpu_supports("avx2")
-#else
-#define make_wide make
-#define WIDE 0
-#endif
 
 /* Lane k becomes the attempt of s. */
 static void enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
@@ -174,7 +177,7 @@ void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned c
             enter(attempts, s[k], k);
         }
     }
-    if (WIDE) {
+    if (IS_WIDE) {
         make_wide(attempts, s);
     } else {
         make(attempts, s);

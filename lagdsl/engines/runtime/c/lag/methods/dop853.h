@@ -43,25 +43,31 @@ typedef int lag_attempt_rates(void *context, size_t i, const double *t, const do
 
 #if defined(__GNUC__)
 #define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
-/* Four numbers side by side: a register of 256 bits, or two of 128. */
-typedef double lag_four __attribute__((vector_size(32), aligned(8), may_alias));
+/* So many numbers are side by side as a register holds: compilers keep longer vectors in memory. */
+#if !defined(LAG_ATTEMPT_WIDTH) && defined(__AVX__)
+#define LAG_ATTEMPT_WIDTH 4
+#elif !defined(LAG_ATTEMPT_WIDTH)
+#define LAG_ATTEMPT_WIDTH 2
+#endif
+enum { LAG_WIDTH = LAG_ATTEMPT_WIDTH };
+typedef double lag_wide __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH), aligned(8), may_alias));
 #pragma GCC diagnostic ignored "-Wpsabi" /* all of this is inlined */
 
-LAG_ATTEMPT_INLINED lag_four lag_four_at(const double *x)
+LAG_ATTEMPT_INLINED lag_wide lag_wide_at(const double *x)
 {
-    return *(const lag_four *)(const void *)x;
+    return *(const lag_wide *)(const void *)x;
 }
 
-LAG_ATTEMPT_INLINED void lag_four_to(double *x, lag_four value)
+LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
 {
-    *(lag_four *)(void *)x = value;
+    *(lag_wide *)(void *)x = value;
 }
 
-/* Four entries at i of the weighted slopes, added to `sum`. */
-LAG_ATTEMPT_INLINED lag_four lag_four_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_four sum)
+/* Several entries at i of the weighted slopes, added to `sum`. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
 {
     for (unsigned j = 0; j < c->count; ++j) {
-        sum += c->weight[j] * lag_four_at(slope + c->slope[j] * count + i);
+        sum += c->weight[j] * lag_wide_at(slope + c->slope[j] * count + i);
     }
     return sum;
 }
@@ -84,20 +90,20 @@ LAG_ATTEMPT_INLINED void lag_combine(
 {
     size_t i = 0;
 #if defined(__GNUC__)
-    const lag_four none = {0.0};
-    for (; i + 8 <= count; i += 8) { /* two sums, whose terms do not wait for each other */
-        lag_four a = none;
-        lag_four b = none;
+    const lag_wide none = {0.0};
+    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) { /* two sums, whose terms do not wait for each other */
+        lag_wide a = none;
+        lag_wide b = none;
         for (unsigned j = 0; j < c->count; ++j) {
             const double *from = slope + c->slope[j] * count + i;
-            a += c->weight[j] * lag_four_at(from);
-            b += c->weight[j] * lag_four_at(from + 4);
+            a += c->weight[j] * lag_wide_at(from);
+            b += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
         }
-        lag_four_to(out + i, lag_four_at(base + i) + lag_four_at(h) * a);
-        lag_four_to(out + i + 4, lag_four_at(base + i + 4) + lag_four_at(h + 4) * b);
+        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * a);
+        lag_wide_to(out + i + LAG_WIDTH, lag_wide_at(base + i + LAG_WIDTH) + lag_wide_at(h + (i + LAG_WIDTH) % LAG_ATTEMPT_LANES) * b);
     }
-    for (; i + 4 <= count; i += 4) {
-        lag_four_to(out + i, lag_four_at(base + i) + lag_four_at(h + i % LAG_ATTEMPT_LANES) * lag_four_added(count, c, slope, i, none));
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * lag_wide_added(count, c, slope, i, none));
     }
 #endif
     for (; i < count; ++i) {
@@ -124,24 +130,24 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
     }
     i = 0;
 #if defined(__GNUC__)
-    const lag_four none = {0.0};
-    for (; i + 4 <= count; i += 4) {
-        const lag_four h = lag_four_at(at->h + i % LAG_ATTEMPT_LANES);
-        lag_four sum0 = none;
-        lag_four sum1 = none;
-        lag_four sum2 = none;
-        lag_four sum3 = none;
+    const lag_wide none = {0.0};
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide h = lag_wide_at(at->h + i % LAG_ATTEMPT_LANES);
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        lag_wide sum2 = none;
+        lag_wide sum3 = none;
         for (unsigned j = 0; j < c->count; ++j) {
-            const lag_four slope = lag_four_at(at->slope + c->slope[j] * count + i);
+            const lag_wide slope = lag_wide_at(at->slope + c->slope[j] * count + i);
             sum0 += c[0].weight[j] * slope;
             sum1 += c[1].weight[j] * slope;
             sum2 += c[2].weight[j] * slope;
             sum3 += c[3].weight[j] * slope;
         }
-        lag_four_to(to + i, none + h * sum0);
-        lag_four_to(to + count + i, none + h * sum1);
-        lag_four_to(to + 2 * count + i, none + h * sum2);
-        lag_four_to(to + 3 * count + i, none + h * sum3);
+        lag_wide_to(to + i, none + h * sum0);
+        lag_wide_to(to + count + i, none + h * sum1);
+        lag_wide_to(to + 2 * count + i, none + h * sum2);
+        lag_wide_to(to + 3 * count + i, none + h * sum3);
     }
 #endif
     for (; i < count; ++i) {
@@ -157,14 +163,17 @@ LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const doub
     const size_t last = lanes - 1;
     size_t i = 0;
 #if defined(__GNUC__)
-    lag_four a = {0.0};
-    lag_four b = {0.0};
-    for (; i + 8 <= count && lanes >= 4; i += 8) {
-        a += 0.0 * lag_four_at(x + i);
-        b += 0.0 * lag_four_at(x + i + 4);
+    lag_wide a = {0.0};
+    lag_wide b = {0.0};
+    const int fits = lanes == LAG_WIDTH || lanes == 2 * LAG_WIDTH;
+    for (; i + 2 * LAG_WIDTH <= count && fits; i += 2 * LAG_WIDTH) {
+        a += 0.0 * lag_wide_at(x + i);
+        b += 0.0 * lag_wide_at(x + i + LAG_WIDTH);
     }
-    lag_four_to(sum, lag_four_at(sum) + a);
-    lag_four_to(sum + (4 & last), lag_four_at(sum + (4 & last)) + b);
+    for (size_t k = 0; k < LAG_WIDTH && fits; ++k) {
+        sum[k] += a[k];
+        sum[(k + LAG_WIDTH) & last] += b[k];
+    }
 #endif
     for (; i < count; ++i) {
         sum[i & last] += 0.0 * x[i];
@@ -181,19 +190,19 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     double third[LAG_ATTEMPT_LANES] = {0.0};
     size_t i = 0;
 #if defined(__GNUC__)
-    const lag_four none = {0.0};
-    for (; i + 4 <= count; i += 4) {
-        const lag_four tolerance = lag_four_at(at->tolerance + i);
-        const lag_four e5 = lag_four_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
-        const lag_four e3 = lag_four_added(count, step, at->slope, i, lag_four_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
-        if (at->lanes >= 4) {
+    const lag_wide none = {0.0};
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
+        const lag_wide e5 = lag_wide_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
+        const lag_wide e3 = lag_wide_added(count, step, at->slope, i, lag_wide_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        if (at->lanes >= LAG_WIDTH) {
             double *f = fifth + (i & last);
             double *t = third + (i & last);
-            lag_four_to(f, lag_four_at(f) + e5 * e5);
-            lag_four_to(t, lag_four_at(t) + e3 * e3);
+            lag_wide_to(f, lag_wide_at(f) + e5 * e5);
+            lag_wide_to(t, lag_wide_at(t) + e3 * e3);
             continue;
         }
-        for (size_t k = 0; k < 4; ++k) {
+        for (size_t k = 0; k < LAG_WIDTH; ++k) {
             fifth[k & last] += e5[k] * e5[k];
             third[k & last] += e3[k] * e3[k];
         }
