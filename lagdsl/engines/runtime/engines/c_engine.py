@@ -71,7 +71,6 @@ class CEngine:
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
         self._memory = Memory()
-        self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
 
     def _use(self, model: NativeModel) -> None:
@@ -300,6 +299,11 @@ class CEngine:
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         return spread([self._signature[group] for group in groups], arguments)
+
+    @cached_property
+    def _width(self) -> dict[str, int]:
+        """Numbers of all results of a function."""
+        return {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
 
     @cached_property
     def _signature(self) -> dict[Group, tuple[str, int | None]]:

@@ -242,7 +242,7 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent);
 /*
  * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then,
  * and at any failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
- * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where. LAG_STEP_TOO_SMALL,
+ * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble.time tells where. LAG_STEP_TOO_SMALL,
  * LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted.
  * LAG_EVENT_ITERATION_FAILED and what follows it there: an event failed. Any status that a callback returns but LAG_OK is
  * returned.

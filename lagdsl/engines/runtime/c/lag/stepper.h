@@ -28,6 +28,13 @@ typedef struct lag_step_counts {
     size_t steps, rejections, evaluations, jacobians, decompositions;
 } lag_step_counts;
 
+/* The last state at which the system had no rates. */
+typedef struct lag_trouble {
+    lag_status status; /* LAG_OK: nowhere so far */
+    double time;
+    double *x;         /* (size) */
+} lag_trouble;
+
 /* For methods that do not choose their steps. */
 typedef struct lag_fixed_steps {
     double length;
@@ -72,9 +79,7 @@ typedef struct lag_stepper {
     lag_last_step last;
     lag_attempt attempt;
     lag_step_counts counts;
-    lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
-    double trouble_time;
-    double *trouble_x;  /* (size) and the state */
+    lag_trouble trouble;
     lag_fixed_steps fixed;
     lag_passing passing;
 } lag_stepper;

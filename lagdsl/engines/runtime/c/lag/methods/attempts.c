@@ -152,7 +152,7 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
     }
 }
 
-/* What became of the attempt of s in lane k. Returns 0 where it is to be repeated; what no lane can find is left to an attempt alone. */
+/* Takes lane k to the attempt of s. Returns 0 where it is to be repeated; what no lane can find is left to an attempt alone. */
 static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;

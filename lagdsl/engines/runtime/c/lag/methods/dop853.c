@@ -188,7 +188,7 @@ static lag_status prepare_dense(lag_stepper *s)
     lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
         if (!lag_attempt_stage(&at, i, rates_of_stage, s)) {
-            return s->trouble;
+            return s->trouble.status;
         }
     }
     lag_attempt_dense(&at, place_dense(s));

@@ -25,8 +25,8 @@ void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
     s->x_before = s->f + size;
     s->f_before = s->x_before + size;
     s->tolerance = s->f_before + size;
-    s->trouble_x = s->tolerance + size;
-    s->work = s->trouble_x + size;
+    s->trouble.x = s->tolerance + size;
+    s->work = s->trouble.x + size;
     s->h_most = (double)INFINITY;
 }
 
@@ -38,9 +38,9 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
         status = LAG_NOT_FINITE;
     }
     if (status != LAG_OK) {
-        s->trouble = status;
-        s->trouble_time = t;
-        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+        s->trouble.status = status;
+        s->trouble.time = t;
+        memcpy(s->trouble.x, x, s->ode->size * sizeof(double));
     }
     return status;
 }

@@ -1,4 +1,6 @@
-/* Rows of a run at requested times. */
+/* Rows of a run at requested times, and how far a step goes. */
+#include <math.h>
+
 #include "lag/run.h"
 
 lag_status lag_run_inside(lag_run *run, double t, double *x)
@@ -11,6 +13,11 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
         (void)lag_projection_apply(&run->projection, t, x, &moved); /* where it cannot, the row is as the method found it */
     }
     return status;
+}
+
+double lag_run_limit(const lag_run *run, double stop)
+{
+    return fmin(stop, lag_instants_next(&run->instants));
 }
 
 int lag_run_looks_inside(const lag_run *run, double t)

@@ -104,7 +104,7 @@ static lag_status step_once(lag_run *run, double limit)
         }
         status = lag_stepper_step(s, limit);
         if (status != LAG_OK) {
-            return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
+            return status == LAG_STEP_TOO_SMALL && s->trouble.status != LAG_OK && s->trouble.time >= s->t ? s->trouble.status : status;
         }
         const double h = s->t - s->t_before;
         status = project(run);
@@ -279,11 +279,6 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
         status = lag_run_ticks(run);
     }
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
-}
-
-double lag_run_limit(const lag_run *run, double stop)
-{
-    return fmin(stop, lag_instants_next(&run->instants));
 }
 
 lag_status lag_run_step(lag_run *run, double stop)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "lag/equations/discretes.h"
-#include "lag/equations/motions.h"
+#include "lag/session/motions.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 

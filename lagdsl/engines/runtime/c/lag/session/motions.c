@@ -1,4 +1,4 @@
-#include "lag/equations/motions.h"
+#include "lag/session/motions.h"
 
 #include <string.h>
 
