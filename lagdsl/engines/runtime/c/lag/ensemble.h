@@ -30,7 +30,7 @@ typedef struct lag_ensemble {
     double t, stop;
     size_t breaks;    /* so many times between them at which inputs may jump, */
     const double *at; /* (breaks) ascending */
-    /* lag_run_to() is called for so many steps at first, then at a time, which is where `stopped` is looked at; for so many in all. */
+    /* The method starts again after so many steps at first, then each time after so many, as lag_run_to() does; so many steps in all. */
     size_t first_piece, piece, most_steps;
     int equations;               /* 0: initial equations are left out */
     const unsigned char *set;    /* (2 nq + nz) 1: start values that are given, and count as written; null: none is */

@@ -5,7 +5,7 @@
  * stands for t. In functions of directions only directions and results are in groups. Operations and their order are those
  * of the functions of one state, so that every lane gets the same bits. All of it is compiled apart from the model, when
  * needed. Arrays on addresses that are multiples of 8 * lanes bytes are faster. `lanes` is 0, and nothing else there, where
- * the compiler has no vectors. Members that a model lacks are null.
+ * the compiler has no vectors. Members that a model lacks are null; so may be those that nobody needs beside others.
  */
 #ifndef LAG_PARALLEL_H
 #define LAG_PARALLEL_H

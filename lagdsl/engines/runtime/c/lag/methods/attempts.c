@@ -26,6 +26,7 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_r
 {
     const size_t count = size * lanes;
     memset(attempts, 0, sizeof *attempts);
+    lag_fill(lag_attempts_memory(size, lanes), 0.0, memory);
     attempts->rates = rates;
     attempts->context = context;
     attempts->at.size = size;

@@ -34,7 +34,7 @@ typedef struct lane {
     int started;         /* it has a start */
     size_t breaks;       /* so many are behind it */
     double goal;         /* the next one, or the stop */
-    size_t steps, left;  /* so far, and until `stopped` is looked at */
+    size_t steps, left;  /* so far, and of the present piece */
     double *rows, *row_sizes, *starts, *x;
     unsigned char *dependent;
     void *block;         /* of the run */
@@ -44,7 +44,6 @@ typedef struct lane {
 typedef struct crowd {
     const lag_ensemble *ensemble;
     size_t next, end;    /* the next run, and where they end */
-    size_t left_out;     /* the first that was not made */
     size_t lanes;
     lane *lane;
     lag_motions motions;
@@ -136,7 +135,7 @@ static int is_stopped(const lag_ensemble *ensemble)
     return ensemble->stopped != NULL && atomic_load(ensemble->stopped);
 }
 
-/* On to where the next step begins, in pieces; *ended: there is none. LAG_TOO_LONG: as many steps as allowed, or no more are wanted. */
+/* On to where the next step begins, in pieces; *ended: there is none. LAG_TOO_LONG: as many steps as allowed. */
 static lag_status approach(const lag_ensemble *ensemble, lane *own, int *ended)
 {
     lag_run *run = own->run;
@@ -147,7 +146,7 @@ static lag_status approach(const lag_ensemble *ensemble, lane *own, int *ended)
             const size_t left = ensemble->most_steps - own->steps;
             const size_t piece = own->steps > 0 ? ensemble->piece : ensemble->first_piece;
             own->left = left < piece ? left : piece;
-            status = own->left > 0 && !is_stopped(ensemble) ? lag_run_restart(run, own->goal) : LAG_TOO_LONG;
+            status = own->left > 0 ? lag_run_restart(run, own->goal) : LAG_TOO_LONG;
         } else if (own->breaks < ensemble->breaks) {
             ++own->breaks;
             own->goal = own->breaks < ensemble->breaks ? ensemble->at[own->breaks] : ensemble->stop;
@@ -172,14 +171,10 @@ static void end(crowd *all, size_t k, lag_status status)
     (void)keep(&own->kept, &own->results);
     ensemble->results.kept[own->number] = own->kept.kept;
     ensemble->results.ended[own->number] = own->results.any ? own->results.last : (double)NAN;
-    if (is_stopped(ensemble)) {
-        all->left_out = own->number < all->left_out ? own->number : all->left_out;
-    } else {
-        ensemble->results.status[own->number] = (int)status;
-        if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED) {
-            const lag_initial *told = own->started ? NULL : &own->told;
-            ensemble->failed(ensemble->context, own->number, own->run, (int)status, own->starts, own->x, told);
-        }
+    ensemble->results.status[own->number] = (int)status;
+    if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED) {
+        const lag_initial *told = own->started ? NULL : &own->told;
+        ensemble->failed(ensemble->context, own->number, own->run, (int)status, own->starts, own->x, told);
     }
     own->run = NULL;
     all->motions.of[k] = NULL;
@@ -240,12 +235,12 @@ static void step(crowd *all, size_t k)
     }
 }
 
-/* Lane k goes on alone to where it can do its next step with others; null: no run is left for it. */
+/* Lane k goes on alone to where it can do its next step with others; null: no run is left for it, or no more are wanted. */
 static lag_stepper *bring(crowd *all, size_t k)
 {
     lane *own = all->lane + k;
     for (;;) {
-        if (own->run == NULL && (all->next == all->end || is_stopped(all->ensemble))) {
+        if (is_stopped(all->ensemble) || (own->run == NULL && all->next == all->end)) {
             return NULL;
         }
         if (own->run == NULL) {
@@ -323,8 +318,12 @@ size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, 
 {
     crowd *all = place(ensemble, block);
     all->next = first;
-    all->end = all->left_out = end;
+    all->end = end;
     while (step_together(all)) {
     }
-    return all->next < all->left_out ? all->next : all->left_out;
+    size_t made = all->next;
+    for (size_t k = 0; k < all->lanes; ++k) {
+        made = all->lane[k].run != NULL && all->lane[k].number < made ? all->lane[k].number : made;
+    }
+    return made;
 }

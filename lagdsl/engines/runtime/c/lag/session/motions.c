@@ -19,6 +19,7 @@ void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_s
 {
     const size_t lanes = states->lanes;
     memset(motions, 0, sizeof *motions);
+    lag_fill(lag_motions_memory(model, states), 0.0, memory); /* lanes that are free are computed, too */
     motions->model = model;
     motions->states = states;
     motions->at.context = model->context;
