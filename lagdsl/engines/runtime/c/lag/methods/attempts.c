@@ -1,11 +1,9 @@
-/* Wider registers where the processor has them, which is asked when it runs: the library is one for all of them. */
-#if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__ && !defined(__AVX2__)
+/* The library is one for all processors: wider registers are used where there are some. */
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__AVX__)
 #define LAG_ATTEMPT_WIDTH 4
-#define IN_WIDE __attribute__((target("avx2")))
-#define IS_WIDE __builtin_cpu_supports("avx2")
+#define IN_WIDE __attribute__((target("avx")))
 #else
 #define IN_WIDE
-#define IS_WIDE 1
 #endif
 
 #include "lag/methods/attempts.h"
@@ -22,11 +20,12 @@ size_t lag_attempts_memory(size_t size, size_t lanes)
     return (LAG_DOP853_SLOPES + 5 + LAG_DOP853_TERMS) * size * lanes;
 }
 
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_rates_in_lanes *rates, void *context, double *memory)
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory)
 {
     const size_t count = size * lanes;
     memset(attempts, 0, sizeof *attempts);
     lag_fill(lag_attempts_memory(size, lanes), 0.0, memory);
+    attempts->wide = wide;
     attempts->rates = rates;
     attempts->context = context;
     attempts->at.size = size;
@@ -162,7 +161,7 @@ static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
     }
     attempt->made = 1;
     attempt->error = attempts->error[k];
-    attempt->evaluations += LAG_DOP853_STAGES - (attempt->error > 1.0);
+    attempt->evaluations += attempt->error > 1.0 ? LAG_DOP853_STAGES - 1 : LAG_DOP853_STAGES;
     attempt->dense = attempt->dense && attempts->dense[k];
     if (attempt->error <= 1.0) {
         leave(attempts, s, k);
@@ -178,7 +177,7 @@ void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned c
             enter(attempts, s[k], k);
         }
     }
-    if (IS_WIDE) {
+    if (attempts->wide) {
         make_wide(attempts, s);
     } else {
         make(attempts, s);

@@ -16,6 +16,7 @@ typedef struct lag_attempts {
     lag_attempt_arrays at;
     double *x, *tolerance, *inside; /* (size, lanes) */
     double *terms;                  /* (7, size, lanes) of the dense output */
+    int wide; /* the processor has registers of 256 bits */
     lag_rates_in_lanes *rates;
     void *context;
     double error[LAG_ATTEMPT_LANES];
@@ -24,7 +25,7 @@ typedef struct lag_attempts {
 
 /* Doubles for `attempts`, and its layout. */
 size_t lag_attempts_memory(size_t size, size_t lanes);
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, lag_rates_in_lanes *rates, void *context, double *memory);
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory);
 
 /*
  * An attempt for each stepper s[k], k below the number of lanes, that is not null; lag_attempt_begin() was called for it. done[k]: it can go on by

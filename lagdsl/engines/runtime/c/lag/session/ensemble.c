@@ -309,7 +309,7 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         double *memory = (double *)(void *)bytes;
         lag_motions_place(&all->motions, model, ensemble->states, memory);
         memory += lag_motions_memory(model, ensemble->states);
-        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, lag_motions_rates, &all->motions, memory);
+        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, lag_motions_rates, &all->motions, memory);
     }
     return all;
 }
