@@ -15,6 +15,9 @@ enum { ROWS = 16, NOTES = 64 };
 /* Bytes of the longest vector: what starts at a multiple of it is read fastest. */
 enum { ALIGNED = 64 };
 
+/* Of the runs of one thread that are under way together. */
+static const size_t MOST_BYTES = (size_t)1 << 28;
+
 /* The rows of one run that are kept. */
 typedef struct keeper {
     const lag_ensemble *ensemble;
@@ -56,15 +59,16 @@ static size_t own_memory(const lag_model *model)
     return ROWS * lag_results_width(model) + 2 * model->nc + 2 * lag_motion_size(model);
 }
 
-/* Runs that are under way together. */
-static size_t lanes_of(const lag_ensemble *ensemble)
-{
-    return lag_motions_can(ensemble->model, ensemble->states) ? ensemble->states->lanes : 1;
-}
-
 static size_t lane_size(const lag_ensemble *ensemble)
 {
     return lag_padded(own_memory(ensemble->model) * sizeof(double)) + lag_padded(lag_run_size(ensemble->model, ensemble->options));
+}
+
+/* Runs that are under way together: those of large models are not, whose matrices would be there several times. */
+static size_t lanes_of(const lag_ensemble *ensemble)
+{
+    const size_t lanes = lag_motions_can(ensemble->model, ensemble->states) ? ensemble->states->lanes : 1;
+    return lanes * lane_size(ensemble) <= MOST_BYTES ? lanes : 1;
 }
 
 size_t lag_ensemble_width(const lag_model *model)
