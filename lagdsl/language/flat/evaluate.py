@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import field
+from functools import cached_property
 from typing import TypeAlias, assert_never
 
 import numpy as np
@@ -55,12 +56,18 @@ class Evaluator:
     """Evaluates many expressions at one moment; points, frames and definitions are computed once."""
 
     def __init__(self, flat: fm.FlatModel, values: Values) -> None:
+        self._flat, self._values = flat, values
+
+    @cached_property
+    def _instant(self) -> _Instant:
+        """Made for the first expression: often there is none."""
+        flat, values = self._flat, self._values
         named, variables = _of(flat)
         variables = {**variables, **values.variables}
         rates: dict[str, complex] = {c.name: 0j for c in flat.coordinates}
         rates.update({"time": 1.0, **values.rates})
         accelerations = {c.name: complex(values.accelerations.get(c.name, 0.0)) for c in flat.coordinates}
-        self._instant = _Instant(flat, named, variables, rates, accelerations)
+        return _Instant(flat, named, variables, rates, accelerations)
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         with np.errstate(all="ignore"):

@@ -84,7 +84,7 @@ def check_finite(
         if each.subject not in _WEIGHTS and (not unbounded.isdisjoint(each.names) or each.unbounded):
             known = unbounded
         if known is None and (changed is None or not changed.isdisjoint(each.parameters)):
-            number = _number(evaluator, each.value)
+            number = _number(evaluator, each.value, values)
             if not math.isfinite(number):
                 units = {parameter.name: parameter.unit for parameter in flat.parameters if parameter.unit != "1"}
                 shown = [
@@ -103,7 +103,9 @@ def check_finite(
     _check_gravity(flat, values, evaluator, sink, changed)
 
 
-def _number(evaluator: Evaluator, value: fx.FlatExpression) -> float:
+def _number(evaluator: Evaluator, value: fx.FlatExpression, values: Mapping[str, float]) -> float:
+    if isinstance(value, fx.Variable) and value.name in values:
+        return values[value.name]
     try:
         return evaluator.scalar(value)
     except NotEvaluable:
