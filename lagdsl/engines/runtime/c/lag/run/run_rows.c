@@ -23,7 +23,7 @@ double lag_run_limit(const lag_run *run, double stop)
 int lag_run_looks_inside(const lag_run *run, double t)
 {
     const lag_run_options *options = &run->options;
-    return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_zero_crossing_count(&run->crossings) > 0;
+    return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_guards_count(&run->guards) > 0;
 }
 
 static lag_status record(lag_run *run, double t, const double *x)
