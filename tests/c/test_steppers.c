@@ -185,7 +185,7 @@ static void trouble_stops_at_the_wall(void)
     lag_stepper s;
     place(&s, &ode, start, 1e-8);
     CHECK(go(&s, &lag_dop853, 2.0) == LAG_STEP_TOO_SMALL);
-    CHECK(s.trouble == LAG_SINGULAR);
+    CHECK(s.trouble.status == LAG_SINGULAR);
     CHECK_NEAR(s.t, 1.0, 1e-9);
     CHECK_NEAR(s.x[0], s.t, 1e-12);
 }

@@ -54,8 +54,9 @@ class Made:
     status: NDArray[np.intc]
     p: Floats
 
-    def went_well(self, run: int) -> bool:
-        return self.status[run] in (Status.OK, Status.STOPPED)
+    @property
+    def went_well(self) -> Flags:
+        return np.isin(self.status, (Status.OK, Status.STOPPED))
 
 
 @record(kw_only=True)
@@ -104,6 +105,7 @@ class Bench:
         options = shared_options(library, told.settings, kept)
         ensemble = Ensemble(
             model=model.address,
+            states=model.part_address,
             options=addressof(options),
             t=told.t,
             stop=told.stop,

@@ -234,6 +234,7 @@ class Results(Structure):
         *_all(c_size_t, "row note"),
         *_all(c_int, "any"),
         *_all(c_double, "last after"),
+        *_all(c_int, "bare"),
         *_all(c_void_p, "extremes"),
     ]
 
@@ -377,7 +378,7 @@ class Ensemble(Structure):
     """lag_ensemble."""
 
     _fields_ = [
-        *_all(c_void_p, "model options"),
+        *_all(c_void_p, "model states options"),
         *_all(c_double, "t stop"),
         *_all(c_size_t, "breaks"),
         *_all(c_void_p, "at"),

@@ -10,13 +10,13 @@ import cmath
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import field
-from functools import partial
+from functools import cached_property, partial
 from typing import TypeAlias, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.foundation.record import record
+from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.events import Discrete, Relation, Timed, entries
@@ -56,14 +56,18 @@ class Evaluator:
     """Evaluates many expressions at one moment; points, frames and definitions are computed once."""
 
     def __init__(self, flat: fm.FlatModel, values: Values) -> None:
-        variables: dict[str, complex] = {p.name: p.value for p in flat.parameters}
-        variables.update({item.name: 0j for item in (*flat.coordinates, *flat.states, *flat.inputs)})
-        variables["time"] = 0j
-        variables.update(values.variables)
+        self._flat, self._values = flat, values
+
+    @cached_property
+    def _instant(self) -> _Instant:
+        """Made for the first expression: often there is none."""
+        flat, values = self._flat, self._values
+        named, variables = _of(flat)
+        variables = {**variables, **values.variables}
         rates: dict[str, complex] = {c.name: 0j for c in flat.coordinates}
         rates.update({"time": 1.0, **values.rates})
         accelerations = {c.name: complex(values.accelerations.get(c.name, 0.0)) for c in flat.coordinates}
-        self._instant = _Instant(flat, {item.name: item for item in flat.named}, variables, rates, accelerations)
+        return _Instant(flat, named, variables, rates, accelerations)
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         with np.errstate(all="ignore"):
@@ -79,6 +83,14 @@ class Evaluator:
         with np.errstate(all="ignore"):
             origin, axes = self._instant.frame(name)
         return np.asarray(origin.real), np.asarray(axes.real)
+
+
+@remembered
+def _of(flat: fm.FlatModel) -> tuple[dict[str, fm.Named], dict[str, complex]]:
+    """Named items, and values of variables that are not given, by name."""
+    variables: dict[str, complex] = {p.name: p.value for p in flat.parameters}
+    variables.update({item.name: 0j for item in (*flat.coordinates, *flat.states, *flat.inputs)})
+    return {item.name: item for item in flat.named}, {**variables, "time": 0j}
 
 
 class _Instant:

@@ -75,7 +75,6 @@ def check_finite(
     Where all was well before parameters `changed`, only what these decide is computed.
     """
     values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
-    units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
     unbounded = {name for name, value in values.items() if math.isinf(value)}
     if not parameters:  # those that are found with the start have guesses only
@@ -85,9 +84,12 @@ def check_finite(
         if each.subject not in _WEIGHTS and (not unbounded.isdisjoint(each.names) or each.unbounded):
             known = unbounded
         if known is None and (changed is None or not changed.isdisjoint(each.parameters)):
-            number = _number(evaluator, each.value)
+            number = _number(evaluator, each.value, values)
             if not math.isfinite(number):
-                shown = [f"{name} = {values[name]:g}{units[name]}" for name in each.names if name in values]
+                units = {parameter.name: parameter.unit for parameter in flat.parameters if parameter.unit != "1"}
+                shown = [
+                    f"{name} = {values[name]:g} {units.get(name, '')}".rstrip() for name in each.names if name in values
+                ]
                 conditions = _conditions(shown)
                 sink.report("E0329", place(each.item), *around(each.item), subject=each.subject, conditions=conditions)
                 known = told
@@ -98,10 +100,12 @@ def check_finite(
                 )
         if known is not None and isinstance(each.item, Definition):
             known.add(each.item.name)
-    _check_gravity(flat, values, evaluator, sink)
+    _check_gravity(flat, values, evaluator, sink, changed)
 
 
-def _number(evaluator: Evaluator, value: fx.FlatExpression) -> float:
+def _number(evaluator: Evaluator, value: fx.FlatExpression, values: Mapping[str, float]) -> float:
+    if isinstance(value, fx.Variable) and value.name in values:
+        return values[value.name]
     try:
         return evaluator.scalar(value)
     except NotEvaluable:
@@ -139,14 +143,26 @@ def _is_steady(value: fx.FlatExpression, steady: set[str]) -> bool:
     )
 
 
-def _check_gravity(flat: FlatModel, values: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """Checks the vector of gravity if it consists of independent parameters and axes."""
-    if flat.gravity is None or sink.has_errors:
-        return
+@remembered
+def _deciding_gravity(flat: FlatModel) -> tuple[str, ...] | None:
+    """Variables that gravity consists of beside axes; None where something else decides it."""
+    if flat.gravity is None:
+        return None
     leaves = [node for node in postorder(flat.gravity, {}) if not operands(node)]
-    names = dict.fromkeys(leaf.name for leaf in leaves if isinstance(leaf, fx.Variable))
     others = [leaf for leaf in leaves if not isinstance(leaf, (*_LEAVES, fx.FrameAxis))]
-    if others or not names.keys() <= values.keys() or np.all(np.isfinite(evaluator.vector(flat.gravity))):
+    return None if others else tuple(dict.fromkeys(leaf.name for leaf in leaves if isinstance(leaf, fx.Variable)))
+
+
+def _check_gravity(
+    flat: FlatModel, values: Mapping[str, float], evaluator: Evaluator, sink: Sink, changed: Set[str] | None
+) -> None:
+    """Checks the vector of gravity if it consists of independent parameters and axes."""
+    names = _deciding_gravity(flat)
+    if flat.gravity is None or names is None or sink.has_errors:
+        return
+    if changed is not None and changed.isdisjoint(names):
+        return
+    if not values.keys() >= set(names) or np.all(np.isfinite(evaluator.vector(flat.gravity))):
         return
     shown = [f"{name} = {values[name]:g}" for name in names]
     sink.report("E0329", flat.gravity_span, subject="gravity", conditions=_conditions(shown))

@@ -8,11 +8,12 @@ from itertools import groupby
 
 import numpy as np
 
-from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat.limits import check_clocks, check_limits
 from lagdsl.language.flat.model import FlatModel
@@ -76,32 +77,34 @@ class Ensemble:
         if told is None:
             return outcomes
         settings, inputs = told
-        reach = self._reach(settings)
         words = FailureWords(self._flat, self._engine.layout, settings, inputs)
         made = bench.run(model, self._engine.layout, settings, stop, words.hear)
         if made is None:
             return []
-        for row, k in enumerate(known):
-            if not made.went_well(row) or not made.kept[row] or reach(row, made.rows[row, 0]):
-                outcomes[k] = self._outcome(tasks[k].index, made, row, words, inputs)
+        well = made.went_well
+        for row in np.flatnonzero(~well | (made.kept == 0) | self._near(settings, made.rows[:, 0])).tolist():
+            index = tasks[known[row]].index
+            outcomes[known[row]] = self._outcome(index, made, row, words, inputs, well=bool(well[row]))
         return outcomes
 
-    def _reach(self, settings: EnsembleSettings) -> Callable[[int, Floats], bool]:
-        """True of a run by its number whose first row is not so far from its start values that the search for the start
-        may have run away (E0802), which a run that is made by itself tells."""
+    def _near(self, settings: EnsembleSettings, first: Floats) -> Flags:
+        """True of runs (runs,) whose first row (runs, width) is not so far from the start values that the search for
+        the start may have run away (E0802), which a run that is made by itself tells."""
         n = len(self._flat.coordinates)
         with self._lock, np.errstate(all="ignore"):
             q = self._engine.evaluate_many("start", settings.t, settings.settings.p)[0]
         starts = np.where(settings.given[:n], settings.x[:, :n], q)
         farthest = FAR * settings.settings.natural[:, :n]
-        return lambda run, row: bool(np.all(np.abs(row[:n] - starts[run]) <= farthest[run]))
+        return np.asarray(np.all(np.abs(first[:, :n] - starts) <= farthest, axis=1))
 
-    def worked(self, seconds: float, left: float) -> None:
-        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""
-        if isinstance(self._engine, AutoEngine):
-            with self._lock:
-                self._engine.worked(seconds, left)
-                self._engine.hasten()
+    def worked(self, seconds: float, left: float) -> int:
+        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled. Returns
+        how many runs go on together."""
+        if not isinstance(self._engine, CEngine):
+            return 1
+        with self._lock:
+            self._engine.worked(seconds, left)
+            return self._engine.native.at_once
 
     def _parameters(self, task: Task) -> Floats | None:
         """The vector of parameters; None where they are not what the model allows."""
@@ -180,6 +183,8 @@ class Ensemble:
     def _unknown_output(self, rows: Floats, p: Floats, u: Callable[[float], Floats]) -> str | None:
         """Words for the first output that is no number; the motion itself goes on."""
         values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
+        if np.isfinite(values).all():
+            return None
         times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)[: len(values)]
         size = 2 * len(self._flat.coordinates) + len(self._flat.states)
         with self._lock:
@@ -190,11 +195,18 @@ class Ensemble:
         return first_error(sink.diagnostics)
 
     def _outcome(
-        self, index: int, made: Made, row: int, words: FailureWords, inputs: Callable[[int, float], Floats]
+        self,
+        index: int,
+        made: Made,
+        row: int,
+        words: FailureWords,
+        inputs: Callable[[int, float], Floats],
+        *,
+        well: bool,
     ) -> Outcome | None:
         """None where nothing is known of a failure."""
         ended: float | None = float(made.ended[row])
-        if made.went_well(row):
+        if well:
             message = words.wrong(made.p[row])
             ended = ended if message is None else None
             kept = made.rows[row, : made.kept[row]]

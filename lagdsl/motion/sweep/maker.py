@@ -41,7 +41,7 @@ class Ensembles:
         if swept.flat is None or swept.program is None:
             return None
         try:
-            return Ensemble(swept.flat, engine_of(swept.program, self._options.engine), self._options)
+            return Ensemble(swept.flat, engine_of(swept.program, self._options.engine, together=True), self._options)
         except CompilationFailed:
             return None
 
@@ -53,10 +53,11 @@ class Maker:
         self._ensembles, self._stop, self._bench = ensembles, stop, Bench()
         self._runner = Runner(subjects, options, self._progress)
         self._seconds = _PART  # of one run, as the last part took
+        self.together = 1  # so many runs of the last model go on together
 
     def size(self) -> int:
         """So many runs should be made next."""
-        return max(1, min(_LARGEST, int(_PART / self._seconds)))
+        return max(self.together, min(_LARGEST, int(_PART / self._seconds)))
 
     def run(self, tasks: list[Task], left: int) -> list[Outcome]:
         """The outcomes; fewer where it was stopped. `left` runs are to be made after them."""
@@ -65,7 +66,7 @@ class Maker:
         outcomes = [None] * len(tasks) if ensemble is None else ensemble.run(tasks, self._bench, self._stop)
         self._seconds = (time.perf_counter() - begun) / len(tasks) + 1e-6
         if ensemble is not None:
-            ensemble.worked(self._seconds * len(tasks), self._seconds * left)
+            self.together = ensemble.worked(self._seconds * len(tasks), self._seconds * left)
         return [outcome or self._runner(task) for task, outcome in zip(tasks, outcomes, strict=False)]
 
     def _progress(self, part: float) -> None:

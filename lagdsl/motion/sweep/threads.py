@@ -58,10 +58,11 @@ class _Parts:
         self._lock = threading.Lock()
         self.left = left
 
-    def take(self, most: int) -> list[Task]:
-        """At most so many, and few enough that no thread waits for another at the end; none where there are no more."""
+    def take(self, most: int, together: int) -> list[Task]:
+        """At most so many, and few enough that no thread waits for another at the end: as many as go on together, or
+        half of what is left for each thread; none where there are no more."""
         with self._lock:
-            size = max(1, min(most, self.left // (2 * self._threads)))
+            size = max(1, min(most, self.left // (2 * self._threads)), min(together, self.left // self._threads))
             part: list[Task] = []
             while self._next is not None and len(part) < size and self._next.swept == (part or [self._next])[0].swept:
                 part.append(self._next)
@@ -77,7 +78,7 @@ class _Parts:
 def _serve(worker: Maker, parts: _Parts, done: SimpleQueue[_Message]) -> None:
     """One thread: takes tasks, passes on outcomes, then None."""
     try:
-        while tasks := parts.take(worker.size()):
+        while tasks := parts.take(worker.size(), worker.together):
             done.put(worker.run(tasks, parts.left))
     except Interrupted:
         pass

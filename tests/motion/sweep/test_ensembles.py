@@ -1,4 +1,4 @@
-"""Runs that C makes in bulk are those that are made one by one, to the bit: events, loops, control, contacts."""
+"""Runs that C makes together are those that are made one by one, to the bit: events, loops, control, contacts."""
 
 from __future__ import annotations
 
@@ -48,7 +48,8 @@ def test_runs_are_those_made_alone(file: str, stop: float) -> None:
     compilation = lagdsl.compile(MODELS / file)._compilation
     flat, program = compilation.flat, compilation.program
     options = Options(stop=stop, interval=stop / 20, tolerance=1e-7, solver="auto", engine="tape", inputs={})
-    made = Ensemble(flat, TapeEngine(program), options).run(tasks := _tasks(compilation), Bench(), Stop())
+    engine, tasks = TapeEngine(program, together=True), _tasks(compilation, RUNS)
+    made = Ensemble(flat, engine, options).run(tasks, Bench(), Stop())
     alone = Runner([SweptModel(flat=flat, program=program)], options)
     assert len(made) == RUNS
     assert made[0] is not None
@@ -66,7 +67,18 @@ def test_runs_are_those_made_alone(file: str, stop: float) -> None:
         assert outcome.values.tobytes() == single.values.tobytes()
 
 
-def _tasks(compilation: Compilation) -> list[Task]:
+def test_a_lane_that_is_free_takes_the_next_run() -> None:
+    compilation = lagdsl.compile(MODELS / "double_pendulum.lag")._compilation
+    flat, program = compilation.flat, compilation.program
+    options = Options(stop=1.0, interval=0.1, tolerance=1e-6, solver="auto", engine="tape", inputs={})
+    engine, alone = TapeEngine(program, together=True), Runner([SweptModel(flat=flat, program=program)], options)
+    tasks = _tasks(compilation, engine.native.at_once + 2)
+    made = Ensemble(flat, engine, options).run(tasks, Bench(), Stop())
+    assert len(tasks) > 2
+    assert [each and each.values.tobytes() for each in made] == [alone(task).values.tobytes() for task in tasks]
+
+
+def _tasks(compilation: Compilation, runs: int) -> list[Task]:
     """The defaults, then others: the first two parameters a little larger, the first coordinate from elsewhere."""
     layout, flat = compilation.program.layout, compilation.flat
     chosen = {slot.name: value for slot, value in zip(layout.parameters[:2], layout.defaults, strict=False)}
@@ -80,7 +92,7 @@ def _tasks(compilation: Compilation) -> list[Task]:
             parameters={name: value * (1 + 0.01 * k * (name in real)) for name, value in chosen.items()},
             start={name: float(q[0]) + 0.001 * k for name in free},
         )
-        for k in range(RUNS)
+        for k in range(runs)
     ]
 
 
@@ -90,7 +102,7 @@ def test_memory_stays() -> None:
     compilation = lagdsl.compile(MODELS / "bouncing_ball.lag")._compilation
     options = Options(stop=1.0, interval=0.5, tolerance=None, solver="auto", engine="tape", inputs={})
     ensemble, bench = Ensemble(compilation.flat, TapeEngine(compilation.program), options), Bench()
-    tasks = _tasks(compilation) * 5
+    tasks = _tasks(compilation, RUNS) * 5
     gc.collect()
     gc.freeze()  # or each collection would walk the objects of all tests before
     tracemalloc.start()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.algebra.graph.graph import Graph
-from lagdsl.algebra.graph.operation import FIRST_UNARY
+from lagdsl.algebra.graph.operation import FIRST_UNARY, Group
 from lagdsl.derivation.program.passes.along import along, shared
 from lagdsl.derivation.program.passes.hoist import hoisted
 from lagdsl.derivation.program.program import Block, Function, Program
@@ -15,7 +15,6 @@ from lagdsl.engines.backends.c.results import Results, definition, names_of, res
 from lagdsl.engines.backends.c.statement import Store
 from lagdsl.engines.backends.identifier import comment_text
 
-_OF_STATES = ("dynamics", "elimination")
 _FUSED = (*FUSED, "acceleration_tangent")
 # Numbers in the longest vector: arrays of vectors start at multiples of it.
 _WIDEST = 8
@@ -33,13 +32,12 @@ def states_source(program: Program, stem: str) -> str:
         definition(head, made, Results(), LANES, beyond),
         braced("static lag_status model_prepare(const lag_arguments *at)", body),
     ]
-    scratch, members = made.scratch, [".prepare = model_prepare"]
-    for name in _OF_STATES:
-        if program.has(name):
-            text, made = _function(program, program.function(name), prepared, LANES, beyond)
-            texts.append(text)
-            scratch = max(scratch, made.scratch)
-            members.append(f".{name} = model_{name}_lanes")
+    scratch, members = made.scratch, [".wide = LAG_LANES > 2", ".prepare = model_prepare"]
+    for name in _of_states(program):
+        text, made = _function(program, program.function(name), prepared, LANES, beyond)
+        texts.append(text)
+        scratch = max(scratch, made.scratch)
+        members.append(f".{name} = model_{name}_lanes")
     members.append(f".workspace = {len(prepared) + scratch} * LAG_LANES")
     return _file(program, stem, "states", texts, members)
 
@@ -81,6 +79,12 @@ def _primal(
     signature = f"static lag_status model_primal({', '.join(['const lag_arguments *at', *results])})"
     call = f"return model_values({', '.join(['at', f'at->workspace + {len(prepared)}', *names])});"
     return definition(head, made, Results(), SINGLE, scratch) + braced(signature, [call]), made.scratch
+
+
+def _of_states(program: Program) -> tuple[str, ...]:
+    """Nobody asks for the equations where elimination solves them, nor for rates of states where there are none."""
+    equations = "elimination" if program.has("elimination") else "dynamics"
+    return (equations, "state_derivative") if program.layout.size(Group.Z) else (equations,)
 
 
 def _prepared(program: Program) -> dict[int, Place]:

@@ -18,7 +18,7 @@ from lagdsl.derivation.program.digest import digest
 from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.tape.emit import PARTS, tape
 from lagdsl.engines.runtime.building.cache import cache_folder
-from lagdsl.engines.runtime.engines.c_engine import opened
+from lagdsl.engines.runtime.engines.c_engine import opened, pays
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.engines.one_value import Place
@@ -32,10 +32,6 @@ if TYPE_CHECKING:
     from lagdsl.engines.runtime.building.background_build import BackgroundBuild
     from lagdsl.engines.runtime.building.compiler import Compiler
 
-# Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
-_ALWAYS, _PER_BYTE = 0.2, 2e-5
-# The part of the time that C saves.
-_SAVED = 2 / 3
 # Calls of one value at one state from one look at their time to the next.
 _CALLS = 4096
 
@@ -48,11 +44,11 @@ class AutoEngine(TapeEngine):
 
     name: EngineName = "auto"
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, *, together: bool = False) -> None:
         self._compiled: NativeModel | None = None
         self._worked = 0.0
         self._build: BackgroundBuild | None = None
-        super().__init__(program)
+        super().__init__(program, together=together)
 
     @property
     def is_compiled(self) -> bool:
@@ -64,9 +60,8 @@ class AutoEngine(TapeEngine):
         if self._compiled is not None or self._build is not None:
             return
         self._worked += seconds
-        pays = _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape)
-        if pays and self._compiler is not None:
-            self._build = _building(self._program, self._name(self._compiler))
+        if pays(max(left, self._worked), self._tape) and self._compiler is not None:
+            self._build = _building(self._program, self._parts_of_native, self._name(self._compiler))
             weakref.finalize(self, self._build.cancel)
 
     @property
@@ -83,7 +78,7 @@ class AutoEngine(TapeEngine):
         if library is None:
             self._compiler = None
             return None
-        self._compiled = _loaded(library, self._program)
+        self._compiled = _loaded(library, self._program, self._parts_of_native)
         if self._compiled is not None:
             self._use(self._compiled)
         return self._compiled
@@ -105,7 +100,7 @@ class AutoEngine(TapeEngine):
 
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._has_library() and self._compiler is not None:
-            self._compiled = _cached(self._name(self._compiler), self._program)
+            self._compiled = _cached(self._name(self._compiler), self._program, self._parts_of_native)
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
 
     def _has_library(self) -> bool:
@@ -143,31 +138,32 @@ class AutoEngine(TapeEngine):
         from lagdsl.engines.runtime.building.build import content_hash
         from lagdsl.engines.runtime.building.compiler import ALIKE
 
-        return f"{self._key}/{content_hash({'program': _writers()}, compiler, (ALIKE,))}"
+        made_of = {"program": _writers(), **dict.fromkeys(self._parts_of_native, "")}
+        return f"{self._key}/{content_hash(made_of, compiler, (ALIKE,))}"
 
 
-def _building(program: Program, name: str) -> BackgroundBuild:
+def _building(program: Program, parts: tuple[str, ...], name: str) -> BackgroundBuild:
     """Starts a build in the background. The modules that write and compile C are imported here, because most runs end
     before that pays."""
     from lagdsl.engines.backends.c.emit import engine_sources
     from lagdsl.engines.runtime.building.background_build import BackgroundBuild
     from lagdsl.engines.runtime.building.compiler import ALIKE
 
-    return BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
+    return BackgroundBuild(lambda: engine_sources(program, parts), (ALIKE,), name)
 
 
-def _cached(name: str, program: Program) -> NativeModel | None:
+def _cached(name: str, program: Program, parts: tuple[str, ...]) -> NativeModel | None:
     try:
         library = cache_folder() / f"{name}.so"
     except CompilationFailed:
         return None
-    return _loaded(library, program) if library.is_file() else None
+    return _loaded(library, program, parts) if library.is_file() else None
 
 
-def _loaded(library: Path, program: Program) -> NativeModel | None:
+def _loaded(library: Path, program: Program, parts: tuple[str, ...]) -> NativeModel | None:
     """None for a library that was cut short or made for another machine."""
     try:
-        return opened(library, program)
+        return opened(library, program, *parts)
     except OSError:
         return None
 

@@ -19,6 +19,7 @@ from lagdsl.engines.backends.python.sizes import motion_sizes
 from lagdsl.engines.backends.python.support.derivatives import variables
 from lagdsl.engines.backends.python.support.values import WITH_ACCELERATIONS, Call, require_room
 from lagdsl.engines.backends.python.support.vectorize import split
+from lagdsl.engines.backends.tape.emit import tape
 from lagdsl.engines.runtime.engines.benches import Bench
 from lagdsl.engines.runtime.engines.broadcast import Spread, apart, spread
 from lagdsl.engines.runtime.engines.cores import PART, share_out
@@ -39,6 +40,12 @@ _ORDER = (*STATE, Group.QDD)
 _SINGLE = frozenset(_ORDER)
 # For so many states it is worth compiling the functions of several at once.
 _CROWD = 256
+# Functions of several states.
+_STATES = "states"
+# Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
+_ALWAYS, _PER_BYTE = 0.2, 2e-5
+# The part of the time that C saves.
+_SAVED = 2 / 3
 # States of one call of C.
 _LARGEST_PART = 4096
 
@@ -49,20 +56,21 @@ class CEngine:
     Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C; what
     `at_one_state` gives is fast at one state.
     The functions of several states, or of several directions of derivatives, at once are compiled when first needed.
-    `library` was compiled from the C files of the program; without one, that is done here.
+    `library` was compiled from the C files of the program; without one, that is done here. `together`: for runs that go
+    on together, whose model `native` has functions of several states as soon as these pay.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
     name: EngineName = "c"
 
-    def __init__(self, program: Program, library: Path | None = None) -> None:
+    def __init__(self, program: Program, library: Path | None = None, *, together: bool = False) -> None:
         self.layout = program.layout
         self._program = program
+        self._together = together and _goes_together(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
         self._memory = Memory()
-        self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
 
     def _use(self, model: NativeModel) -> None:
@@ -75,6 +83,11 @@ class CEngine:
     def native(self) -> NativeModel:
         """The compiled model."""
         return self._model
+
+    def worked(self, seconds: float, left: float = 0.0) -> None:
+        """So many seconds of work were done, and so many are known to come."""
+        if self._together and self._model.part is None and pays(left, tape(self._program)):
+            self._use(_loaded(self._program, _STATES))
 
     def along(self) -> NativeModel:
         """A tape: that takes less time than compiling."""
@@ -165,6 +178,11 @@ class CEngine:
         return known
 
     @property
+    def _parts_of_native(self) -> tuple[str, ...]:
+        """Functions that `native` has beside those of one state."""
+        return (_STATES,) if self._together else ()
+
+    @property
     def _patience(self) -> int:
         """After so many calls of a value `_heed` is told of it; 0: never."""
         return 0
@@ -203,7 +221,7 @@ class CEngine:
         """`solve_many` with the states shared out to threads, None: as many as pay; they run while C works. `out` is an
         array for qdd."""
         many = self._spread(STATE, state)
-        model = self._part("states") if many.count >= self._crowd else self._model
+        model = self._part(_STATES) if many.count >= self._crowd else self._model
         shapes = [(*many.leading, size) for size in map(self.layout.size, _SOLVED)]
         if out is not None:
             require_room(out, shapes[0])
@@ -283,17 +301,33 @@ class CEngine:
         return spread([self._signature[group] for group in groups], arguments)
 
     @cached_property
+    def _width(self) -> dict[str, int]:
+        """Numbers of all results of a function."""
+        return {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
+
+    @cached_property
     def _signature(self) -> dict[Group, tuple[str, int | None]]:
         """Names of arguments and their lengths, None for the time."""
         sizes = {group: None if group is Group.TIME else self.layout.size(group) for group in ARGUMENT_NAMES}
         return {group: (name, sizes[group]) for group, name in ARGUMENT_NAMES.items()}
 
 
-def opened(library: Path, program: Program) -> NativeModel:
-    """The model in a library that was compiled from the C files of `program`. Raises OSError where it is damaged."""
-    from lagdsl.engines.backends.c.emit import model_symbol
+def opened(library: Path, program: Program, part: str | None = None) -> NativeModel:
+    """The model in a library that was compiled from the C files of `program`, with its part. Raises OSError where it is
+    damaged."""
+    from lagdsl.engines.backends.c.emit import model_symbol, part_symbol
 
-    return load_compiled(library, model_symbol(program))
+    return load_compiled(library, model_symbol(program), None if part is None else part_symbol(program, part))
+
+
+def pays(seconds: float, tape: bytes) -> bool:
+    """True if C saves more of so much work than compiling the program of this tape takes."""
+    return _SAVED * seconds > _ALWAYS + _PER_BYTE * len(tape)
+
+
+def _goes_together(program: Program) -> bool:
+    """True if elimination is all of the equations: lag_motions_can()."""
+    return program.has("elimination") and not program.kept_rows and "load" not in program.layout.kinds
 
 
 def _loaded(program: Program, part: str | None = None) -> NativeModel:

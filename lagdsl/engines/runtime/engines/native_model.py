@@ -33,7 +33,21 @@ class NativeModel:
     @property
     def address(self) -> int:
         """That of the lag_model."""
-        return ctypes.cast(cast(Any, self.model), ctypes.c_void_p).value or 0
+        return _address(self.model)
+
+    @property
+    def part_address(self) -> int:
+        """That of the part; 0: there is none."""
+        return 0 if self.part is None else _address(self.part)
+
+    @property
+    def at_once(self) -> int:
+        """So many states or directions the functions of the part take at once: its first member."""
+        return 1 if self.part is None else c_size_t.from_address(self.part_address).value
+
+
+def _address(pointer: object) -> int:
+    return ctypes.cast(cast(Any, pointer), ctypes.c_void_p).value or 0
 
 
 def native_model(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.tape.emit import PARTS, tape
 from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.engines.engine import EngineName
@@ -17,8 +18,14 @@ class TapeEngine(CEngine):
 
     name: EngineName = "tape"
 
+    def __init__(self, program: Program, *, together: bool = False) -> None:
+        super().__init__(program, together=together)
+
+    def worked(self, seconds: float, left: float = 0.0) -> None:
+        """Nothing more is made for what is to come."""
+
     def _provide(self, part: str | None = None) -> NativeModel:
-        return load_tape(self._made(part), part)
+        return load_tape(self._made(part), *((part,) if part else self._parts_of_native))
 
     def along(self) -> NativeModel:
         return self._part("tangents")

@@ -10,6 +10,7 @@
 #include <stdatomic.h>
 
 #include "lag/initial.h"
+#include "lag/parallel.h"
 #include "lag/run.h"
 
 /* Results of the runs, one after the other. */
@@ -23,12 +24,13 @@ typedef struct lag_ensemble_results {
 
 typedef struct lag_ensemble {
     const lag_model *model;
+    const lag_states *states; /* of the model: runs go on together, to the same bits, where it permits that; null: one after the other */
     /* Of all runs, with a `start`; p, u, natural sizes, sizes of rows and results of it are not looked at. `times` are those of the rows. */
     const lag_run_options *options;
     double t, stop;
     size_t breaks;    /* so many times between them at which inputs may jump, */
     const double *at; /* (breaks) ascending */
-    /* lag_run_to() is called for so many steps at first, then at a time, which is where `stopped` is looked at; for so many in all. */
+    /* The method starts again after so many steps at first, then each time after so many, as lag_run_to() does; so many steps in all. */
     size_t first_piece, piece, most_steps;
     int equations;               /* 0: initial equations are left out */
     const unsigned char *set;    /* (2 nq + nz) 1: start values that are given, and count as written; null: none is */

@@ -5,7 +5,7 @@
  * stands for t. In functions of directions only directions and results are in groups. Operations and their order are those
  * of the functions of one state, so that every lane gets the same bits. All of it is compiled apart from the model, when
  * needed. Arrays on addresses that are multiples of 8 * lanes bytes are faster. `lanes` is 0, and nothing else there, where
- * the compiler has no vectors. Members that a model lacks are null.
+ * the compiler has no vectors. Members that a model lacks are null; so may be those that nobody needs beside others.
  */
 #ifndef LAG_PARALLEL_H
 #define LAG_PARALLEL_H
@@ -15,6 +15,7 @@
 typedef struct lag_states {
     size_t lanes;
     size_t workspace; /* doubles that the functions need; prepare() fills the first ones */
+    int wide;         /* 1: the processor has registers of 256 bits, as whoever made these functions knows */
     lag_status (*prepare)(const lag_arguments *at);
     lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
     lag_status (*elimination)(
@@ -26,6 +27,8 @@ typedef struct lag_states {
         double *jacobian,
         double *gamma,
         double *pivot);
+    /* null where there are no states z */
+    lag_status (*state_derivative)(const lag_arguments *at, double *rates);
 } lag_states;
 
 typedef struct lag_tangents {

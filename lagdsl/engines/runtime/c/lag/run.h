@@ -242,7 +242,7 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent);
 /*
  * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then,
  * and at any failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
- * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where. LAG_STEP_TOO_SMALL,
+ * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble.time tells where. LAG_STEP_TOO_SMALL,
  * LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted.
  * LAG_EVENT_ITERATION_FAILED and what follows it there: an event failed. Any status that a callback returns but LAG_OK is
  * returned.
@@ -308,10 +308,15 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 /* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. */
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 
+/* A step to `stop` does not go beyond this time. */
+double lag_run_limit(const lag_run *run, double stop);
+/* True if the run will look at states within a step from here to t. */
+int lag_run_looks_inside(const lag_run *run, double t);
+
 /* For the parts of a run. */
 
-/* Checks invariants and assertions at x at time t. LAG_VIOLATED: this state violates one and is the last row. */
-lag_status lag_run_watch(lag_run *run, double t, const double *x);
+/* Checks invariants and assertions at x at time t, where the rates are xd; null: not known. LAG_VIOLATED: this state violates one and is the last row. */
+lag_status lag_run_watch(lag_run *run, double t, const double *x, const double *xd);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
 

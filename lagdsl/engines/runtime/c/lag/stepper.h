@@ -28,6 +28,13 @@ typedef struct lag_step_counts {
     size_t steps, rejections, evaluations, jacobians, decompositions;
 } lag_step_counts;
 
+/* The last state at which the system had no rates. */
+typedef struct lag_trouble {
+    lag_status status; /* LAG_OK: nowhere so far */
+    double time;
+    double *x;         /* (size) */
+} lag_trouble;
+
 /* For methods that do not choose their steps. */
 typedef struct lag_fixed_steps {
     double length;
@@ -46,6 +53,16 @@ typedef struct lag_passing {
     void *context;
 } lag_passing;
 
+/* An attempt at a step, of methods that may make it before the step is asked for (lag/methods/attempts.h). */
+typedef struct lag_attempt {
+    int begun, made;         /* there is one; and its error is known */
+    double t, first, limit;  /* the step that it is of: where, what was proposed for it, not beyond this */
+    double next, h, t_new;   /* what is proposed now; its length and its end */
+    double error;            /* at most 1: the attempt can be the step */
+    int dense;               /* further stages of its dense output are wanted; when it is made: they are there */
+    size_t rejections, evaluations; /* that the stepper has not counted yet */
+} lag_attempt;
+
 typedef struct lag_stepper {
     const lag_ode *ode;
     const lag_method *method;
@@ -60,10 +77,9 @@ typedef struct lag_stepper {
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
     lag_last_step last;
+    lag_attempt attempt;
     lag_step_counts counts;
-    lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
-    double trouble_time;
-    double *trouble_x;  /* (size) and the state */
+    lag_trouble trouble;
     lag_fixed_steps fixed;
     lag_passing passing;
 } lag_stepper;
@@ -123,8 +139,8 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
 void lag_stepper_pass(const lag_stepper *s, unsigned place, double t);
 /* Root mean square of error (size) over tolerance; infinite where it is no number. */
 double lag_stepper_norm(const lag_stepper *s, const double *error);
-/* Length of the next trial: the proposed one, cut or stretched a little to hit the limit. */
-double lag_stepper_length(const lag_stepper *s, double limit);
+/* Length of the next trial: the proposed h, cut or stretched a little to hit the limit. */
+double lag_stepper_length(const lag_stepper *s, double h, double limit);
 /* The end of a step of length h: the limit itself where it leads there. */
 double lag_stepper_end(const lag_stepper *s, double h, double limit);
 /* x_new becomes the state at t_new; f_new its derivative. */

@@ -197,3 +197,14 @@ lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
         model, &motion->at, motion->memory, chord, motion->qdd, motion->lam, &motion->coordinate);
     return status == LAG_OK && model->nload > 0 ? lag_motion_take_loads(motion, &motion->at) : status;
 }
+
+lag_status lag_motion_know(lag_motion *motion, double t, const double *x, const double *xd)
+{
+    const lag_model *model = motion->model;
+    if (xd == NULL || model->nc > 0 || model->nload > 0) {
+        return lag_motion_solve(motion, t, x);
+    }
+    lag_motion_set_state(motion, t, x);
+    memcpy(motion->qdd, xd + model->nq, model->nq * sizeof(double));
+    return LAG_OK;
+}

@@ -87,4 +87,7 @@ void lag_motion_set_state(lag_motion *motion, double t, const double *x);
 /* The same, with qdd and lam solved. */
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x);
 
+/* The same, where its rates xd may be known (or null). */
+lag_status lag_motion_know(lag_motion *motion, double t, const double *x, const double *xd);
+
 #endif

@@ -263,7 +263,7 @@ static lag_status step(lag_stepper *s, double limit)
         const lag_radau_places at = lag_radau_place(s);
         const double most = (double)lag_radau_iterations(at.table->stages);
         const double proposed = fmin(s->h, s->h_most);
-        const double h = lag_stepper_length(s, limit);
+        const double h = lag_stepper_length(s, s->h, limit);
         const double t_new = lag_stepper_end(s, h, limit);
         double error = 0.0;
         lag_radau_outcome solved;

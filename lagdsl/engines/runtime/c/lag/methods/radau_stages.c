@@ -70,9 +70,9 @@ static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, doub
     const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
     at->memo->decomposed = at->memo->placed = 0.0;
     if (status != LAG_OK) {
-        s->trouble = status;
-        s->trouble_time = t;
-        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+        s->trouble.status = status;
+        s->trouble.time = t;
+        memcpy(s->trouble.x, x, s->ode->size * sizeof(double));
     }
     return status;
 }

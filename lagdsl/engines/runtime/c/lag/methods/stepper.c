@@ -25,8 +25,8 @@ void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
     s->x_before = s->f + size;
     s->f_before = s->x_before + size;
     s->tolerance = s->f_before + size;
-    s->trouble_x = s->tolerance + size;
-    s->work = s->trouble_x + size;
+    s->trouble.x = s->tolerance + size;
+    s->work = s->trouble.x + size;
     s->h_most = (double)INFINITY;
 }
 
@@ -38,9 +38,9 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
         status = LAG_NOT_FINITE;
     }
     if (status != LAG_OK) {
-        s->trouble = status;
-        s->trouble_time = t;
-        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+        s->trouble.status = status;
+        s->trouble.time = t;
+        memcpy(s->trouble.x, x, s->ode->size * sizeof(double));
     }
     return status;
 }
@@ -92,6 +92,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 {
     s->method = method;
     s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
+    s->attempt.begun = s->attempt.dense = 0;
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
@@ -132,6 +133,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
+    s->attempt.begun = 0;
     s->method->begin(s);
 }
 
@@ -148,11 +150,11 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
     return LAG_OK;
 }
 
-double lag_stepper_length(const lag_stepper *s, double limit)
+double lag_stepper_length(const lag_stepper *s, double h, double limit)
 {
     const double rest = limit - s->t;
-    const double h = fmin(s->h, s->h_most);
-    return h * LAG_STRETCH >= rest ? rest : h;
+    const double most = fmin(h, s->h_most);
+    return most * LAG_STRETCH >= rest ? rest : most;
 }
 
 double lag_stepper_end(const lag_stepper *s, double h, double limit)

@@ -57,9 +57,9 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     ++s->counts.jacobians;
     const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
     if (status != LAG_OK) {
-        s->trouble = status;
-        s->trouble_time = t;
-        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+        s->trouble.status = status;
+        s->trouble.time = t;
+        memcpy(s->trouble.x, x, s->ode->size * sizeof(double));
     }
     return status;
 }

@@ -30,13 +30,13 @@ void lag_conditions_count(lag_conditions *watch)
     (void)invariants(watch, 1);
 }
 
-lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x)
+lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {
         return LAG_OK;
     }
-    lag_status status = lag_motion_solve(watch->motion, t, x);
+    lag_status status = lag_motion_know(watch->motion, t, x, xd);
     if (status == LAG_OK) {
         status = model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held);
     }
@@ -56,9 +56,9 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
     return status;
 }
 
-lag_status lag_run_watch(lag_run *run, double t, const double *x)
+lag_status lag_run_watch(lag_run *run, double t, const double *x, const double *xd)
 {
-    const lag_status status = lag_conditions_check(&run->conditions, t, x);
+    const lag_status status = lag_conditions_check(&run->conditions, t, x, xd);
     if (status == LAG_VIOLATED) {
         lag_conditions_count(&run->conditions);
         lag_run_lose(run, t, x);

@@ -15,8 +15,8 @@ typedef struct lag_conditions {
 /* Doubles for `value`, `scale` and `held`. */
 size_t lag_conditions_memory(const lag_model *model);
 
-/* Looks at the state x at time t. LAG_VIOLATED: the state does not count. */
-lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x);
+/* Looks at the state x at time t, where the rates are xd; null: not known. LAG_VIOLATED: the state does not count. */
+lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd);
 
 /* Lets the state that was evaluated last count all the same: nothing follows. */
 void lag_conditions_count(lag_conditions *watch);

@@ -51,8 +51,8 @@ void lag_run_solve(lag_run *run, double t, const double *x, int after_event)
     }
 }
 
-/* Outputs, energy and residuals at x. Without accelerations those outputs are no numbers that read them. */
-static void observe(lag_run *run, double t, const double *x, int after_event, double *values)
+/* Outputs and, where rows are not `bare`, energy and residuals at x. Without accelerations those outputs are no numbers that read them. */
+static void observe(lag_run *run, double t, const double *x, int after_event, int bare, double *values)
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
@@ -65,6 +65,9 @@ static void observe(lag_run *run, double t, const double *x, int after_event, do
         }
     } else {
         lag_motion_set_state(motion, t, x);
+    }
+    if (bare) {
+        return;
     }
     if (model->energies == NULL || model->energies(&motion->at, energy, parts, parts + 1, parts + 2) != LAG_OK) {
         *energy = (double)NAN;
@@ -96,7 +99,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     memcpy(row + 1, x, size * sizeof(double));
     memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
     (void)lag_run_count_turns(run, t, x); /* where it cannot, outputs are as the model has them */
-    observe(run, t, x, results->any && results->after == t, row + 1 + size + variables);
+    observe(run, t, x, results->any && results->after == t, results->bare, row + 1 + size + variables);
     lag_run_unwind(run, row + 1 + size + variables);
     if (results->extremes != NULL) {
         lag_extremes_row(results->extremes, row + 1);

@@ -3,7 +3,7 @@
  * them alone where the other one is there already), and a note of each event.
  *
  * A row is t, x (2 nq + nz), the discrete variables, the outputs (ny), energy() [J], and the largest residuals of the constraints of
- * position level and of velocity level, in the units of their rows. Outputs that are known up to whole turns are as the run counts them (lag/run/turns.h).
+ * position level and of velocity level, in the units of their rows; the last three are not written where rows are `bare`. Outputs that are known up to whole turns are as the run counts them (lag/run/turns.h).
  */
 #ifndef LAG_RESULTS_H
 #define LAG_RESULTS_H
@@ -28,6 +28,7 @@ typedef struct lag_results {
     size_t row, note;             /* how many of them are filled */
     int any;                      /* 1: there was a row, */
     double last, after;           /* the times of the last row and of the last one after an event */
+    int bare;
     struct lag_extremes *extremes; /* lowest and highest values of everything, of the motion itself; null: not wanted */
 } lag_results;
 

@@ -162,7 +162,7 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
     *report = (lag_run_report){
         .t = s->t,
         .h = s->h,
-        .trouble_time = s->trouble_time,
+        .trouble_time = s->trouble.time,
         .x = s->x,
         .row = run->counts.row,
         .steps = run->counts.steps,

@@ -119,7 +119,7 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
         status = lag_stepper_rates(s, t, s->x, s->f);
     }
     if (status == LAG_OK) {
-        status = lag_run_watch(run, t, s->x);
+        status = lag_run_watch(run, t, s->x, s->f);
     }
     if (status == LAG_OK) {
         status = lag_run_rows(run, t, 1);

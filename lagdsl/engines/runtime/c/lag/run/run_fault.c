@@ -131,9 +131,9 @@ static void explain_violated(lag_run *run, lag_fault *fault)
 static void use_failed_state(const lag_run *run, lag_fault *fault)
 {
     const lag_stepper *s = &run->stepper;
-    if (s->trouble != LAG_OK && s->trouble_time >= s->t) {
-        fault->t = s->trouble_time;
-        fault->x = s->trouble_x;
+    if (s->trouble.status != LAG_OK && s->trouble.time >= s->t) {
+        fault->t = s->trouble.time;
+        fault->x = s->trouble.x;
     }
 }
 

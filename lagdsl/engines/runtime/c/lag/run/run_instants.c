@@ -258,7 +258,7 @@ lag_status lag_run_jump(lag_run *run)
     if (status == LAG_OK && has_instants(run)) {
         status = follow_inputs(run, blown, &any);
     }
-    return status == LAG_OK && (blown || any) ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && (blown || any) ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
 }
 
 lag_status lag_run_end(lag_run *run)

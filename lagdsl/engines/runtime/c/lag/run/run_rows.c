@@ -1,4 +1,4 @@
-/* States within the last step: rows of a run at requested times, the past of what is delayed. */
+/* States within the last step: rows of a run at requested times, the past of what is delayed; how far a step goes. */
 #include <math.h>
 
 #include "lag/run.h"
@@ -16,6 +16,18 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
         (void)lag_projection_apply(&run->projection, t, x, &moved); /* where it cannot, the row is as the method found it */
     }
     return status;
+}
+
+double lag_run_limit(const lag_run *run, double stop)
+{
+    const double known = run->stepper.t + lag_delays_shortest(&run->motion.delays); /* delayed values are those of steps that are over */
+    return fmin(fmin(stop, known), lag_instants_next(&run->instants));
+}
+
+int lag_run_looks_inside(const lag_run *run, double t)
+{
+    const lag_run_options *options = &run->options;
+    return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_guards_count(&run->guards) > 0;
 }
 
 static lag_status record(lag_run *run, double t, const double *x)
@@ -45,7 +57,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
         const double time = options->times[run->counts.row];
         status = lag_run_inside(run, time, run->point);
         if (status == LAG_OK && run->motion.model->na > 0) {
-            status = lag_run_watch(run, time, run->point);
+            status = lag_run_watch(run, time, run->point, NULL);
         }
         if (status == LAG_OK) {
             status = record(run, time, run->point);

@@ -104,7 +104,7 @@ static lag_status step_once(lag_run *run, double limit)
         }
         status = lag_stepper_step(s, limit);
         if (status != LAG_OK) {
-            return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
+            return status == LAG_STEP_TOO_SMALL && s->trouble.status != LAG_OK && s->trouble.time >= s->t ? s->trouble.status : status;
         }
         const double h = s->t - s->t_before;
         status = project(run);
@@ -278,7 +278,7 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
     } else if (due) {
         status = lag_run_ticks(run);
     }
-    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
 }
 
 lag_status lag_run_step(lag_run *run, double stop)
@@ -287,8 +287,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
-    const double known = t + lag_delays_shortest(&run->motion.delays);
-    lag_status status = advance_to_corner(run, fmin(fmin(stop, known), lag_instants_next(&run->instants)), &own);
+    lag_status status = advance_to_corner(run, lag_run_limit(run, stop), &own);
     half->left = 0.0;
     memcpy(run->half.pending, run->guards.changed, lag_guard_count(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
@@ -306,7 +305,7 @@ lag_status lag_run_step(lag_run *run, double stop)
         status = lag_results_step(run->options.results, run, half->t);
     }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
-        status = lag_run_watch(run, s->t, s->x);
+        status = lag_run_watch(run, s->t, s->x, s->f);
     }
     if (status != LAG_OK) {
         return undo_step(run, t, status);
@@ -340,7 +339,7 @@ lag_status lag_run_finish(lag_run *run, double stop)
     } else if (status == LAG_OK && half->corner) {
         status = lag_run_rows(run, s->t, 1);
         run->motion.delays.pieces.level = 0;
-        lag_run_pass_corner(run, fmin(stop, lag_instants_next(&run->instants)));
+        lag_run_pass_corner(run, lag_run_limit(run, stop));
         s->h = fmin(fmax(s->h, half->next), s->h_most);
         status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;
     } else if (status == LAG_OK) {

@@ -1,14 +1,22 @@
 #include "lag/ensemble.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "lag/equations/discretes.h"
+#include "lag/session/motions.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
 /* Rows and notes of a run before they are sorted. */
 enum { ROWS = 16, NOTES = 64 };
+
+/* Bytes of the longest vector: what starts at a multiple of it is read fastest. */
+enum { ALIGNED = 64 };
+
+/* Of the runs of one thread that are under way together. */
+static const size_t MOST_BYTES = (size_t)1 << 28;
 
 /* The rows of one run that are kept. */
 typedef struct keeper {
@@ -17,18 +25,50 @@ typedef struct keeper {
     double *rows;             /* (count, lag_ensemble_width()) */
 } keeper;
 
-/* Memory of one thread. */
-typedef struct bench {
+/* One of the runs that are under way together. */
+typedef struct lane {
     lag_run_options options;
     lag_results results;
     keeper kept;
     lag_note notes[NOTES];
-} bench;
+    lag_initial told;
+    lag_run *run;        /* null: there is none */
+    size_t number;       /* of the run */
+    int started;         /* it has a start */
+    size_t breaks;       /* so many are behind it */
+    double goal;         /* the next one, or the stop */
+    size_t steps, left;  /* so far, and of the present piece */
+    double *rows, *row_sizes, *starts, *x;
+    unsigned char *dependent;
+    void *block;         /* of the run */
+} lane;
 
-/* Doubles beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
+/* Memory of one thread: runs in lanes. */
+typedef struct crowd {
+    const lag_ensemble *ensemble;
+    size_t next, end;    /* the next run, and where they end */
+    size_t lanes;
+    lane *lane;
+    lag_motions motions;
+    lag_attempts attempts;
+} crowd;
+
+/* Doubles of a lane beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
 static size_t own_memory(const lag_model *model)
 {
     return ROWS * lag_results_width(model) + 2 * model->nc + 2 * lag_motion_size(model);
+}
+
+static size_t lane_size(const lag_ensemble *ensemble)
+{
+    return lag_padded(own_memory(ensemble->model) * sizeof(double)) + lag_padded(lag_run_size(ensemble->model, ensemble->options));
+}
+
+/* Runs that are under way together: those of large models are not, whose matrices would be there several times. */
+static size_t lanes_of(const lag_ensemble *ensemble)
+{
+    const size_t lanes = lag_motions_can(ensemble->model, ensemble->states) ? ensemble->states->lanes : 1;
+    return lanes * lane_size(ensemble) <= MOST_BYTES ? lanes : 1;
 }
 
 size_t lag_ensemble_width(const lag_model *model)
@@ -38,8 +78,13 @@ size_t lag_ensemble_width(const lag_model *model)
 
 size_t lag_ensemble_size(const lag_ensemble *ensemble)
 {
-    return lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double)) +
-           lag_run_size(ensemble->model, ensemble->options);
+    const lag_model *model = ensemble->model;
+    const size_t lanes = lanes_of(ensemble);
+    size_t together = 0;
+    if (lanes > 1) {
+        together = lag_motions_memory(model, ensemble->states) + lag_attempts_memory(lag_motion_size(model), lanes);
+    }
+    return lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane)) + lanes * lane_size(ensemble) + ALIGNED + together * sizeof(double);
 }
 
 /* Keeps the rows at the times that are asked for; a later row of the same time takes the place of the one before. */
@@ -94,91 +139,195 @@ static int is_stopped(const lag_ensemble *ensemble)
     return ensemble->stopped != NULL && atomic_load(ensemble->stopped);
 }
 
-/* On to `stop` in pieces. LAG_TOO_LONG: as many steps as allowed, or no more are wanted. */
-static lag_status advance(const lag_ensemble *ensemble, lag_run *run, double stop, size_t *steps)
+/* On to where the next step begins, in pieces; *ended: there is none. LAG_TOO_LONG: as many steps as allowed. */
+static lag_status approach(const lag_ensemble *ensemble, lane *own, int *ended)
 {
-    lag_status status = LAG_TOO_LONG;
-    while (status == LAG_TOO_LONG && *steps < ensemble->most_steps && !is_stopped(ensemble)) {
-        const size_t left = ensemble->most_steps - *steps;
-        const size_t piece = *steps > 0 ? ensemble->piece : ensemble->first_piece;
-        status = lag_run_to(run, stop, left < piece ? left : piece);
-        *steps += run->counts.steps;
-    }
-    return status;
-}
-
-/* From the start to the end, over the breaks. */
-static lag_status move(const lag_ensemble *ensemble, lag_run *run, const double *x)
-{
-    size_t steps = 0;
-    lag_status status = lag_run_begin(run, ensemble->t, x);
-    for (size_t k = 0; status == LAG_OK && k < ensemble->breaks; ++k) {
-        status = advance(ensemble, run, ensemble->at[k], &steps);
-        if (status == LAG_OK) {
+    lag_run *run = own->run;
+    lag_status status = LAG_OK;
+    *ended = 0;
+    while (status == LAG_OK && !(*ended || (own->goal > run->stepper.t && own->left > 0))) {
+        if (own->goal > run->stepper.t) {
+            const size_t left = ensemble->most_steps - own->steps;
+            const size_t piece = own->steps > 0 ? ensemble->piece : ensemble->first_piece;
+            own->left = left < piece ? left : piece;
+            status = own->left > 0 ? lag_run_restart(run, own->goal) : LAG_TOO_LONG;
+        } else if (own->breaks < ensemble->breaks) {
+            ++own->breaks;
+            own->goal = own->breaks < ensemble->breaks ? ensemble->at[own->breaks] : ensemble->stop;
+            own->left = 0;
             status = lag_run_jump(run);
+        } else {
+            *ended = 1;
         }
     }
-    if (status == LAG_OK) {
-        status = advance(ensemble, run, ensemble->stop, &steps);
-    }
-    if (status == LAG_OK || status == LAG_STOPPED) {
-        const lag_status end = lag_run_end(run);
-        status = end == LAG_OK ? status : end;
-    }
     return status;
 }
 
-static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, double *memory, void *block)
+/* The run of the lane has ended, or failed. */
+static void end(crowd *all, size_t k, lag_status status)
 {
+    const lag_ensemble *ensemble = all->ensemble;
+    lane *own = all->lane + k;
+    if (own->started && (status == LAG_OK || status == LAG_STOPPED)) {
+        const lag_status last = lag_run_end(own->run);
+        status = last == LAG_OK ? status : last;
+    }
+    (void)keep(&own->kept, &own->results);
+    ensemble->results.kept[own->number] = own->kept.kept;
+    ensemble->results.ended[own->number] = own->results.any ? own->results.last : (double)NAN;
+    ensemble->results.status[own->number] = (int)status;
+    if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED) {
+        const lag_initial *told = own->started ? NULL : &own->told;
+        ensemble->failed(ensemble->context, own->number, own->run, (int)status, own->starts, own->x, told);
+    }
+    own->run = NULL;
+    all->motions.of[k] = NULL;
+}
+
+/* The next run begins in lane k. */
+static void begin(crowd *all, size_t k)
+{
+    const lag_ensemble *ensemble = all->ensemble;
     const lag_model *model = ensemble->model;
     const size_t size = lag_motion_size(model);
-    double *rows = lag_take(&memory, ROWS * lag_results_width(model));
-    double *row_sizes = lag_take(&memory, model->nc);
-    unsigned char *dependent = lag_take_flags(&memory, model->nc);
-    double *starts = lag_take(&memory, size);
-    double *x = lag_take(&memory, size);
-    lag_initial told = {.given = !ensemble->equations, .dependent = dependent, .row_sizes = row_sizes};
-    lag_fill(model->nc, 1.0, row_sizes);
+    lane *own = all->lane + k;
+    const size_t i = own->number = all->next++;
+    own->told = (lag_initial){.given = !ensemble->equations, .dependent = own->dependent, .row_sizes = own->row_sizes};
+    lag_fill(model->nc, 1.0, own->row_sizes);
+    memset(own->dependent, 0, model->nc);
     own->kept = (keeper){
         .ensemble = ensemble, .width = lag_results_width(model),
         .rows = ensemble->results.rows + i * ensemble->options->count * lag_ensemble_width(model)
     };
     own->results = (lag_results){
-        .most_rows = ROWS, .most_notes = NOTES, .rows = rows, .notes = own->notes, .full = keep, .context = &own->kept
+        .most_rows = ROWS, .most_notes = NOTES, .rows = own->rows, .notes = own->notes, .full = keep, .context = &own->kept,
+        .bare = 1
     };
     own->options = *ensemble->options;
     own->options.p = ensemble->p + i * model->np;
     own->options.u = ensemble->u == NULL ? NULL : ensemble->u + i * model->nu;
     own->options.sizes.natural = ensemble->natural + i * size;
-    own->options.sizes.row_sizes = row_sizes;
+    own->options.sizes.row_sizes = own->row_sizes;
     own->options.results = &own->results;
-    lag_run *run = lag_run_place(block, model, &own->options);
-    lag_status status = find_start(ensemble, i, run, starts, x, &told);
-    const int started = status == LAG_OK;
-    if (started) {
-        status = move(ensemble, run, x);
+    own->run = lag_run_place(own->block, model, &own->options);
+    own->steps = own->left = own->breaks = 0;
+    own->goal = ensemble->breaks > 0 ? ensemble->at[0] : ensemble->stop;
+    int ended = 0;
+    lag_status status = find_start(ensemble, i, own->run, own->starts, own->x, &own->told);
+    own->started = status == LAG_OK;
+    status = own->started ? lag_run_begin(own->run, ensemble->t, own->x) : status;
+    status = status == LAG_OK ? approach(ensemble, own, &ended) : status;
+    if (status != LAG_OK || ended) {
+        end(all, k, status);
+    } else if (all->lanes > 1) {
+        lag_motions_enter(&all->motions, k, &own->run->motion);
     }
-    (void)keep(&own->kept, &own->results);
-    ensemble->results.kept[i] = own->kept.kept;
-    ensemble->results.ended[i] = own->results.any ? own->results.last : (double)NAN;
-    if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED && !is_stopped(ensemble)) {
-        ensemble->failed(ensemble->context, i, run, (int)status, starts, x, started ? NULL : &told);
+}
+
+/* One step of lane k. */
+static void step(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    int ended = 0;
+    lag_status status = lag_run_step(own->run, own->goal);
+    status = status == LAG_OK ? lag_run_finish(own->run, own->goal) : status;
+    ++own->steps;
+    --own->left;
+    status = status == LAG_OK ? approach(all->ensemble, own, &ended) : status;
+    if (status != LAG_OK || ended) {
+        end(all, k, status);
     }
-    return status;
+}
+
+/* Lane k goes on alone to where it can do its next step with others; null: no run is left for it, or no more are wanted. */
+static lag_stepper *bring(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    for (;;) {
+        if (is_stopped(all->ensemble) || (own->run == NULL && all->next == all->end)) {
+            return NULL;
+        }
+        if (own->run == NULL) {
+            begin(all, k);
+        } else if (all->lanes > 1 && own->run->stepper.method == &lag_dop853) {
+            return &own->run->stepper;
+        } else {
+            step(all, k);
+        }
+    }
+}
+
+/* Steps of the lanes that have one before them: attempts at them together, each step by itself. Returns 0 where there are none. */
+static int step_together(crowd *all)
+{
+    lag_stepper *steppers[LAG_ATTEMPT_LANES] = {NULL};
+    unsigned char done[LAG_ATTEMPT_LANES];
+    size_t count = 0;
+    for (size_t k = 0; k < all->lanes; ++k) {
+        steppers[k] = bring(all, k);
+        done[k] = steppers[k] != NULL;
+        count += done[k];
+    }
+    if (count > 1 && lag_motions_take(&all->motions) == LAG_OK) {
+        for (size_t k = 0; k < all->lanes; ++k) {
+            if (steppers[k] != NULL) {
+                const lag_run *run = all->lane[k].run;
+                lag_attempt_begin(steppers[k], lag_run_limit(run, all->lane[k].goal));
+                steppers[k]->attempt.dense = lag_run_looks_inside(run, steppers[k]->attempt.t_new);
+            }
+        }
+        lag_attempts_make(&all->attempts, steppers, done);
+    }
+    for (size_t k = 0; k < all->lanes; ++k) {
+        if (done[k]) {
+            step(all, k);
+        }
+    }
+    return count > 0;
+}
+
+/* Lays out the memory of one thread. */
+static crowd *place(const lag_ensemble *ensemble, void *block)
+{
+    const lag_model *model = ensemble->model;
+    const size_t lanes = lanes_of(ensemble);
+    char *bytes = block;
+    crowd *all = block;
+    all->ensemble = ensemble;
+    all->lanes = lanes;
+    all->lane = (lane *)(void *)(bytes + lag_padded(sizeof(crowd)));
+    bytes += lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane));
+    for (size_t k = 0; k < lanes; ++k, bytes += lane_size(ensemble)) {
+        lane *own = all->lane + k;
+        double *memory = (double *)(void *)bytes;
+        own->rows = lag_take(&memory, ROWS * lag_results_width(model));
+        own->row_sizes = lag_take(&memory, model->nc);
+        own->dependent = lag_take_flags(&memory, model->nc);
+        own->starts = lag_take(&memory, lag_motion_size(model));
+        own->x = lag_take(&memory, lag_motion_size(model));
+        own->block = bytes + lag_padded(own_memory(model) * sizeof(double));
+        own->run = NULL;
+    }
+    if (lanes > 1) {
+        bytes += (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED;
+        double *memory = (double *)(void *)bytes;
+        lag_motions_place(&all->motions, model, ensemble->states, memory);
+        memory += lag_motions_memory(model, ensemble->states);
+        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, lag_motions_rates, &all->motions, memory);
+    }
+    return all;
 }
 
 size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, void *block)
 {
-    char *bytes = block;
-    bench *own = block;
-    double *memory = (double *)(void *)(bytes + lag_padded(sizeof(bench)));
-    char *rest = bytes + lag_padded(sizeof(bench)) + lag_padded(own_memory(ensemble->model) * sizeof(double));
-    for (size_t i = first; i < end; ++i) {
-        const lag_status status = run_one(ensemble, i, own, memory, rest);
-        if (is_stopped(ensemble)) {
-            return i;
-        }
-        ensemble->results.status[i] = (int)status;
+    crowd *all = place(ensemble, block);
+    all->next = first;
+    all->end = end;
+    while (step_together(all)) {
     }
-    return end;
+    size_t made = all->next;
+    for (size_t k = 0; k < all->lanes; ++k) {
+        made = all->lane[k].run != NULL && all->lane[k].number < made ? all->lane[k].number : made;
+    }
+    return made;
 }

@@ -79,8 +79,8 @@ static void record_stepper(lag_stepper *s, lag_record *record)
     RECORD(s->counts.decompositions);
     RECORD(s->counts.steps);
     RECORD(s->counts.rejections);
-    RECORD(s->trouble);
-    RECORD(s->trouble_time);
+    RECORD(s->trouble.status);
+    RECORD(s->trouble.time);
 }
 
 static void record_clock(lag_clock *clock, lag_record *record)

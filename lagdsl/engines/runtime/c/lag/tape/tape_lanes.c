@@ -182,6 +182,11 @@ RUN_IN(run_widest, "avx512f,avx512dq")
 #define WIDEST 0
 #endif
 
+int lag_tape_lanes_are_wide(void)
+{
+    return WIDE;
+}
+
 void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)
 {
     if (WIDEST) {

@@ -35,6 +35,12 @@ static lag_status elimination(const lag_arguments *at, double *qdd, double *lam,
     return run(at, 1 + LAG_ELIMINATION, results);
 }
 
+static lag_status state_derivative(const lag_arguments *at, double *rates)
+{
+    double *const results[] = {rates};
+    return run(at, 1 + LAG_STATE_DERIVATIVE, results);
+}
+
 /* ---- directions ---- */
 
 /* The row of the directions follows on that of the state. */
@@ -117,9 +123,11 @@ void lag_tape_parallel(lag_tape *tape)
     tape->states = (lag_states){
         .lanes = LAG_TAPE_LANES,
         .workspace = LAG_TAPE_LANES * tape->row,
+        .wide = lag_tape_lanes_are_wide(),
         .prepare = prepare,
         .dynamics = lag_tape_has(tape, LAG_DYNAMICS) ? dynamics : NULL,
         .elimination = lag_tape_has(tape, LAG_ELIMINATION) ? elimination : NULL,
+        .state_derivative = tape->model.nz > 0 ? state_derivative : NULL,
     };
     for (size_t part = 0; part < 2; ++part) {
         lag_tangents *own = tape->tangents + part;

@@ -1,0 +1,41 @@
+/*
+ * Attempts of the next steps of several steppers at once, all of them with DOP853 and of one size: their rates are found in lanes. Each stepper
+ * has its own time, length and error, and takes its attempt over when it is asked for the step, with the bits that it would have found
+ * alone.
+ */
+#ifndef LAG_ATTEMPTS_H
+#define LAG_ATTEMPTS_H
+
+#include "lag/methods/dop853.h"
+#include "lag/stepper.h"
+
+/* xd (size, lanes) at t (lanes) and x (size, lanes). A lane in which there is none becomes 0 in `sound`; so will one with what is no number. */
+typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, unsigned char *sound);
+
+typedef struct lag_attempts {
+    lag_attempt_arrays at;
+    double *x, *tolerance, *inside; /* (size, lanes) */
+    double *terms;                  /* (7, size, lanes) of the dense output */
+    int wide; /* the processor has registers of 256 bits */
+    lag_rates_in_lanes *rates;
+    void *context;
+    double error[LAG_ATTEMPT_LANES];
+    unsigned char sound[LAG_ATTEMPT_LANES], dense[LAG_ATTEMPT_LANES]; /* the attempt, and its further stages as well */
+} lag_attempts;
+
+/* Doubles for `attempts`, and its layout. */
+size_t lag_attempts_memory(size_t size, size_t lanes);
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory);
+
+/*
+ * An attempt for each stepper s[k], k below the number of lanes, that is not null; lag_attempt_begin() was called for it. done[k]: it can go on by
+ * lag_stepper_step() with the same limit; else its attempt has to be repeated, with a shorter step.
+ */
+void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned char *done);
+
+/* For the method: the next attempt of a step to `limit`, which goes on with the one that was begun if that is of the same step. */
+void lag_attempt_begin(lag_stepper *s, double limit);
+/* The attempt is rejected. 0: it was as short as steps may be. */
+int lag_attempt_shorten(lag_stepper *s);
+
+#endif

@@ -1,0 +1,248 @@
+/*
+ * An attempt of a step of DOP853, of one system or of several ones in lanes: entry i of lane k is at i * lanes + k. Operations and their
+ * order are the same, so that every lane gets the same bits as alone.
+ */
+#ifndef LAG_DOP853_H
+#define LAG_DOP853_H
+
+#include <math.h>
+#include <stddef.h>
+
+enum { LAG_DOP853_STAGES = 12, LAG_DOP853_END = 12, LAG_DOP853_SLOPES = 16, LAG_DOP853_DENSE = 4 };
+/* Terms of the dense output. */
+enum { LAG_DOP853_TERMS = 3 + LAG_DOP853_DENSE };
+
+/* The most lanes that there may be; a power of two, as is every number of lanes. */
+enum { LAG_ATTEMPT_LANES = 8 };
+
+/* A sum of slopes, for the state at `node`. */
+typedef struct lag_combination {
+    double node;
+    unsigned count;
+    unsigned char slope[13];
+    double weight[13];
+} lag_combination;
+
+/* 12: the step itself; 13 to 15: further stages of the dense output. */
+extern const lag_combination lag_dop853_stages[LAG_DOP853_SLOPES];
+extern const lag_combination lag_dop853_fifth, lag_dop853_dense[LAG_DOP853_DENSE];
+/* Difference of the new state from the embedded formula of order 3. */
+extern const lag_combination lag_dop853_third;
+
+typedef struct lag_attempt_arrays {
+    size_t size, lanes;
+    const double *x, *tolerance; /* (size, lanes) */
+    double *slope;               /* (16, size, lanes), the first that at x */
+    double *stage, *x_new;       /* (size, lanes) */
+    double t[LAG_ATTEMPT_LANES];   /* of lane k */
+    double h[LAG_ATTEMPT_LANES];   /* of lane k % lanes */
+} lag_attempt_arrays;
+
+/* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
+typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);
+
+#if defined(__GNUC__)
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
+/* So many numbers are side by side as a register holds: compilers keep longer vectors in memory. */
+#if !defined(LAG_ATTEMPT_WIDTH) && defined(__AVX__)
+#define LAG_ATTEMPT_WIDTH 4
+#elif !defined(LAG_ATTEMPT_WIDTH)
+#define LAG_ATTEMPT_WIDTH 2
+#endif
+enum { LAG_WIDTH = LAG_ATTEMPT_WIDTH };
+typedef double lag_wide __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH), aligned(8), may_alias));
+#pragma GCC diagnostic ignored "-Wpsabi" /* all of this is inlined */
+
+LAG_ATTEMPT_INLINED lag_wide lag_wide_at(const double *x)
+{
+    return *(const lag_wide *)(const void *)x;
+}
+
+LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
+{
+    *(lag_wide *)(void *)x = value;
+}
+
+/* Several entries at i of the weighted slopes, added to `sum`. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * lag_wide_at(slope + c->slope[j] * count + i);
+    }
+    return sum;
+}
+#else
+#define LAG_ATTEMPT_INLINED static inline
+#endif
+
+/* The entry at i of the weighted slopes, added to `sum`. */
+LAG_ATTEMPT_INLINED double lag_added(size_t count, const lag_combination *c, const double *slope, size_t i, double sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * slope[c->slope[j] * count + i];
+    }
+    return sum;
+}
+
+/* out = base + h * sum of `count` entries; h is as in lag_attempt_arrays. */
+LAG_ATTEMPT_INLINED void lag_combine(
+    size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
+{
+    size_t i = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) { /* two sums, whose terms do not wait for each other */
+        lag_wide a = none;
+        lag_wide b = none;
+        for (unsigned j = 0; j < c->count; ++j) {
+            const double *from = slope + c->slope[j] * count + i;
+            a += c->weight[j] * lag_wide_at(from);
+            b += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+        }
+        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * a);
+        lag_wide_to(out + i + LAG_WIDTH, lag_wide_at(base + i + LAG_WIDTH) + lag_wide_at(h + (i + LAG_WIDTH) % LAG_ATTEMPT_LANES) * b);
+    }
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * lag_wide_added(count, c, slope, i, none));
+    }
+#endif
+    for (; i < count; ++i) {
+        out[i] = base[i] + h[i % LAG_ATTEMPT_LANES] * lag_added(count, c, slope, i, 0.0);
+    }
+}
+
+/*
+ * Terms (7, size, lanes) of the polynomial that Hairer, Norsett and Wanner give at the end of section II.6. The last four are of the same
+ * slopes: their sums are found side by side, each in its own order.
+ */
+LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double *terms)
+{
+    const lag_combination *c = lag_dop853_dense;
+    const size_t count = at->size * at->lanes;
+    double *to = terms + 3 * count;
+    size_t i = 0;
+    for (; i < count; ++i) {
+        const double h = at->h[i % LAG_ATTEMPT_LANES];
+        const double change = at->x_new[i] - at->x[i];
+        terms[i] = change;
+        terms[count + i] = h * at->slope[i] - change;
+        terms[2 * count + i] = 2.0 * change - h * (at->slope[LAG_DOP853_END * count + i] + at->slope[i]);
+    }
+    i = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide h = lag_wide_at(at->h + i % LAG_ATTEMPT_LANES);
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        lag_wide sum2 = none;
+        lag_wide sum3 = none;
+        for (unsigned j = 0; j < c->count; ++j) {
+            const lag_wide slope = lag_wide_at(at->slope + c->slope[j] * count + i);
+            sum0 += c[0].weight[j] * slope;
+            sum1 += c[1].weight[j] * slope;
+            sum2 += c[2].weight[j] * slope;
+            sum3 += c[3].weight[j] * slope;
+        }
+        lag_wide_to(to + i, none + h * sum0);
+        lag_wide_to(to + count + i, none + h * sum1);
+        lag_wide_to(to + 2 * count + i, none + h * sum2);
+        lag_wide_to(to + 3 * count + i, none + h * sum3);
+    }
+#endif
+    for (; i < count; ++i) {
+        for (size_t k = 0; k < LAG_DOP853_DENSE; ++k) {
+            to[k * count + i] = 0.0 + at->h[i % LAG_ATTEMPT_LANES] * lag_added(count, c + k, at->slope, i, 0.0);
+        }
+    }
+}
+
+/* Zero in sum[k] if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
+LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *sum)
+{
+    const size_t last = lanes - 1;
+    size_t i = 0;
+#if defined(__GNUC__)
+    lag_wide a = {0.0};
+    lag_wide b = {0.0};
+    const int fits = lanes == LAG_WIDTH || lanes == 2 * LAG_WIDTH;
+    for (; i + 2 * LAG_WIDTH <= count && fits; i += 2 * LAG_WIDTH) {
+        a += 0.0 * lag_wide_at(x + i);
+        b += 0.0 * lag_wide_at(x + i + LAG_WIDTH);
+    }
+    for (size_t k = 0; k < LAG_WIDTH && fits; ++k) {
+        sum[k] += a[k];
+        sum[(k + LAG_WIDTH) & last] += b[k];
+    }
+#endif
+    for (; i < count; ++i) {
+        sum[i & last] += 0.0 * x[i];
+    }
+}
+
+/* Both estimates together, section II.10, formula (10.17), of lane k into error[k]. */
+LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double *error)
+{
+    const size_t count = at->size * at->lanes;
+    const size_t last = at->lanes - 1; /* all ones: i & last is i % lanes, without a division */
+    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
+    double fifth[LAG_ATTEMPT_LANES] = {0.0};
+    double third[LAG_ATTEMPT_LANES] = {0.0};
+    size_t i = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
+        const lag_wide e5 = lag_wide_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
+        const lag_wide e3 = lag_wide_added(count, step, at->slope, i, lag_wide_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        if (at->lanes >= LAG_WIDTH) {
+            double *f = fifth + (i & last);
+            double *t = third + (i & last);
+            lag_wide_to(f, lag_wide_at(f) + e5 * e5);
+            lag_wide_to(t, lag_wide_at(t) + e3 * e3);
+            continue;
+        }
+        for (size_t k = 0; k < LAG_WIDTH; ++k) {
+            fifth[k & last] += e5[k] * e5[k];
+            third[k & last] += e3[k] * e3[k];
+        }
+    }
+#endif
+    for (; i < count; ++i) {
+        const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, i, 0.0) / at->tolerance[i];
+        const double e3 = lag_added(count, step, at->slope, i, lag_added(count, &lag_dop853_third, at->slope, i, 0.0)) / at->tolerance[i];
+        fifth[i & last] += e5 * e5;
+        third[i & last] += e3 * e3;
+    }
+    for (size_t k = 0; k < at->lanes; ++k) {
+        const double both = fifth[k] + 0.01 * third[k];
+        const double of_both = both > 0.0 ? at->h[k] * fifth[k] / sqrt(both * (double)at->size) : 0.0;
+        error[k] = isfinite(both) ? of_both : (double)INFINITY;
+    }
+}
+
+/* The rates of one stage, of the step or of its dense output. 0: `rates` ended the attempt. */
+LAG_ATTEMPT_INLINED int lag_attempt_stage(const lag_attempt_arrays *at, size_t i, lag_attempt_rates *rates, void *context)
+{
+    const size_t count = at->size * at->lanes;
+    double t[LAG_ATTEMPT_LANES];
+    lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
+    for (size_t k = 0; k < at->lanes; ++k) {
+        t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
+    }
+    return rates(context, i, t, at->stage, at->slope + i * count);
+}
+
+/* All stages and the new state; the slope at its end is left to attempts that are accepted. 0: `rates` ended it. */
+LAG_ATTEMPT_INLINED int lag_attempt_stages(const lag_attempt_arrays *at, lag_attempt_rates *rates, void *context)
+{
+    for (size_t i = 1; i < LAG_DOP853_STAGES; ++i) {
+        if (!lag_attempt_stage(at, i, rates, context)) {
+            return 0;
+        }
+    }
+    lag_combine(at->size * at->lanes, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
+    return 1;
+}
+
+#endif

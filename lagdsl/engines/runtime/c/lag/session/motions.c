@@ -1,0 +1,102 @@
+#include "lag/session/motions.h"
+
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+int lag_motions_can(const lag_model *model, const lag_states *states)
+{
+    return states != NULL && states->lanes > 1 && states->lanes <= LAG_ATTEMPT_LANES && states->elimination != NULL &&
+        model->nk == 0 && model->nload == 0 && model->ndelay == 0 && (model->nz == 0 || states->state_derivative != NULL);
+}
+
+size_t lag_motions_memory(const lag_model *model, const lag_states *states)
+{
+    return states->lanes * (model->nu + model->nw + model->np + model->nc + 2) + states->workspace;
+}
+
+void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_states *states, double *memory)
+{
+    const size_t lanes = states->lanes;
+    memset(motions, 0, sizeof *motions);
+    lag_fill(lag_motions_memory(model, states), 0.0, memory); /* lanes that are free are computed, too */
+    motions->model = model;
+    motions->states = states;
+    motions->at.context = model->context;
+    motions->at.workspace = lag_take(&memory, states->workspace);
+    motions->at.u = motions->u = lag_take(&memory, lanes * model->nu);
+    motions->at.w = motions->w = lag_take(&memory, lanes * model->nw);
+    motions->at.p = motions->p = lag_take(&memory, lanes * model->np);
+    motions->pivot = lag_take(&memory, lanes);
+    motions->lam = lag_take(&memory, lanes * (model->nc + 1));
+}
+
+static void put(size_t count, size_t lanes, size_t k, const double *x, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i * lanes + k] = x[i];
+    }
+}
+
+void lag_motions_enter(lag_motions *motions, size_t k, lag_motion *motion)
+{
+    motions->of[k] = motion;
+    motions->prepared = 0;
+    put(motions->model->np, motions->states->lanes, k, motion->at.p, motions->p);
+}
+
+lag_status lag_motions_take(lag_motions *motions)
+{
+    const lag_model *model = motions->model;
+    const size_t lanes = motions->states->lanes;
+    for (size_t k = 0; k < lanes && model->nu + model->nw > 0; ++k) {
+        if (motions->of[k] != NULL) {
+            put(model->nu, lanes, k, motions->of[k]->u, motions->u);
+            put(model->nw, lanes, k, motions->of[k]->w, motions->w);
+        }
+    }
+    const lag_status status = motions->prepared ? LAG_OK : motions->states->prepare(&motions->at);
+    motions->prepared = status == LAG_OK;
+    return status;
+}
+
+/* Inputs that change with time, at the time of each lane. */
+static void take_inputs(lag_motions *motions, const double *t)
+{
+    const size_t lanes = motions->states->lanes;
+    for (size_t k = 0; k < lanes && motions->model->nu > 0; ++k) {
+        lag_motion *motion = motions->of[k];
+        if (motion != NULL && motion->inputs != NULL) {
+            motion->inputs(motion->context, t[k], t[k] >= motion->until, motion->u);
+            put(motions->model->nu, lanes, k, motion->u, motions->u);
+        }
+    }
+}
+
+void lag_motions_rates(void *context, const double *t, const double *x, double *xd, unsigned char *sound)
+{
+    lag_motions *motions = context;
+    const lag_model *model = motions->model;
+    const lag_states *states = motions->states;
+    const size_t n = model->nq * states->lanes;
+    const double smallest = lag_smallest_pivot(model);
+    double sum[LAG_ATTEMPT_LANES] = {0.0};
+    double none[LAG_ATTEMPT_LANES];
+    lag_arguments *at = &motions->at;
+    take_inputs(motions, t);
+    at->times = t;
+    at->q = x;
+    at->qd = x + n;
+    at->z = x + 2 * n;
+    at->qdd = xd + n;
+    at->lam = motions->lam;
+    memcpy(xd, at->qd, n * sizeof(double));
+    lag_status status = states->elimination(at, xd + n, motions->lam, none, none, none, none, motions->pivot);
+    if (status == LAG_OK && model->nz > 0) {
+        status = states->state_derivative(at, xd + 2 * n);
+    }
+    lag_attempt_look(model->nc * states->lanes, states->lanes, motions->lam, sum);
+    for (size_t k = 0; k < states->lanes; ++k) {
+        sound[k] = sound[k] && status == LAG_OK && sum[k] == 0.0 && motions->pivot[k] > smallest;
+    }
+}
