@@ -12,16 +12,31 @@ import numpy as np
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.called_along import CalledAlong
-from lagdsl.engines.runtime.called_inputs import CalledInputs
+from lagdsl.engines.runtime.called_inputs import INPUTS, CalledInputs
 from lagdsl.engines.runtime.engines.buffers import Buffers
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.run_options import RunSettings, address, shared_options
+from lagdsl.engines.runtime.run_options import Measures, RunSettings, address, place_of, tell, tell_measures
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.engines.runtime.structures import Initial, RunOptions, Status
+
+_NO_INPUTS = INPUTS()
+# Bytes of a run that is kept for the next one; memory as large as this is made as fast as it is used.
+_LARGEST = 1 << 23
+
+
+def run_of(model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]) -> Run:
+    """A run that has not begun, in the memory of one that is over where there is one. `layout` and `along` are those
+    of the model."""
+    try:
+        run = model.idle.pop()
+    except IndexError:
+        return Run(model, layout, settings, along)
+    assert isinstance(run, Run), "runs alone are left idle"
+    return run if run.model is model and run.renew(settings) else Run(model, layout, settings, along)
 
 
 def _zeros(size: int) -> Floats:
@@ -31,6 +46,33 @@ def _zeros(size: int) -> Floats:
     """
     own = ACCESS_COPY if os.name == "posix" else ACCESS_DEFAULT
     return np.frombuffer(mmap(-1, -(-size // 8) * 8, access=own), dtype=np.float64)
+
+
+class _Search:
+    """The memory of a search for a start: addresses, and what is read from there."""
+
+    def __init__(self, size: int, layout: Layout) -> None:
+        nc, nq = len(layout.constraints), len(layout.coordinates)
+        self._redundant = np.array(layout.redundant, dtype=np.uint8)
+        self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(nc), np.zeros((nc, nq))
+        self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
+        self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
+        self._told = Initial(
+            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(self._pattern)
+        )
+
+    def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
+        """The start values with those `given`, and what the search is told."""
+        if given:
+            self._chosen[:] = 0
+        for place, value in given.items():
+            self._x[place], self._chosen[place] = value, 1
+        self._told.given, self._told.p = not equations, None
+        self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
+        return self._x.copy(), self._told
+
+    def found(self, starts: Floats, p: Floats) -> Found:
+        return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)
 
 
 class Run(RunView):
@@ -44,39 +86,57 @@ class Run(RunView):
         self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
     ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
-        self._model, self.settings = model, settings
-        self._called: list[CalledInputs | CalledAlong] = []  # what C calls
-        self._kept: list[object] = []  # what C has the address of
-        self._row_sizes = np.ones(len(layout.constraints))
-        self.results = RunResults(self._library, model, layout, settings, self._kept)
-        self._told = options = self._options(along)
+        self._model, self._along = model, CalledAlong(along)
+        self._search = _Search(self.size, layout)
+        self.results = RunResults(self._library, model, layout)
+        self._told = options = RunOptions(careful=1, results=addressof(self.results.structure))
+        options.callbacks.along = self._along.called
+        options.sizes.row_sizes = self._search.row_sizes
+        for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
+            setattr(options.invariants, name, place_of(values))
+        self._measures: Measures | None = None
+        self._take_settings(settings)
         options.zeroed = 1
+        self._sized = model.model
         self._size = size = int(self._library.run_size(model.model, byref(options)))
-        block = _zeros(size)
-        self._kept.append(block)
-        self._run = self._library.run_place(block.ctypes.data, model.model, byref(options))
+        self._block = _zeros(size)
+        self._run = self._library.run_place(place_of(self._block), model.model, byref(options))
 
-    def renew(self) -> bool:
-        """Lets it be a run with the same settings that has not begun; False if the model that it goes on with now does
-        not fit into its memory."""
+    def renew(self, settings: RunSettings | None = None) -> bool:
+        """Lets it be a run that has not begun, with these settings or the same; False if the model that it goes on with
+        now does not fit into its memory."""
+        if settings is not None:
+            self._take_settings(settings)
+        options, model = byref(self._told), self._model.model
         self._told.zeroed = 0
-        if self._library.run_size(self._model.model, byref(self._told)) > self._size:
+        if model is not self._sized and self._library.run_size(model, options) > self._size:
             return False
-        self._library.run_place(self._run, self._model.model, byref(self._told))
+        self._sized = model
+        self._library.run_place(self._run, model, options)
         self.p = self.settings.p
         self.results.forget()
         return True
 
-    def _options(self, along: Callable[[], NativeModel | None]) -> RunOptions:
-        settings = self.settings
-        options = shared_options(self._library, settings, self._kept)
+    def leave(self) -> None:
+        """It is over, and nobody asks it any more: the next run of the model may have its memory."""
+        del self.settings, self._kept, self._called  # what others gave need not live any longer
+        if self._size <= _LARGEST:
+            self._model.idle.append(self)
+
+    def _take_settings(self, settings: RunSettings) -> None:
+        self.settings = settings
+        self._kept: list[object] = []  # what C has the address of
+        self._called: list[CalledInputs | CalledAlong] = [self._along]  # what C calls
+        options, inputs = self._told, settings.inputs
+        tell(options, self._library, settings, self._kept)
         options.p = address(settings.p, self._kept)
-        options.sizes.natural = address(settings.natural, self._kept)
-        options.sizes.row_sizes = self._row_sizes.ctypes.data
-        if settings.invariant_tolerance is not None:
-            for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
-                setattr(options.invariants, name, values.ctypes.data)
-        inputs = settings.inputs
+        if settings.measures is not self._measures:
+            self._measures = settings.measures
+            self._measured = list[object]()
+            tell_measures(options, self._measures, self._measured)
+            options.sizes.natural = address(self._measures.natural, self._measured)
+        options.u = options.callbacks.context = None
+        options.callbacks.inputs = _NO_INPUTS
         if isinstance(inputs, TabledInputs):
             inputs.tell(options, self._library, self._kept)
             options.u = address(inputs.u, self._kept)
@@ -89,36 +149,19 @@ class Run(RunView):
             self._called.append(asked)
         else:
             options.u = address(inputs, self._kept)
-        directions = CalledAlong(along)
-        options.callbacks.along = directions.called
-        self._called.append(directions)
-        options.results = addressof(self.results.structure)
-        return options
 
     # ---- what it does ------------------------------------------------------------------------------------------------
 
     def find(self, t: float, given: dict[int, float], *, equations: bool) -> Found:
         """The start at time t: from the start values of the model, with those `given` by their place in x instead; with
         or without the initial equations of the model."""
-        layout, count = self._layout, len(self._layout.constraints)
-        starts = np.zeros(self.size)
-        self._checked(self._library.run_start(self._run, t, starts.ctypes.data))
-        chosen = np.zeros(self.size + 1, dtype=np.uint8)
-        for place, value in given.items():
-            starts[place], chosen[place] = value, 1
-        x, dependent = starts.copy(), np.array(layout.redundant, dtype=np.uint8)
-        pattern = np.zeros((count, len(layout.coordinates)))
-        told = Initial(
-            given=not equations,
-            dependent=dependent.ctypes.data,
-            row_sizes=self._row_sizes.ctypes.data,
-            pattern=pattern.ctypes.data,
-        )
-        at = chosen.ctypes.data if given else None
-        self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
-        if self.settings.start.free:
-            self.p = np.array((c_double * len(layout.parameters)).from_address(told.p))
-        return found_of(told, starts, x, self.p, dependent, self._row_sizes, pattern)
+        search, library = self._search, self._library
+        self._checked(library.run_start(self._run, t, search.x))
+        starts, told = search.begin(given, equations)
+        self._checked(library.run_find(self._run, t, search.chosen if given else None, search.x, byref(told)))
+        if self.settings.measures.start.free:
+            self.p = np.array((c_double * len(self._layout.parameters)).from_address(told.p))
+        return search.found(starts, self.p)
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""

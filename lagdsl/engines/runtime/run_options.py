@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import addressof
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +14,7 @@ from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.held_inputs import HeldInputs
 from lagdsl.engines.runtime.library import Runtime
 from lagdsl.engines.runtime.signal_tables import TabledInputs
-from lagdsl.engines.runtime.structures import Lasting, RunOptions, Start
+from lagdsl.engines.runtime.structures import RunOptions, Start
 from lagdsl.foundation.record import record, remembered
 
 Flags = NDArray[np.bool_]
@@ -22,22 +22,29 @@ RunInputs: TypeAlias = "Floats | TabledInputs | HeldInputs | Callable[[float, bo
 
 
 @record(kw_only=True)
-class RunSettings:
-    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, inputs that are held over
-    steps, or a function of time and of whether the value before a jump is wanted. `method` is the name of one of the
-    runtime, or None for the automatic choice; `step` is the length of the steps of those that do not choose it.
-    `group`, `natural`, `cap`: (2 nq + nz,), see lag/methods/accuracy.h. Of the rows whose `lasting` (nc,) is not zero
-    `general` are independent in general. Rows are wanted at `times`; `invariant_tolerance` (ni,) None: nothing is
-    watched."""
+class Measures:
+    """Settings that follow from the model, its start values and their time; nobody can write to the arrays. `group`,
+    `natural`, `cap`: (2 nq + nz,), see lag/methods/accuracy.h. Of the rows whose `lasting` (nc,) is not zero `general`
+    are independent in general."""
 
-    p: Floats
-    inputs: RunInputs
     start: StartTold
     group: Floats
     natural: Floats
     cap: Floats
     lasting: Floats
     general: int
+
+
+@record(kw_only=True)
+class RunSettings:
+    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, inputs that are held over
+    steps, or a function of time and of whether the value before a jump is wanted. `method` is the name of one of the
+    runtime, or None for the automatic choice; `step` is the length of the steps of those that do not choose it. Rows
+    are wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
+
+    p: Floats
+    inputs: RunInputs
+    measures: Measures
     times: Floats
     tolerance: float
     part: float
@@ -50,26 +57,31 @@ class RunSettings:
 def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) -> RunOptions:
     """lag_run_options without parameters, natural sizes, inputs and results; what they point at is appended to
     `kept`."""
-    options = RunOptions(
-        tolerance=settings.tolerance,
-        part=settings.part,
-        h_fixed=settings.step,
-        careful=1,
-        length=settings.length,
-        count=len(settings.times),
-        method=None if settings.method is None else library.methods[settings.method],
-    )
-    options.times = address(settings.times, kept)
-    options.sizes.group = address(settings.group, kept)
-    options.sizes.cap = address(settings.cap, kept)
-    options.lasting = Lasting(rows=address(settings.lasting, kept), general=settings.general)
-    if settings.invariant_tolerance is not None:
-        # one number more, so that it is not null where there are assertions only
-        options.invariants.tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
-    start = _start(settings.start)
+    options = RunOptions(careful=1)
+    tell_measures(options, settings.measures, kept)
+    tell(options, library, settings, kept)
+    return options
+
+
+def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -> None:
+    """The measures but for natural sizes, into `options`."""
+    options.sizes.group = address(measures.group, kept)
+    options.sizes.cap = address(measures.cap, kept)
+    options.lasting.rows, options.lasting.general = address(measures.lasting, kept), measures.general
+    start = _start(measures.start)
     kept.append(start)
     options.start = addressof(start[0])
-    return options
+
+
+def tell(options: RunOptions, library: Runtime, settings: RunSettings, kept: list[object]) -> None:
+    """What a call gives, into `options`."""
+    options.tolerance, options.part, options.h_fixed = settings.tolerance, settings.part, settings.step
+    options.length, options.count, options.times = settings.length, len(settings.times), address(settings.times, kept)
+    options.method = None if settings.method is None else library.methods[settings.method]
+    options.invariants.tolerance = None
+    if settings.invariant_tolerance is not None:
+        # one number more, so that it is not null where there are assertions only
+        options.invariants.tolerance = address([*settings.invariant_tolerance.tolist(), 0.0], kept)
 
 
 def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> int:
@@ -84,7 +96,12 @@ def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> i
     else:
         own = np.array(values, dtype=kind)
     kept.append(own)
-    return int(own.__array_interface__["data"][0])  # sooner there than `ctypes.data`
+    return place_of(own)
+
+
+def place_of(array: NDArray[Any]) -> int:
+    """Its address: sooner found than by `ctypes.data`."""
+    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 @remembered

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import fields
+from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,9 @@ from lagdsl.motion.signals import trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+_FIELDS = tuple(field.name for field in fields(trajectory.Trajectory))
+_values = attrgetter(*_FIELDS)
 
 
 class Trajectory(trajectory.Trajectory):
@@ -23,7 +27,7 @@ class Trajectory(trajectory.Trajectory):
     @classmethod
     def of(cls, motion: trajectory.Trajectory, page: Callable[[], str] | None = None) -> Trajectory:
         """`page` makes the page of the motion; None where no page can repeat it."""
-        made = cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
+        made = cls(**dict(zip(_FIELDS, _values(motion), strict=True)))
         object.__setattr__(made, "_page", page)
         return made
 

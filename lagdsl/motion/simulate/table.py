@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
@@ -14,44 +14,37 @@ from lagdsl.language.flat.listing import discrete_outputs
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.moved import MovedRow
-from lagdsl.motion.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantRecord, Statistics, Trajectory
 
 
 def trajectory(
-    flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
+    flat: FlatModel,
+    layout: Layout,
+    run: Run,
+    moved: tuple[MovedRow, ...],
+    statistics: Statistics,
+    finer: Callable[[bool], Trajectory | None] | None = None,
 ) -> Trajectory:
     """All rows so far."""
-    heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
-    rows, extremes = run.results.rows(), run.results.extremes()
-    table = np.ascontiguousarray(rows[:, places].T)
-    ends = np.full((2, 1 + rows.shape[1]), np.nan)
-    ends[:, 1 : 1 + extremes.shape[1]] = np.where(np.isfinite(extremes), extremes, np.nan)
-    low, high = ends[:, places]
-    energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
+    places = _columns_of_rows(flat)
+    whole = np.ascontiguousarray(run.results.rows().T)
+    ends = np.full((2, len(whole)), np.nan)
+    if whole.size:
+        ends[:, 0] = whole[0, 0], whole[0, -1]
+    extremes = run.results.extremes()
+    ends[:, 1 : 1 + extremes.shape[1]] = extremes
+    energy, position_residual, velocity_residual = whole[-3:]
     return Trajectory(
         model=flat.name,
-        columns=tuple(
-            Column(
-                name=name,
-                unit=unit,
-                kind=kind,
-                display=shown,
-                values=values,
-                lowest=lowest,
-                highest=highest,
-                aliases=others.get(name, ()),
-            )
-            for (name, unit, kind, shown), values, lowest, highest in zip(
-                heads, table, low.tolist(), high.tolist(), strict=True
-            )
-        ),
-        position_residual=residuals[0],
-        velocity_residual=residuals[1],
+        columns=Columns(heads_of(flat), whole[places], ends[:, places], other_names(flat)),
+        position_residual=position_residual,
+        velocity_residual=velocity_residual,
         energy=energy,
-        invariants=_invariants(flat, run),
+        invariants=_invariants(flat, run) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
         events=events_of(flat, layout, run.results.notes),
+        finer=finer,
     )
 
 
@@ -90,9 +83,9 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
 
 
 @remembered
-def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
+def heads_of(flat: FlatModel) -> tuple[Head, ...]:
     """Names, units and kinds of the columns, in the order of result files. Discrete outputs stand among the outputs."""
-    heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
+    heads: list[Head] = [("time", "s", "time", Display("s"))]
     heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
     for c in flat.coordinates:
         unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
@@ -104,7 +97,7 @@ def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
     return tuple(heads)
 
 
-def called_heads(flat: FlatModel) -> dict[str, tuple[str, str, Kind, Display]]:
+def called_heads(flat: FlatModel) -> dict[str, Head]:
     """Heads of the columns by all names: those of the results, then other names of coordinates and rates, with the
     other name in the head."""
     heads = {head[0]: head for head in heads_of(flat)}
@@ -127,3 +120,10 @@ def places_of_columns(flat: FlatModel) -> list[int]:
     discretes = [first + k for k, item in enumerate(flat.events.discretes) if item.name not in outputs]
     end = first + len(flat.events.discretes)
     return [*range(first), *discretes, *range(end, end + len(flat.outputs))]
+
+
+@remembered
+def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
+    """The same, as one piece where it is one."""
+    places = places_of_columns(flat)
+    return slice(len(places)) if places == list(range(len(places))) else places

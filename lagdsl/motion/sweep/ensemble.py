@@ -93,7 +93,7 @@ class Ensemble:
         with self._lock, np.errstate(all="ignore"):
             q = self._engine.evaluate_many("start", settings.t, settings.settings.p)[0]
         starts = np.where(settings.given[:n], settings.x[:, :n], q)
-        farthest = FAR * settings.settings.natural[:, :n]
+        farthest = FAR * settings.settings.measures.natural[:, :n]
         return lambda run, row: bool(np.all(np.abs(row[:n] - starts[run]) <= farthest[run]))
 
     def worked(self, seconds: float, left: float) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import byref, c_size_t
+from dataclasses import field
 from pathlib import Path
 from typing import Any, cast
 
@@ -18,7 +19,8 @@ class NativeModel:
     its functions need beside their arguments.
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
-    live as long; `raised` is where functions of Python leave what they raised.
+    live as long; `raised` is where functions of Python leave what they raised. `idle` are runs of it that are over,
+    whose memory the next ones take.
     """
 
     model: object
@@ -29,6 +31,7 @@ class NativeModel:
     lanes: int
     held: object
     raised: list[BaseException] | None = None
+    idle: list[object] = field(default_factory=list)
 
     @property
     def address(self) -> int:
