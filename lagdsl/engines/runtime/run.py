@@ -13,17 +13,18 @@ from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.called_along import CalledAlong
 from lagdsl.engines.runtime.called_inputs import INPUTS, CalledInputs
-from lagdsl.engines.runtime.engines.buffers import Buffers
+from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.run_options import Measures, RunSettings, address, place_of, tell, tell_measures
+from lagdsl.engines.runtime.run_options import Measures, RunSettings, address, tell, tell_measures
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.engines.runtime.structures import Initial, RunOptions, Status
 
 _NO_INPUTS = INPUTS()
+_STATUSES = tuple(Status)  # in their order, from 0 on: found faster than by `Status(...)`
 # Bytes of a run that is kept for the next one; memory as large as this is made as fast as it is used.
 _LARGEST = 1 << 23
 
@@ -94,6 +95,9 @@ class Run(RunView):
         options.sizes.row_sizes = self._search.row_sizes
         for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
             setattr(options.invariants, name, place_of(values))
+        self._p, self._u = np.zeros(layout.size(Group.P) + 1), np.zeros(layout.size(Group.U) + 1)
+        options.p, self._u_place, self._asks = place_of(self._p), place_of(self._u), False
+        self._times = self._tolerance = np.zeros(0)
         self._measures: Measures | None = None
         self._take_settings(settings)
         options.zeroed = 1
@@ -128,27 +132,47 @@ class Run(RunView):
         self._kept: list[object] = []  # what C has the address of
         self._called: list[CalledInputs | CalledAlong] = [self._along]  # what C calls
         options, inputs = self._told, settings.inputs
-        tell(options, self._library, settings, self._kept)
-        options.p = address(settings.p, self._kept)
+        tell(options, self._library, settings)
+        self._p[:-1] = settings.p
+        self._tell_times(settings.times)
+        self._tell_tolerance(settings.invariant_tolerance)
         if settings.measures is not self._measures:
             self._measures = settings.measures
             self._measured = list[object]()
             tell_measures(options, self._measures, self._measured)
             options.sizes.natural = address(self._measures.natural, self._measured)
-        options.u = options.callbacks.context = None
-        options.callbacks.inputs = _NO_INPUTS
+        if self._asks:
+            options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
+        self._asks = not isinstance(inputs, np.ndarray)
+        options.u = self._u_place
         if isinstance(inputs, TabledInputs):
             inputs.tell(options, self._library, self._kept)
-            options.u = address(inputs.u, self._kept)
+            self._u[:-1] = inputs.u
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, self._library)
             self._called += [inputs.called] if inputs.called is not None else []
         elif callable(inputs):
             asked = CalledInputs(inputs, range(self._layout.size(Group.U)))
-            options.callbacks.inputs = asked.called
+            options.callbacks.inputs, options.u = asked.called, None
             self._called.append(asked)
         else:
-            options.u = address(inputs, self._kept)
+            self._u[:-1] = inputs
+
+    def _tell_times(self, times: Floats) -> None:
+        if len(times) >= len(self._times):
+            self._times = np.zeros(2 * len(times) + 1)
+            self._told.times = place_of(self._times)
+        self._times[: len(times)], self._told.count = times, len(times)
+
+    def _tell_tolerance(self, tolerance: Floats | None) -> None:
+        """That of invariants, with one number more, so that it is not null where there are assertions only."""
+        if tolerance is None:
+            self._told.invariants.tolerance = None
+            return
+        if self._told.invariants.tolerance is None:
+            self._tolerance = np.zeros(len(tolerance) + 1)
+            self._told.invariants.tolerance = place_of(self._tolerance)
+        self._tolerance[:-1] = tolerance
 
     # ---- what it does ------------------------------------------------------------------------------------------------
 
@@ -214,7 +238,7 @@ class Run(RunView):
                 raise called.problem
         if self._model.raised:
             raise self._model.raised.pop(0)
-        return Status(status)
+        return _STATUSES[status]
 
     @property
     def model(self) -> NativeModel:
@@ -227,5 +251,6 @@ class Run(RunView):
         return self._run
 
     def _done(self, status: int) -> Status:
-        self.results.take()
+        if self.results.structure.note:
+            self.results.take()
         return self._checked(status)

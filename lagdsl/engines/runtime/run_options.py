@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.engines.backends.start import Start as StartTold
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.held_inputs import HeldInputs
 from lagdsl.engines.runtime.library import Runtime
@@ -57,9 +58,12 @@ class RunSettings:
 def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) -> RunOptions:
     """lag_run_options without parameters, natural sizes, inputs and results; what they point at is appended to
     `kept`."""
-    options = RunOptions(careful=1)
+    options = RunOptions(careful=1, count=len(settings.times), times=address(settings.times, kept))
     tell_measures(options, settings.measures, kept)
-    tell(options, library, settings, kept)
+    tell(options, library, settings)
+    if settings.invariant_tolerance is not None:
+        # one number more, so that it is not null where there are assertions only
+        options.invariants.tolerance = address([*settings.invariant_tolerance.tolist(), 0.0], kept)
     return options
 
 
@@ -73,35 +77,19 @@ def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -
     options.start = addressof(start[0])
 
 
-def tell(options: RunOptions, library: Runtime, settings: RunSettings, kept: list[object]) -> None:
-    """What a call gives, into `options`."""
+def tell(options: RunOptions, library: Runtime, settings: RunSettings) -> None:
+    """Numbers and the method, into `options`."""
     options.tolerance, options.part, options.h_fixed = settings.tolerance, settings.part, settings.step
-    options.length, options.count, options.times = settings.length, len(settings.times), address(settings.times, kept)
+    options.length = settings.length
     options.method = None if settings.method is None else library.methods[settings.method]
-    options.invariants.tolerance = None
-    if settings.invariant_tolerance is not None:
-        # one number more, so that it is not null where there are assertions only
-        options.invariants.tolerance = address([*settings.invariant_tolerance.tolist(), 0.0], kept)
 
 
 def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> int:
     """Of a copy, or of an array that nobody can write to; it is appended to `kept`."""
-    if (
-        isinstance(values, np.ndarray)
-        and values.dtype == kind
-        and values.flags.c_contiguous
-        and not values.flags.writeable
-    ):
-        own = values
-    else:
-        own = np.array(values, dtype=kind)
+    settled = isinstance(values, np.ndarray) and values.flags.c_contiguous and not values.flags.writeable
+    own: NDArray[Any] = np.asarray(values, dtype=kind) if settled else np.array(values, dtype=kind)
     kept.append(own)
     return place_of(own)
-
-
-def place_of(array: NDArray[Any]) -> int:
-    """Its address: sooner found than by `ctypes.data`."""
-    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 @remembered

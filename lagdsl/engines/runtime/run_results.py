@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.library import Runtime
-from lagdsl.engines.runtime.run_options import place_of
 from lagdsl.engines.runtime.structures import WHAT, Extremes, Note, Results, Status
 
 _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
@@ -35,6 +35,7 @@ class RunResults:
         self._full = _FULL(self._empty)
         self._extremes = Extremes()
         self._extreme_memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
+        self._extreme_place = place_of(self._extreme_memory)
         self._place_extremes()
         self.structure = Results(
             most_rows=_ROWS,
@@ -56,7 +57,7 @@ class RunResults:
         return Status.OK
 
     def _place_extremes(self) -> None:
-        self._library.extremes_place(byref(self._extremes), self._model.model, place_of(self._extreme_memory))
+        self._library.extremes_place(byref(self._extremes), self._model.model, self._extreme_place)
 
     def take(self) -> None:
         """Contents of the buffers."""
@@ -79,6 +80,7 @@ class RunResults:
 
     def rows(self) -> Floats:
         """All rows so far, as lag/run/results.h tells them. Nobody may change them."""
+        self.take()
         if len(self._taken) != 1:
             self._taken = [np.concatenate([self._rows[:0], *self._taken])]
         return self._taken[0]

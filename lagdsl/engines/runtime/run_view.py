@@ -8,9 +8,10 @@ import numpy as np
 
 from lagdsl.derivation.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.library import runtime_library
-from lagdsl.engines.runtime.run_options import Flags, place_of
+from lagdsl.engines.runtime.run_options import Flags
 from lagdsl.engines.runtime.structures import Initial, InitialFault, RunFault, RunOptions, RunReport, Status
 from lagdsl.foundation.record import record
 
@@ -82,6 +83,7 @@ class RunView:
         self.size, self.p = size, p
         self._report = RunReport()
         self._at = np.zeros(size + 1)  # one number more, so that there is a place where there is no state
+        self._at_place = place_of(self._at)
 
     @property
     def report(self) -> RunReport:
@@ -143,4 +145,4 @@ class RunView:
 
     def _state(self, x: Floats) -> int:
         self._at[:-1] = x
-        return place_of(self._at)
+        return self._at_place

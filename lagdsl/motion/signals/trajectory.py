@@ -57,8 +57,8 @@ class Column:
 class Columns(Sequence[Column]):
     """The columns of a table, each made when it is first asked for: short motions are read in part.
 
-    `table` (columns, rows); `ends` (2, columns) are the lowest and highest values, infinite where there was no number;
-    `aliases` are other names by name.
+    `table` (columns, rows), time first; `ends` (2, columns but for time) are the lowest and highest values, infinite
+    where there was no number; `aliases` are other names by name.
     """
 
     __slots__ = ("_aliases", "_ends", "_heads", "_made", "_table")
@@ -87,7 +87,10 @@ class Columns(Sequence[Column]):
 
     def _column(self, place: int) -> Column:
         name, unit, kind, shown = self._heads[place]
-        low, high = self._ends[:, place].tolist()
+        if place:
+            low, high = self._ends[:, place - 1].tolist()
+        else:
+            low, high = (self._table[0, 0], self._table[0, -1]) if self._table.size else (np.nan, np.nan)
         return Column(
             name=name,
             unit=unit,

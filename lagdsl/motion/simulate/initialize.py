@@ -27,15 +27,15 @@ from lagdsl.motion.simulate.placed import placed, start_values
 
 @record(kw_only=True)
 class InitialState:
-    """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
-    rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
-    rows that depend on others near this state; `p` are the independent parameters, those that were found with them."""
+    """x = (q, qd, z), with `count` coordinates, at time t, SI units; `moved` tells which starts were changed, `freedom`
+    counts the rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant`
+    flags the rows that depend on others near this state; `p` are the independent parameters, those that were found
+    with them."""
 
     model: str
     t: float
-    q: Floats
-    qd: Floats
-    z: Floats
+    x: Floats
+    count: int
     p: Floats
     freedom: int
     moved: tuple[MovedRow, ...]
@@ -43,9 +43,19 @@ class InitialState:
     loops: tuple[str, ...] = ()
 
     @property
-    def x(self) -> Floats:
-        """(q, qd, z)."""
-        return np.concatenate([self.q, self.qd, self.z])
+    def q(self) -> Floats:
+        """Coordinates (nq,)."""
+        return self.x[: self.count]
+
+    @property
+    def qd(self) -> Floats:
+        """Rates (nq,)."""
+        return self.x[self.count : 2 * self.count]
+
+    @property
+    def z(self) -> Floats:
+        """States (nz,)."""
+        return self.x[2 * self.count :]
 
     def __str__(self) -> str:
         return moved_text(self.model, self.freedom, self.moved, self.loops)
@@ -71,7 +81,7 @@ def initial_state(
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p
     t = flat.experiment.start_time if t0 is None else t0
     with np.errstate(all="ignore"):
-        inputs = start_values(flat, engine, t, parameters)[1] if u is None else u
+        inputs = start_values(engine, t, parameters)[1] if u is None else u
         run = placed(flat, engine, parameters, inputs, t0=t)
         found = find_start(flat, engine, run, t, inputs, start or {}, own)
         run.leave()
@@ -94,7 +104,7 @@ def find_start(
         if found.moved:
             report_endless(flat, engine.layout, run, t, found, sink)
         report_found(flat, engine.layout, found.p, sink)
-    n, rows = len(flat.coordinates), tuple[MovedRow, ...]()
+    rows = tuple[MovedRow, ...]()
     if not _wrong(sink, before):
         if found.moved:
             rows = _moved(flat, run, t, found, given, sink)
@@ -102,9 +112,8 @@ def find_start(
     return InitialState(
         model=flat.name,
         t=t,
-        q=found.x[:n],
-        qd=found.x[n : 2 * n],
-        z=found.x[2 * n :],
+        x=found.x,
+        count=len(flat.coordinates),
         p=found.p,
         freedom=found.freedom,
         moved=rows,

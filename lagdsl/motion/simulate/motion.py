@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from math import isfinite
 from time import perf_counter
 from typing import NoReturn
 
@@ -131,7 +132,7 @@ class Motion:
     def _check_outputs(self, found: Trajectory) -> Trajectory:
         """E0857 for the first output that is no number, with all rows; a note for each without a limit."""
         asked, count = self._asked, len(self._asked.flat.outputs)
-        if not count or np.isfinite(self._run.results.rows()[:, -3 - count : -3]).all():
+        if not count or isfinite(np.add.reduce(self._run.results.rows()[:, -3 - count : -3], axis=None)):
             return found
         columns = [column.values for column in found.columns if column.kind == "output"]
         states = [column.values for column in found.columns if column.kind in _STATE]

@@ -38,29 +38,23 @@ def placed(
     known; the rest that is left out says the experiment."""
     t = flat.experiment.start_time if t0 is None else t0
     if q is None:
-        q = start_values(flat, engine, t, p)[0]
+        q = start_values(engine, t, p)[0]
     settings = settings_of(
         flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
     )
     return run_of(engine.native, engine.layout, settings, engine.along)
 
 
-def start_values(flat: FlatModel, engine: Engine, t: float, p: Floats) -> tuple[Floats, Floats]:
+def start_values(engine: Engine, t: float, p: Floats) -> tuple[Floats, Floats]:
     """Start values of coordinates (nq,) and defaults of inputs (nu,) for the parameters p at time t. Nobody may change
     them."""
-    known, key = _last_start(flat), (engine.name, t, p.tobytes())
-    for layout, before, found in known[:1]:
-        if before == key and layout is engine.layout:
+    known, key = engine.native.starts, (t, p.tobytes())
+    for before, found in known[:1]:
+        if before == key:
             return found
     q, _, _, u = engine.evaluate("start", t, p)
-    known[:] = [(engine.layout, key, (q, u))]
+    known[:] = [(key, (q, u))]
     return q, u
-
-
-@remembered
-def _last_start(flat: FlatModel) -> list[tuple[Layout, object, tuple[Floats, Floats]]]:
-    """Start values for the last parameters, with these."""
-    return []
 
 
 def settings_of(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from math import floor, isfinite
 
 import numpy as np
 
@@ -74,7 +75,7 @@ def simulate(
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"):
         _check_parameters(flat, engine.layout, parameters, (t0, end), max_steps, own)
-        q, defaults = start_values(flat, engine, t0, parameters)
+        q, defaults = start_values(engine, t0, parameters)
         given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
         controls = None
@@ -83,20 +84,20 @@ def simulate(
             controls = Controls(control, flat, given, commands, (t0, end))
         else:
             report_missing(flat, inputs or {}, own)
-    asked = Asked(
-        flat=flat,
-        engine=engine,
-        p=parameters,
-        q=q,
-        signals=given,
-        start=start or {},
-        tolerance=relative,
-        solver=solver,
-        step=step,
-        max_steps=max_steps,
-        controls=controls,
-    )
-    return _shown(asked, (t0, end), wanted, progress, own)
+        asked = Asked(
+            flat=flat,
+            engine=engine,
+            p=parameters,
+            q=q,
+            signals=given,
+            start=start or {},
+            tolerance=relative,
+            solver=solver,
+            step=step,
+            max_steps=max_steps,
+            controls=controls,
+        )
+        return _shown(asked, (t0, end), wanted, progress, own)
 
 
 def _check_parameters(
@@ -138,7 +139,8 @@ class _Finer:
         """With so many intervals between rows."""
         if intervals not in self._made:
             times = grid(*self._span, (self._span[1] - self._span[0]) / intervals)
-            self._made[intervals] = _motion(self._asked, times, None, Sink(), None)[0]
+            with np.errstate(all="ignore"):
+                self._made[intervals] = _motion(self._asked, times, None, Sink(), None)[0]
         return self._made[intervals]
 
     def __call__(self, smooth: bool) -> Trajectory | None:
@@ -171,25 +173,26 @@ def _motion(
 ) -> tuple[Trajectory, list[float]]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    with np.errstate(all="ignore"):
-        run = placed(
-            flat,
-            engine,
-            asked.p,
-            given.course(t0) if asked.controls is None else given.held(t0),
-            t0=t0,
-            q=asked.q,
-            times=times,
-            tolerance=asked.tolerance,
-            solver=asked.solver,
-            step=asked.step,
-        )
-        initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
-        sink.raise_if_errors()
-        task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
-        found, turns = Motion(task).trajectory(), run.results.turns(run.size)
-        run.leave()
-        return found, turns
+    inputs = given.course(t0) if asked.controls is None else given.held(t0)
+    run = placed(
+        flat,
+        engine,
+        asked.p,
+        inputs,
+        t0=t0,
+        q=asked.q,
+        times=times,
+        tolerance=asked.tolerance,
+        solver=asked.solver,
+        step=asked.step,
+    )
+    u = inputs if isinstance(inputs, np.ndarray) else given.at(t0)
+    initial = find_start(flat, engine, run, t0, u, asked.start, sink)
+    sink.raise_if_errors()
+    task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
+    found, turns = Motion(task).trajectory(), run.results.turns(run.size)
+    run.leave()
+    return found, turns
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:
@@ -197,7 +200,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     step = (stop - t0) / DEFAULT_ROWS if interval is None else interval
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
-    count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
+    count = floor((stop - t0) / step * (1.0 + 1e-12))
     if count == 0:
         return np.array([t0, stop])
     if count == 1 and stop - (t0 + step) <= 1e-9 * step:
@@ -211,7 +214,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
 
 def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:
     """Raise ValueError for options that make no sense."""
-    if not np.isfinite(stop) or not stop > t0:
+    if not isfinite(stop) or not stop > t0:
         raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
     if not 1e-13 <= tolerance <= 0.1:
         raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-import numpy as np
-
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
 from lagdsl.foundation.record import remembered
@@ -27,16 +25,14 @@ def trajectory(
 ) -> Trajectory:
     """All rows so far."""
     places = _columns_of_rows(flat)
-    whole = np.ascontiguousarray(run.results.rows().T)
-    ends = np.full((2, len(whole)), np.nan)
-    if whole.size:
-        ends[:, 0] = whole[0, 0], whole[0, -1]
-    extremes = run.results.extremes()
-    ends[:, 1 : 1 + extremes.shape[1]] = extremes
+    whole = run.results.rows().T.copy()
+    ends = run.results.extremes()
+    if isinstance(places, list):
+        ends = ends[:, [place - 1 for place in places[1:]]]
     energy, position_residual, velocity_residual = whole[-3:]
     return Trajectory(
         model=flat.name,
-        columns=Columns(heads_of(flat), whole[places], ends[:, places], other_names(flat)),
+        columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
         position_residual=position_residual,
         velocity_residual=velocity_residual,
         energy=energy,

@@ -21,6 +21,7 @@ from lagdsl.engines.backends.python.support.values import WITH_ACCELERATIONS, Ca
 from lagdsl.engines.backends.python.support.vectorize import split
 from lagdsl.engines.runtime.engines.benches import Bench
 from lagdsl.engines.runtime.engines.broadcast import Spread, apart, spread
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.cores import PART, share_out
 from lagdsl.engines.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.engines.runtime.engines.memory import Memory
@@ -61,6 +62,7 @@ class CEngine:
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
+        self._solved = [self.layout.size(group) for group in _SOLVED]
         self._memory = Memory()
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
@@ -204,12 +206,12 @@ class CEngine:
         array for qdd."""
         many = self._spread(STATE, state)
         model = self._part("states") if many.count >= self._crowd else self._model
-        shapes = [(*many.leading, size) for size in map(self.layout.size, _SOLVED)]
+        shapes = [(*many.leading, size) for size in self._solved]
         if out is not None:
             require_room(out, shapes[0])
             many = apart(many, out)
         found = [np.empty(shapes[0]) if out is None else out, np.empty(shapes[1])]
-        (qdd, n), (lam, m) = ((block.ctypes.data, 8 * block.shape[-1]) for block in found)
+        (qdd, n), (lam, m) = ((place_of(block), 8 * block.shape[-1]) for block in found)
         forward_dynamics = self._runtime.batch_forward_dynamics
 
         def solve(batch: Batch, first: int, coordinate: c_size_t) -> None:

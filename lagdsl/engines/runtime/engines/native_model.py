@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.structures import VERSION, Model
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
 
@@ -20,7 +21,7 @@ class NativeModel:
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
     live as long; `raised` is where functions of Python leave what they raised. `idle` are runs of it that are over,
-    whose memory the next ones take.
+    whose memory the next ones take; `starts` are start values and default inputs for the last time and parameters.
     """
 
     model: object
@@ -32,6 +33,7 @@ class NativeModel:
     held: object
     raised: list[BaseException] | None = None
     idle: list[object] = field(default_factory=list)
+    starts: list[tuple[tuple[float, bytes], tuple[Floats, Floats]]] = field(default_factory=list)
 
     @property
     def address(self) -> int:

@@ -196,7 +196,7 @@ static void take_products(const lag_rank_estimate *estimate, size_t i, const dou
     lag_fill(i + 1 - reach, 0.0, sums + reach);
     for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row); ++k) {
         const size_t column = (size_t)estimate->column[k];
-        const size_t end = (size_t)estimate->columns.first[column + 1];
+        const size_t end = a[k] != 0.0 ? (size_t)estimate->columns.first[column + 1] : 0; /* most of a dense row is zero */
         for (size_t e = (size_t)estimate->columns.first[column]; e < end && estimate->columns.place[e] <= (double)i; ++e) {
             sums[(size_t)estimate->columns.place[e]] += a[k] * b[(size_t)estimate->columns.entry[e]];
         }

@@ -36,12 +36,20 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
     return lag_evaluate(motion->model, (lag_function)which, &motion->at, results);
 }
 
-size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
+static size_t rank_of(lag_run *run, size_t *general, size_t *weakest)
 {
     *general = *weakest = 0;
     return lag_run_crosses(run->motion.model, &run->options)
         ? lag_singular_rank(&run->ranks.singular, run->stepper.t, run->stepper.x, general, weakest)
         : 0;
+}
+
+size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
+{
+    const size_t rows = *general = lag_run_crosses(run->motion.model, &run->options) ? lag_singular_count(run) : 0;
+    *weakest = 0;
+    const int clear = rows <= run->ranks.estimate.most && lag_singular_margin(&run->ranks.singular, run->stepper.t, run->stepper.x) > LAG_RANK_NEAR;
+    return rows == 0 || clear ? rows : rank_of(run, general, weakest);
 }
 
 /* The place of the largest; what is no number is larger than all others. */
@@ -172,7 +180,7 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         explain_off(run, status == LAG_POSITION_JUMP, fault);
         break;
     case LAG_BRANCH_POINT:
-        (void)lag_run_rank(run, &(size_t){0}, &fault->which);
+        (void)rank_of(run, &(size_t){0}, &fault->which);
         break;
     case LAG_VIOLATED:
         explain_violated(run, fault);

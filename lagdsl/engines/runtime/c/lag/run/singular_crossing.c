@@ -72,6 +72,15 @@ static int is_independent(const lag_run *run, size_t row)
     return !(redundant != NULL && redundant[row]) && run->ranks.lasting[row] != 0.0;
 }
 
+size_t lag_singular_count(const lag_run *run)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < run->motion.model->nc; ++i) {
+        count += (size_t)is_independent(run, i);
+    }
+    return count;
+}
+
 size_t lag_singular_rows(lag_singular *s, double t, const double *x)
 {
     lag_run *run = s->run;
