@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import fields
-from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +14,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _FIELDS = tuple(field.name for field in fields(trajectory.Trajectory))
-_values = attrgetter(*_FIELDS)
 
 
 class Trajectory(trajectory.Trajectory):
@@ -27,7 +25,9 @@ class Trajectory(trajectory.Trajectory):
     @classmethod
     def of(cls, motion: trajectory.Trajectory, page: Callable[[], str] | None = None) -> Trajectory:
         """`page` makes the page of the motion; None where no page can repeat it."""
-        made = cls(**dict(zip(_FIELDS, _values(motion), strict=True)))
+        made = object.__new__(cls)  # a copy, without a look at its values
+        for name in _FIELDS:
+            object.__setattr__(made, name, getattr(motion, name))
         object.__setattr__(made, "_page", page)
         return made
 

@@ -29,13 +29,12 @@ def trajectory(
     ends = run.results.extremes()
     if isinstance(places, list):
         ends = ends[:, [place - 1 for place in places[1:]]]
-    energy, position_residual, velocity_residual = whole[-3:]
     return Trajectory(
         model=flat.name,
         columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
-        position_residual=position_residual,
-        velocity_residual=velocity_residual,
-        energy=energy,
+        position_residual=whole[-2],
+        velocity_residual=whole[-1],
+        energy=whole[-3],
         invariants=_invariants(flat, run) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
@@ -51,12 +50,11 @@ def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str,
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
     """Drift of every invariant."""
-    start, size, drift = run.results.drifts
     tolerance = run.settings.invariant_tolerance
-    limits = [] if tolerance is None else (tolerance * size).tolist()
+    limits = [] if tolerance is None else tolerance.tolist()
     return tuple(
-        InvariantRecord(name=i.name, start=at_start, drift=largest, limit=limit)
-        for i, at_start, largest, limit in zip(flat.invariants, start.tolist(), drift.tolist(), limits, strict=True)
+        InvariantRecord(name=i.name, start=start, drift=drift, limit=limit * size)
+        for i, start, size, drift, limit in zip(flat.invariants, *run.results.drifts.tolist(), limits, strict=True)
     )
 
 
