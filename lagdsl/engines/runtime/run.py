@@ -11,19 +11,15 @@ import numpy as np
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
-from lagdsl.engines.runtime.called_along import CalledAlong
-from lagdsl.engines.runtime.called_inputs import INPUTS, CalledInputs
 from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.run_options import Measures, RunSettings, address, tell, tell_measures
+from lagdsl.engines.runtime.run_options import RunSettings, ToldOptions
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
-from lagdsl.engines.runtime.signal_tables import TabledInputs
-from lagdsl.engines.runtime.structures import Initial, RunOptions, Status
+from lagdsl.engines.runtime.structures import Initial, Status
 
-_NO_INPUTS = INPUTS()
 _STATUSES = tuple(Status)  # in their order, from 0 on: found faster than by `Status(...)`
 # Bytes of a run that is kept for the next one; memory as large as this is made as fast as it is used.
 _LARGEST = 1 << 23
@@ -87,92 +83,44 @@ class Run(RunView):
         self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
     ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
-        self._model, self._along = model, CalledAlong(along)
-        self._search = _Search(self.size, layout)
+        self._model, self._search = model, _Search(self.size, layout)
         self.results = RunResults(self._library, model, layout)
-        self._told = options = RunOptions(careful=1, results=addressof(self.results.structure))
-        options.callbacks.along = self._along.called
-        options.sizes.row_sizes = self._search.row_sizes
+        self._told = ToldOptions(layout, along)
+        options = self._told.structure
+        options.results, options.sizes.row_sizes = addressof(self.results.structure), self._search.row_sizes
         for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
             setattr(options.invariants, name, place_of(values))
-        self._p, self._u = np.zeros(layout.size(Group.P) + 1), np.zeros(layout.size(Group.U) + 1)
-        options.p, self._u_place, self._asks = place_of(self._p), place_of(self._u), False
-        self._times = self._tolerance = np.zeros(0)
-        self._measures: Measures | None = None
-        self._take_settings(settings)
+        self._told.take(settings)
         options.zeroed = 1
         self._sized = model.model
-        self._size = size = int(self._library.run_size(model.model, byref(options)))
-        self._block = _zeros(size)
+        self._block = _zeros(int(self._library.run_size(model.model, byref(options))))
         self._run = self._library.run_place(place_of(self._block), model.model, byref(options))
+
+    @property
+    def settings(self) -> RunSettings:
+        """Those that it was made with."""
+        return self._told.settings
 
     def renew(self, settings: RunSettings | None = None) -> bool:
         """Lets it be a run that has not begun, with these settings or the same; False if the model that it goes on with
         now does not fit into its memory."""
         if settings is not None:
-            self._take_settings(settings)
-        options, model = byref(self._told), self._model.model
-        self._told.zeroed = 0
-        if model is not self._sized and self._library.run_size(model, options) > self._size:
+            self._told.take(settings)
+        options, model = self._told.structure, self._model.model
+        options.zeroed = 0
+        if model is not self._sized and self._library.run_size(model, byref(options)) > self._block.nbytes:
             return False
         self._sized = model
-        self._library.run_place(self._run, model, options)
+        self._library.run_place(self._run, model, byref(options))
         self.p = self.settings.p
         self.results.forget()
         return True
 
     def leave(self) -> None:
         """It is over, and nobody asks it any more: the next run of the model may have its memory."""
-        del self.settings, self._kept, self._called  # what others gave need not live any longer
-        if self._size <= _LARGEST:
+        self._told.forget()
+        if self._block.nbytes <= _LARGEST:
             self._model.idle.append(self)
-
-    def _take_settings(self, settings: RunSettings) -> None:
-        self.settings = settings
-        self._kept: list[object] = []  # what C has the address of
-        self._called: list[CalledInputs | CalledAlong] = [self._along]  # what C calls
-        options, inputs = self._told, settings.inputs
-        tell(options, self._library, settings)
-        self._p[:-1] = settings.p
-        self._tell_times(settings.times)
-        self._tell_tolerance(settings.invariant_tolerance)
-        if settings.measures is not self._measures:
-            self._measures = settings.measures
-            self._measured = list[object]()
-            tell_measures(options, self._measures, self._measured)
-            options.sizes.natural = address(self._measures.natural, self._measured)
-        if self._asks:
-            options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
-        self._asks = not isinstance(inputs, np.ndarray)
-        options.u = self._u_place
-        if isinstance(inputs, TabledInputs):
-            inputs.tell(options, self._library, self._kept)
-            self._u[:-1] = inputs.u
-        elif isinstance(inputs, HeldInputs):
-            inputs.tell(options, self._library)
-            self._called += [inputs.called] if inputs.called is not None else []
-        elif callable(inputs):
-            asked = CalledInputs(inputs, range(self._layout.size(Group.U)))
-            options.callbacks.inputs, options.u = asked.called, None
-            self._called.append(asked)
-        else:
-            self._u[:-1] = inputs
-
-    def _tell_times(self, times: Floats) -> None:
-        if len(times) >= len(self._times):
-            self._times = np.zeros(2 * len(times) + 1)
-            self._told.times = place_of(self._times)
-        self._times[: len(times)], self._told.count = times, len(times)
-
-    def _tell_tolerance(self, tolerance: Floats | None) -> None:
-        """That of invariants, with one number more, so that it is not null where there are assertions only."""
-        if tolerance is None:
-            self._told.invariants.tolerance = None
-            return
-        if self._told.invariants.tolerance is None:
-            self._tolerance = np.zeros(len(tolerance) + 1)
-            self._told.invariants.tolerance = place_of(self._tolerance)
-        self._tolerance[:-1] = tolerance
 
     # ---- what it does ------------------------------------------------------------------------------------------------
 
@@ -211,21 +159,21 @@ class Run(RunView):
     def change(self, model: NativeModel) -> None:
         """The functions of `model`, another filling of the same equations, from now on."""
         buffers = Buffers(model)
-        self._kept.append(buffers)
+        self._told.kept.append(buffers)
         status = self._library.run_change(self._run, model.model, buffers.workspace.ctypes.data)
         assert status == Status.OK, "internal error: the compiled model is another one than the tape"
         self._model = model
 
     def saved(self) -> bytes:
         """The state of the run, as lag/serialization.h has it."""
-        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        size = self._library.run_saved_size(self._model.model, byref(self._told.structure))
         buffer = create_string_buffer(size)
         self._library.run_save(self._run, buffer)
         return buffer.raw
 
     def load(self, saved: bytes) -> Status:
         """Takes the state of a run with the same settings; BAD_STATE_DATA: these bytes are none, nothing changes."""
-        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        size = self._library.run_saved_size(self._model.model, byref(self._told.structure))
         return Status(self._library.run_load(self._run, saved)) if len(saved) == size else Status.BAD_STATE_DATA
 
     def end(self) -> Status:
@@ -233,7 +181,7 @@ class Run(RunView):
         return self._done(self._library.run_end(self._run))
 
     def _checked(self, status: int) -> Status:
-        for called in self._called:
+        for called in self._told.called:
             if called.problem is not None:
                 raise called.problem
         if self._model.raised:

@@ -9,17 +9,25 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.backends.start import Start as StartTold
+from lagdsl.engines.runtime.called_along import CalledAlong
+from lagdsl.engines.runtime.called_inputs import INPUTS, CalledInputs
 from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
+from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.library import Runtime
+from lagdsl.engines.runtime.library import Runtime, runtime_library
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.engines.runtime.structures import RunOptions, Start
 from lagdsl.foundation.record import record, remembered
 
 Flags = NDArray[np.bool_]
 RunInputs: TypeAlias = "Floats | TabledInputs | HeldInputs | Callable[[float, bool], Floats]"
+
+
+_NO_INPUTS = INPUTS()
 
 
 @record(kw_only=True)
@@ -65,6 +73,72 @@ def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) 
         # one number more, so that it is not null where there are assertions only
         options.invariants.tolerance = address([*settings.invariant_tolerance.tolist(), 0.0], kept)
     return options
+
+
+class ToldOptions:
+    """Options of a run as C reads them, in memory of their own: the settings of the next run take their place."""
+
+    def __init__(self, layout: Layout, along: Callable[[], NativeModel | None]) -> None:
+        """`along` makes the functions of several directions of derivatives."""
+        self._along = CalledAlong(along)
+        self._p, self._u = (np.zeros(layout.size(group) + 1) for group in (Group.P, Group.U))
+        self._times = self._tolerance = np.zeros(0)
+        self._measures: tuple[Measures, list[object]] | None = None
+        self.structure = RunOptions(careful=1, p=place_of(self._p))
+        self.structure.callbacks.along = self._along.called
+
+    def take(self, settings: RunSettings) -> None:
+        """These from now on."""
+        self.settings, self.kept = settings, list[object]()  # what C has the address of
+        self.called: list[CalledInputs | CalledAlong] = [self._along]  # what C calls
+        options = self.structure
+        tell(options, runtime_library(), settings)
+        self._p[:-1] = settings.p
+        self._take_times(settings.times)
+        self._take_tolerance(settings.invariant_tolerance)
+        self._take_inputs(settings.inputs)
+        if self._measures is None or self._measures[0] is not settings.measures:
+            self._measures = settings.measures, list[object]()
+            tell_measures(options, *self._measures)
+            options.sizes.natural = address(settings.measures.natural, self._measures[1])
+
+    def forget(self) -> None:
+        """What others gave need not live any longer."""
+        del self.settings, self.kept, self.called
+
+    def _take_inputs(self, inputs: RunInputs) -> None:
+        options = self.structure
+        options.u = place_of(self._u)
+        if options.callbacks.inputs:
+            options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
+        if isinstance(inputs, TabledInputs):
+            inputs.tell(options, runtime_library(), self.kept)
+            self._u[:-1] = inputs.u
+        elif isinstance(inputs, HeldInputs):
+            inputs.tell(options, runtime_library())
+            self.called += [inputs.called] if inputs.called is not None else []
+        elif callable(inputs):
+            asked = CalledInputs(inputs, range(len(self._u) - 1))
+            options.callbacks.inputs, options.u = asked.called, None
+            self.called.append(asked)
+        else:
+            self._u[:-1] = inputs
+
+    def _take_times(self, times: Floats) -> None:
+        if len(times) >= len(self._times):
+            self._times = np.zeros(2 * len(times) + 1)
+            self.structure.times = place_of(self._times)
+        self._times[: len(times)], self.structure.count = times, len(times)
+
+    def _take_tolerance(self, tolerance: Floats | None) -> None:
+        """That of invariants, with one number more, so that it is not null where there are assertions only."""
+        self.structure.invariants.tolerance = None
+        if tolerance is None:
+            return
+        if len(self._tolerance) != len(tolerance) + 1:
+            self._tolerance = np.zeros(len(tolerance) + 1)
+        self._tolerance[:-1] = tolerance
+        self.structure.invariants.tolerance = place_of(self._tolerance)
 
 
 def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ctypes import addressof, byref
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,22 @@ _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
 _ROWS, _NOTES = 256, 1024
 
 
+class _Ends:
+    """Extremes of a run as C keeps them, lag_extremes, in `memory`."""
+
+    def __init__(self, library: Runtime, model: NativeModel) -> None:
+        self.told = Extremes()
+        self.memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
+        self._model = model  # lives as long
+        self._place = partial(library.extremes_place, byref(self.told), model.model, place_of(self.memory))
+        self._place()
+
+    def forget(self) -> None:
+        """Everything so far."""
+        self.memory[:] = 0.0
+        self._place()
+
+
 class RunResults:
     """`structure` is their form in C, lag_results; `drifts` (3, ni) the start, the size and the largest drift of every
     invariant. `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or
@@ -28,22 +45,18 @@ class RunResults:
         self.notes: list[tuple[float, str, int]] = []
         self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
-        self._library, self._model = library, model
         self._taken: list[Floats] = []
         self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
         self._notes = (Note * _NOTES)()
         self._full = _FULL(self._empty)
-        self._extremes = Extremes()
-        self._extreme_memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
-        self._extreme_place = place_of(self._extreme_memory)
-        self._place_extremes()
+        self._ends = _Ends(library, model)
         self.structure = Results(
             most_rows=_ROWS,
             most_notes=_NOTES,
-            rows=self._rows.ctypes.data,
+            rows=place_of(self._rows),
             notes=addressof(self._notes),
             full=self._full,
-            extremes=addressof(self._extremes),
+            extremes=addressof(self._ends.told),
         )
 
     @property
@@ -55,9 +68,6 @@ class RunResults:
         """Called from C, where nothing may be raised."""
         self.take()
         return Status.OK
-
-    def _place_extremes(self) -> None:
-        self._library.extremes_place(byref(self._extremes), self._model.model, self._extreme_place)
 
     def take(self) -> None:
         """Contents of the buffers."""
@@ -75,8 +85,7 @@ class RunResults:
         structure.row = structure.note = structure.any = 0
         structure.last = structure.after = 0.0
         self.drifts[:] = 0.0
-        self._extreme_memory[:] = 0.0
-        self._place_extremes()
+        self._ends.forget()
 
     def rows(self) -> Floats:
         """All rows so far, as lag/run/results.h tells them. Nobody may change them."""
@@ -88,11 +97,11 @@ class RunResults:
     def extremes(self) -> Floats:
         """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so
         far; infinite where there was no number."""
-        count = self._extremes.count
-        return self._extreme_memory[: 2 * count].reshape(2, count).copy()
+        count = self._ends.told.count
+        return self._ends.memory[: 2 * count].reshape(2, count).copy()
 
     def turns(self, size: int) -> list[float]:
         """Number of reversals of every number of a state of this size."""
-        first = 2 * self._extremes.count
-        found: list[float] = self._extreme_memory[first : first + size].tolist()
+        first = 2 * self._ends.told.count
+        found: list[float] = self._ends.memory[first : first + size].tolist()
         return found

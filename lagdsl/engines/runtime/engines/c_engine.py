@@ -62,7 +62,6 @@ class CEngine:
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
-        self._solved = [self.layout.size(group) for group in _SOLVED]
         self._memory = Memory()
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._use(self._provide() if library is None else opened(library, program))
@@ -206,7 +205,7 @@ class CEngine:
         array for qdd."""
         many = self._spread(STATE, state)
         model = self._part("states") if many.count >= self._crowd else self._model
-        shapes = [(*many.leading, size) for size in self._solved]
+        shapes = [(*many.leading, size) for size in map(self.layout.size, _SOLVED)]
         if out is not None:
             require_room(out, shapes[0])
             many = apart(many, out)

@@ -157,7 +157,7 @@ void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model
     estimate->columns.first = lag_take(&memory, n + 1);
     estimate->columns.place = lag_take(&memory, lag_entries_count(model));
     estimate->columns.entry = lag_take(&memory, lag_entries_count(model));
-    estimate->products = lag_take(&memory, 4 * m);
+    estimate->columns.products = lag_take(&memory, 4 * m);
     double *low = lag_take(&memory, n);
     estimate->band = memory;
     if (m > 0) {
@@ -244,7 +244,7 @@ static double least_pivot(lag_rank_estimate *estimate, size_t spare)
 static void multiply(const lag_rank_estimate *estimate, const double *a, const double *b, double part)
 {
     const size_t m = estimate->m;
-    double *sums = estimate->products, *others = sums + m, *of_b = others + m, *counted = of_b + m;
+    double *sums = estimate->columns.products, *others = sums + m, *of_b = others + m, *counted = of_b + m;
     for (size_t i = 0; i < m; ++i) {
         const size_t reach = (size_t)estimate->reach[i];
         double *line = estimate->band + (size_t)estimate->start[i];

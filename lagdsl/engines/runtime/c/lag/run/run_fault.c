@@ -46,7 +46,11 @@ static size_t rank_of(lag_run *run, size_t *general, size_t *weakest)
 
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
 {
-    const size_t rows = *general = lag_run_crosses(run->motion.model, &run->options) ? lag_singular_count(run) : 0;
+    size_t rows = 0;
+    for (size_t i = 0; i < run->motion.model->nc && lag_run_crosses(run->motion.model, &run->options); ++i) {
+        rows += (size_t)lag_run_row_counts(run, i);
+    }
+    *general = rows;
     *weakest = 0;
     const int clear = rows <= run->ranks.estimate.most && lag_singular_margin(&run->ranks.singular, run->stepper.t, run->stepper.x) > LAG_RANK_NEAR;
     return rows == 0 || clear ? rows : rank_of(run, general, weakest);
