@@ -98,7 +98,7 @@ class Run(RunView):
 
     @property
     def settings(self) -> RunSettings:
-        """Those that it was made with."""
+        """The settings that it was made with."""
         return self._told.settings
 
     def renew(self, settings: RunSettings | None = None) -> bool:

@@ -103,7 +103,7 @@ class ToldOptions:
             options.sizes.natural = address(settings.measures.natural, self._measures[1])
 
     def forget(self) -> None:
-        """What others gave need not live any longer."""
+        """Arrays and functions of others need not live any longer."""
         del self.settings, self.kept, self.called
 
     def _take_inputs(self, inputs: RunInputs) -> None:

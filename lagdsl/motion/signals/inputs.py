@@ -147,7 +147,7 @@ def _unstated(flat: FlatModel) -> list[Input]:
 
 @remembered
 def _nothing_given(flat: FlatModel) -> tuple[Diagnostic, ...]:
-    """What is said where no input is given."""
+    """The note where no input is given."""
     sink = Sink()
     _report_missing(_unstated(flat), (), sink)
     return sink.diagnostics

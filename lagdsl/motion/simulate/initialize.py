@@ -125,7 +125,7 @@ def find_start(
 def _moved(
     flat: FlatModel, run: Run, t: float, found: Found, given: Mapping[int, float], sink: Sink
 ) -> tuple[MovedRow, ...]:
-    """What was moved. It is reported unless initial equations say themselves that starts are to be moved."""
+    """Everything that was moved. It is reported unless initial equations say themselves that starts are to be moved."""
     before, starts = len(sink.diagnostics), _starts(flat, run, found, given)
     rows = moved_rows(starts, found.x, partial(_outputs, flat, run, t, found))
     if not flat.initial_equations:
