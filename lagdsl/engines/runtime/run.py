@@ -33,7 +33,7 @@ def run_of(model: NativeModel, layout: Layout, settings: RunSettings, along: Cal
     except IndexError:
         return Run(model, layout, settings, along)
     assert isinstance(run, Run), "runs alone are left idle"
-    return run if run.model is model and run.renew(settings) else Run(model, layout, settings, along)
+    return run if run.renew(settings, along) else Run(model, layout, settings, along)
 
 
 def _zeros(size: int) -> Floats:
@@ -101,11 +101,12 @@ class Run(RunView):
         """The settings that it was made with."""
         return self._told.settings
 
-    def renew(self, settings: RunSettings | None = None) -> bool:
-        """Lets it be a run that has not begun, with these settings or the same; False if the model that it goes on with
-        now does not fit into its memory."""
+    def renew(self, settings: RunSettings | None = None, along: Callable[[], NativeModel | None] | None = None) -> bool:
+        """Lets it be a run that has not begun, with these settings and directions or the same; False if the model that
+        it goes on with now does not fit into its memory."""
         if settings is not None:
             self._told.take(settings)
+        self._told.along.make = along or self._told.along.make
         options, model = self._told.structure, self._model.model
         options.zeroed = 0
         if model is not self._sized and self._library.run_size(model, byref(options)) > self._block.nbytes:

@@ -30,6 +30,10 @@ RunInputs: TypeAlias = "Floats | TabledInputs | HeldInputs | Callable[[float, bo
 _NO_INPUTS = INPUTS()
 
 
+def _no_directions() -> None:
+    """For a run that nobody moves."""
+
+
 @record(kw_only=True)
 class Measures:
     """Settings that follow from the model, its start values and their time; nobody can write to the arrays. `group`,
@@ -80,17 +84,17 @@ class ToldOptions:
 
     def __init__(self, layout: Layout, along: Callable[[], NativeModel | None]) -> None:
         """`along` makes the functions of several directions of derivatives."""
-        self._along = CalledAlong(along)
+        self.along = CalledAlong(along)
         self._p, self._u = (np.zeros(layout.size(group) + 1) for group in (Group.P, Group.U))
         self._times = self._tolerance = np.zeros(0)
         self._measures: tuple[Measures, list[object]] | None = None
         self.structure = RunOptions(careful=1, p=place_of(self._p))
-        self.structure.callbacks.along = self._along.called
+        self.structure.callbacks.along = self.along.called
 
     def take(self, settings: RunSettings) -> None:
         """These from now on."""
         self.settings, self.kept = settings, list[object]()  # what C has the address of
-        self.called: list[CalledInputs | CalledAlong] = [self._along]  # what C calls
+        self.called: list[CalledInputs | CalledAlong] = [self.along]  # what C calls
         options = self.structure
         tell(options, runtime_library(), settings)
         self._p[:-1] = settings.p
@@ -103,7 +107,8 @@ class ToldOptions:
             options.sizes.natural = address(settings.measures.natural, self._measures[1])
 
     def forget(self) -> None:
-        """Arrays and functions of others need not live any longer."""
+        """Arrays and functions of others, and the engine, need not live any longer."""
+        self.along.make = _no_directions
         del self.settings, self.kept, self.called
 
     def _take_inputs(self, inputs: RunInputs) -> None:
