@@ -20,9 +20,13 @@ def place_of(array: NDArray[Any]) -> int:
     """Its address. The buffer protocol tells it in a quarter of the time that NumPy takes, but not of an array without
     entries, nor of one that nobody may write to."""
     try:
-        return addressof(_byte_of(array))
+        return addressof(_byte_of(array)) if array.size else _told_place(array)
     except (TypeError, ValueError):
-        return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
+        return _told_place(array)
+
+
+def _told_place(array: NDArray[Any]) -> int:
+    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 def aligned(count: int) -> Floats:
