@@ -1,5 +1,5 @@
 /*
- * Tests events/zero_crossing.c: each guard is positive while its mode lasts, and has left below its dead band, or below where it began if that was
+ * Tests events/guards.c: each guard is positive while its mode lasts, and has left below its dead band, or below where it began if that was
  * below zero. Relations come first, then contacts, then friction.
  */
 #include <float.h>
@@ -27,7 +27,7 @@ static lag_run *begin(lag_model *model, double q0, double q1)
 static lag_status look(lag_run *run, double q0, double q1)
 {
     const double x[6] = {q0, q1};
-    return lag_zero_crossing_detect(&run->crossings, 0.0, x);
+    return lag_guards_detect(&run->guards, 0.0, x);
 }
 
 /* A relation in the sense of its truth, a gap or a force, a reserve of 3 - 1. */
@@ -35,8 +35,8 @@ static void guards_are_positive_while_their_mode_lasts(void)
 {
     lag_model model;
     lag_run *run = begin(&model, 5.0, 0.5);
-    const double *value = run->crossings.value;
-    CHECK(lag_guards(&model) == 3 && lag_zero_crossing_count(&run->crossings) == 3);
+    const double *value = run->guards.value;
+    CHECK(lag_guard_count(&model) == 3 && lag_guards_count(&run->guards) == 3);
     CHECK(look(run, 5.0, 0.5) == LAG_OK);
     CHECK_NEAR(value[0], 2.0, 1e-15);
     CHECK_NEAR(value[1], 0.5, 1e-15);
@@ -44,8 +44,8 @@ static void guards_are_positive_while_their_mode_lasts(void)
     free(run);
     run = begin(&model, 1.0, 0.0); /* a relation that does not hold; a contact that carries 7 N */
     CHECK(look(run, 1.0, 0.0) == LAG_OK);
-    CHECK_NEAR(run->crossings.value[0], 2.0, 1e-15);
-    CHECK_NEAR(run->crossings.value[1], 7.0, 1e-13);
+    CHECK_NEAR(run->guards.value[0], 2.0, 1e-15);
+    CHECK_NEAR(run->guards.value[1], 7.0, 1e-13);
     free(run);
 }
 
@@ -53,7 +53,7 @@ static void a_guard_has_left_below_zero_and_no_other_with_it(void)
 {
     lag_model model;
     lag_run *run = begin(&model, 5.0, 0.5);
-    const double *changed = run->crossings.changed;
+    const double *changed = run->guards.changed;
     CHECK(look(run, 2.999, 0.5) == LAG_EVENT_PENDING && changed[0] == 1.0 && changed[1] == 0.0 && changed[2] == 0.0);
     CHECK(look(run, 5.0, -0.001) == LAG_EVENT_PENDING && changed[0] == 0.0 && changed[1] == 1.0 && changed[2] == 0.0);
     CHECK(look(run, 3.001, 0.001) == LAG_OK && changed[0] == 0.0 && changed[1] == 0.0);
@@ -78,11 +78,11 @@ static void one_that_begins_below_zero_leaves_below_its_beginning(void)
     lag_model model;
     const double x[6] = {2.999, 0.5};
     lag_run *run = begin(&model, 5.0, 0.5);
-    CHECK(lag_zero_crossing_begin(&run->crossings, 0.0, x) == LAG_OK);
-    CHECK_NEAR(run->crossings.depth[0], 1e-3, 1e-15);
+    CHECK(lag_guards_begin(&run->guards, 0.0, x) == LAG_OK);
+    CHECK_NEAR(run->guards.depth[0], 1e-3, 1e-15);
     CHECK(look(run, 2.999, 0.5) == LAG_OK);
     CHECK(look(run, 2.9995, 0.5) == LAG_OK);
-    CHECK(look(run, 2.9985, 0.5) == LAG_EVENT_PENDING && run->crossings.changed[0] == 1.0);
+    CHECK(look(run, 2.9985, 0.5) == LAG_EVENT_PENDING && run->guards.changed[0] == 1.0);
     free(run);
 }
 

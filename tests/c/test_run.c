@@ -155,7 +155,7 @@ static void constraints_hold(const lag_method *method)
         CHECK(circle_gap(x) < 1e-11);
         CHECK_NEAR(0.5 * (x[2] * x[2] + x[3] * x[3]) + 10.0 * (x[1] - rows[1]), 0.0, 2e-7);
     }
-    CHECK(run->watch.drift[0] < 2e-7);
+    CHECK(run->conditions.drift[0] < 2e-7);
     free(run);
 }
 

@@ -1,5 +1,5 @@
 /*
- * Tests events/event_relations.c: a relation lies on the side of its value; at its border on that of its rate, else of its acceleration; one that
+ * Tests events/event_sides.c: a relation lies on the side of its value; at its border on that of its rate, else of its acceleration; one that
  * shows neither keeps its truth; one that a clause puts on its border has the truth of a zero.
  */
 #include "law.h"

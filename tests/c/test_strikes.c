@@ -1,5 +1,5 @@
 /*
- * Tests contacts/contact_strike.c (impacts until nothing closes any more: who takes part in a blow), contacts/contact.c (which contacts touch, and what
+ * Tests contacts/contact_impacts.c (impacts until nothing closes any more: who takes part in a blow), contacts/contact.c (which contacts touch, and what
  * does not get into each other) and contacts/contact_scale.c (each contact is judged by the numbers that enter its own gap).
  */
 #include <float.h>

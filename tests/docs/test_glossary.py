@@ -38,7 +38,7 @@ BANNED = {
     "passes": "event_iteration",
     "happening": "event",
     "happenings": "events",
-    "alert": "zero_crossing",
+    "alert": "guard",
     "beginning": "initialization",
     "saving": "serialization",
     "snapshots": "fmu_state",

@@ -91,7 +91,7 @@ GIVEN = [
     ),
     Situation(
         "a latch is set at its own zero",
-        "events/event_relations.c",
+        "events/event_sides.c",
         mass("der(start = 1)") + "discrete Boolean locked(start = false); discrete Integer n(start = 0); "
         "constraint latch: (if locked then x - 2 else 0) = 0;",
         5.0,
@@ -109,7 +109,7 @@ GIVEN = [
     ),
     Situation(
         "a rope becomes taut while a stop is hit",
-        "contacts/contact_strike.c",
+        "contacts/contact_impacts.c",
         ROPE,
         2.0,
         ((1.0, "stop", "impact"), (1.0, "rope", "impact"), (1.0, "rope", "closed")),
@@ -174,7 +174,7 @@ CHOSEN = [
     ),
     Situation(
         "Newton's cradle: two balls strike three",
-        "contacts/contact_strike.c",
+        "contacts/contact_impacts.c",
         CRADLE,
         2.0,
         (*((1.0, f"c[{i}]", "impact") for i in range(1, 5)), (1.0, "c[2]", "closed"), (1.0, "c[3]", "opened")),
@@ -198,7 +198,7 @@ CHOSEN = [
     ),
     Situation(
         "an impact turns a condition on a rate",
-        "events/event_relations.c",
+        "events/event_sides.c",
         FALLS + "coordinate Real h(start = 0.8); mass 1 at {0, h}; contact floor: h >= 0 with restitution = 0.5; "
         "discrete Integer n(start = 0);",
         0.7,
@@ -225,7 +225,7 @@ CHOSEN = [
     ),
     Situation(
         "bounces accumulate, then the block sticks",
-        "contacts/contact_strike.c",
+        "contacts/contact_impacts.c",
         FALLS + "coordinate Real x(der(start = 2)), h(start = 0.05); mass 1 at {x, h}; "
         "contact floor: h >= 0 with restitution = 0.5, friction = 0.5, slip = der(x);",
         1.0,

@@ -14,7 +14,7 @@
 #define LAG_RUN_H
 
 #include "lag/methods/accuracy.h"
-#include "lag/events/zero_crossing.h"
+#include "lag/events/guards.h"
 #include "lag/events/clock.h"
 #include "lag/run/extremes.h"
 #include "lag/events/instant.h"
@@ -26,7 +26,7 @@
 #include "lag/run/turns.h"
 #include "lag/stepper.h"
 #include "lag/methods/stiffness.h"
-#include "lag/run/watch.h"
+#include "lag/run/conditions.h"
 
 typedef struct lag_run lag_run;
 struct lag_initial;
@@ -157,8 +157,8 @@ struct lag_run {
     lag_accuracy accuracy;
     lag_run_sizes sizes;
     lag_run_ranks ranks;
-    lag_watch watch;
-    lag_zero_crossing crossings;
+    lag_conditions conditions;
+    lag_guards guards;
     lag_instants instants;
     lag_methods methods;
     lag_clock pace;   /* the ends of steps of fixed length, counted: nothing adds up */
@@ -322,7 +322,7 @@ int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 /* Records the rows before time t, or up to it, from the last step. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
 /*
- * LAG_EVENT_PENDING: something happens within the last step, first at *t; run->crossings.changed marks it
+ * LAG_EVENT_PENDING: something happens within the last step, first at *t; run->guards.changed marks it
  * (see lag/run/scan.h).
  */
 lag_status lag_run_happening(lag_run *run, double *t);

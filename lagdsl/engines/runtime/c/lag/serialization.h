@@ -7,8 +7,8 @@
  * Options, parameters behind them and what callbacks point to belong to the caller, who saves them beside it if they change. Parameters that
  * come back after lag_run_load() are to be prepared then (lag_motion_parameters).
  */
-#ifndef LAG_SAVING_H
-#define LAG_SAVING_H
+#ifndef LAG_SERIALIZATION_H
+#define LAG_SERIALIZATION_H
 
 #include "lag/run.h"
 

@@ -20,7 +20,7 @@ typedef struct lag_contact_sizes {
     double *force;           /* (ncontact) the largest that each had to carry, about */
 } lag_contact_sizes;
 
-/* Blows of one instant, and what they leave (contact_strike.c, accumulation.c). */
+/* Blows of one instant, and what they leave (contact_impacts.c, accumulation.c). */
 typedef struct lag_blows {
     lag_inequalities rows;   /* of one of them, */
     double *part;            /* (ngap) the contacts, or collisions behind them, of its normals, */

@@ -40,7 +40,7 @@ typedef struct lag_instant {
     int acted;             /* rates or states jumped: by resets, impacts, steps of energy */
 } lag_instant;
 
-/* Sides of relations just behind it (event_relations.c), (nindicator) each. */
+/* Sides of relations just behind it (event_sides.c), (nindicator) each. */
 typedef struct lag_sides {
     double *now, *before;  /* their values now, and before the instant */
     double *side;          /* 1 or -1; 0: they do not show it */

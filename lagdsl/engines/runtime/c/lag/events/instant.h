@@ -1,6 +1,6 @@
 /*
  * Events of one run of a model with discretes: the start and the end, ticks of its clocks, changes of relations and
- * contacts. lag/events/zero_crossing.h detects these changes.
+ * contacts. lag/events/guards.h detects these changes.
  */
 #ifndef LAG_INSTANT_H
 #define LAG_INSTANT_H

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 

@@ -10,7 +10,7 @@ size_t lag_initialization_all_memory(const lag_model *model)
 {
     const size_t all = lag_motion_size(model) + model->np;
     const size_t rows = 2 * model->nc + model->ne;
-    const size_t search = LAG_NEAREST_OTHERS * all + lag_nearest_configuration_memory(rows, all);
+    const size_t search = LAG_NEAREST_GUESSES * all + lag_nearest_configuration_memory(rows, all);
     const size_t ranks = rows * all + all + lag_svd_memory(rows, all);
     const size_t in_turn = lag_larger(lag_parts_memory(rows, all) + 5 * (rows + all) + lag_larger(search, lag_larger(ranks, lag_levenberg_marquardt_memory(rows, all))),
         lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model)));

@@ -2,7 +2,7 @@
 #ifndef LAG_INITIAL_EQUATIONS_ROWS_H
 #define LAG_INITIAL_EQUATIONS_ROWS_H
 
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 
 /*
  * Unknowns are numbered as in (q, qd, z), then come the free parameters; rows are those of position level, then all constraints as rates

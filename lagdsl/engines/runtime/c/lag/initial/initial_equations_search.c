@@ -134,12 +134,12 @@ double lag_joint_search(const lag_joint_parts *t, lag_joint *joint)
         return smallest;
     }
     unsigned long long seed = 20011;
-    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * joint->count);
-    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
-        draw(joint, &seed, k, t->point, others + k * joint->count);
+    double *guesses = lag_take(&memory, LAG_NEAREST_GUESSES * joint->count);
+    for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
+        draw(joint, &seed, k, t->point, guesses + k * joint->count);
     }
     lag_nearest_configuration_place(&nearest, joint->rows, joint->count, memory);
-    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, others, LAG_HOLDS);
+    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, guesses, LAG_HOLDS);
     if (worst <= LAG_HOLDS) {
         memcpy(t->best, nearest.best.point, joint->count * sizeof(double));
     }

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
@@ -25,7 +25,7 @@ size_t lag_initialization_q_memory(const lag_model *model)
 {
     const size_t m = lag_initialization_rows(model);
     const size_t n = model->nq;
-    return 2 * n + m + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
+    return 2 * n + m + m * n + n + LAG_NEAREST_GUESSES * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
 /* True if initial equations determine coordinates of a row. */
@@ -172,19 +172,19 @@ static double search(positions *p, double *point, double *memory)
     lag_initialization *b = p->b;
     lag_nearest_configuration nearest;
     double *pattern = lag_take(&memory, b->rows * p->count);
-    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p->count);
+    double *guesses = lag_take(&memory, LAG_NEAREST_GUESSES * p->count);
     unsigned long long seed = 20011;
-    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
+    for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
         lag_initialization_point(b, &seed, k, b->starts.x, point);
         for (size_t i = 0; i < p->count; ++i) {
             const size_t j = (size_t)p->free[i];
-            others[k * p->count + i] = (point[j] - b->starts.x[j]) / b->starts.widths[j];
+            guesses[k * p->count + i] = (point[j] - b->starts.x[j]) / b->starts.widths[j];
         }
     }
     const lag_parts parts = find_parts(p, pattern, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
     const lag_equations equations = {b->rows, p->count, at_positions, p};
     lag_nearest_configuration_place(&nearest, b->rows, p->count, memory);
-    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, others, LAG_HOLDS);
+    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, guesses, LAG_HOLDS);
     put(p, nearest.best.point);
     return worst;
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "lag/equations/rank.h"
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"

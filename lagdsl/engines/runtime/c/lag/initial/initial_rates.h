@@ -2,7 +2,7 @@
 #ifndef LAG_INITIAL_RATES_H
 #define LAG_INITIAL_RATES_H
 
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 
 /* Rates that conditions or M tie, as if they were alone. */
 typedef struct lag_rates_part {

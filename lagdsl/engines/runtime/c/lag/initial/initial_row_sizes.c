@@ -1,7 +1,7 @@
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 

@@ -1,4 +1,4 @@
-/* The beginnings of a search, and which of the points that they lead to is the nearest. */
+/* The guesses of a search, and which of the points that they lead to is the nearest. */
 #include "lag/initial/nearest_configuration.h"
 
 #include <math.h>
@@ -100,7 +100,7 @@ static void improve(lag_nearest_configuration *s, const lag_found *other)
     mix(s, s->chosen, other, &s->best);
 }
 
-/* ---- beginnings ---- */
+/* ---- guesses ---- */
 
 static void relaxed(void *context, const double *y, double *residual, double *jacobian)
 {
@@ -257,10 +257,10 @@ static void search_bent_parts(lag_nearest_configuration *s)
         return;
     }
     s->count = 0;
-    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
-        const double *other = s->others + k * n;
-        const double share = (double)(k + 1) / (double)LAG_NEAREST_OTHERS;
-        lag_parts_norms(s->parts, 0, other, s->lengths);
+    for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
+        const double *guess = s->guesses + k * n;
+        const double share = (double)(k + 1) / (double)LAG_NEAREST_GUESSES;
+        lag_parts_norms(s->parts, 0, guess, s->lengths);
         for (int sign = 1; sign >= -1; sign -= 2) {
             lag_found *found = &s->found[s->count++];
             copy(s, &s->best, found);
@@ -268,7 +268,7 @@ static void search_bent_parts(lag_nearest_configuration *s)
                 const size_t part = (size_t)s->parts->column_part[j];
                 const double length = s->lengths[part] > 0.0 ? s->lengths[part] : 1.0;
                 if (s->moving[part] != 0.0) {
-                    found->point[j] = sign * s->best.distances[part] * share / length * other[j];
+                    found->point[j] = sign * s->best.distances[part] * share / length * guess[j];
                 }
             }
             descend(s, found);
@@ -278,14 +278,14 @@ static void search_bent_parts(lag_nearest_configuration *s)
     copy(s, &s->found[0], &s->best);
 }
 
-double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_equations *equations, const lag_parts *parts, const double *others, double holds)
+double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_equations *equations, const lag_parts *parts, const double *guesses, double holds)
 {
     const size_t n = parts->n;
     size_t feasible = 0;
     double worst = 0.0;
     s->equations = equations;
     s->parts = parts;
-    s->others = others;
+    s->guesses = guesses;
     s->holds = holds;
     s->count = 2;
     widen(s, s->relaxed.memory);
@@ -295,7 +295,7 @@ double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_
     descend(s, &s->found[1]);
     copy(s, &s->found[0], &s->best);
     improve(s, &s->found[1]);
-    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
+    for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
         lag_found *found = &s->found[s->count];
         int open = 0;
         for (size_t i = 0; i < parts->count; ++i) {
@@ -306,7 +306,7 @@ double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_
             break;
         }
         copy(s, &s->best, found);
-        lag_parts_mix(parts, s->chosen, others + k * n, found->point);
+        lag_parts_mix(parts, s->chosen, guesses + k * n, found->point);
         descend(s, found);
         ++s->count;
         improve(s, found);

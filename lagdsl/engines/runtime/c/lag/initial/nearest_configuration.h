@@ -13,8 +13,8 @@
 
 #include "lag/linalg/levenberg_marquardt.h"
 
-/* Points that beginnings lead to: of the origin, of the penalties, of further ones, and beyond bends on either side of each. */
-enum { LAG_NEAREST_OTHERS = 40, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_OTHERS, LAG_NEAREST_REFINED = 6 };
+/* Points that guesses lead to: of the origin, of the penalties, of further ones, and beyond bends on either side of each. */
+enum { LAG_NEAREST_GUESSES = 40, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_GUESSES, LAG_NEAREST_REFINED = 6 };
 
 /* A point with residuals and distances from the origin of each part. */
 typedef struct lag_found {
@@ -52,7 +52,7 @@ typedef struct lag_nearest_configuration {
     const lag_equations *equations;
     const lag_parts *parts;
     double holds;          /* residuals of a part that are as small as this are none */
-    const double *others;  /* (LAG_NEAREST_OTHERS, n) further beginnings, used as directions once a point is known */
+    const double *guesses;  /* (LAG_NEAREST_GUESSES, n) further guesses, used as directions once a point is known */
     lag_levenberg_marquardt minimizer;
     lag_relaxed relaxed;
     lag_found found[LAG_NEAREST_FOUND], refined[LAG_NEAREST_REFINED], best;
@@ -72,7 +72,7 @@ void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t 
  * Minimizes |y| subject to equations(y) = 0: `best`. If no search leads to residuals below `holds`, `best` is the point of
  * the smallest. Returns the largest of them.
  */
-double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const lag_parts *parts, const double *others, double holds);
+double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const lag_parts *parts, const double *guesses, double holds);
 
 /* For the parts of a search. */
 

@@ -2,8 +2,8 @@
  * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices in it are doubles, too, exact up to 2^53: a
  * caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing but them and characters lie in it.
  */
-#ifndef LAG_MEMORY_H
-#define LAG_MEMORY_H
+#ifndef LAG_ARENA_H
+#define LAG_ARENA_H
 
 #include <stddef.h>
 

@@ -18,9 +18,9 @@ size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_rank_estimate_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
+           lag_rank_estimate_memory(model) + lag_guards_memory(model) + lag_instants_memory(model) + lag_conditions_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
-           2 * lag_guards(model) + model->np + model->nu + lag_turns_memory(model) + 1;
+           2 * lag_guard_count(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
 
 /* Doubles of which nothing is remembered. */
@@ -41,15 +41,15 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     const lag_run_invariants *invariants = &run->options.invariants;
     const size_t ni = model->ni;
     double *own = lag_take(memory, 3 * ni);
-    run->watch.motion = &run->motion;
-    run->watch.begun = invariants->continued;
-    run->watch.start = invariants->start != NULL ? invariants->start : own;
-    run->watch.size = invariants->size != NULL ? invariants->size : own + ni;
-    run->watch.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
-    run->watch.tolerance = invariants->tolerance;
-    run->watch.value = lag_take(memory, lag_watch_memory(model));
-    run->watch.scale = run->watch.value + ni;
-    run->watch.held = run->watch.scale + ni;
+    run->conditions.motion = &run->motion;
+    run->conditions.begun = invariants->continued;
+    run->conditions.start = invariants->start != NULL ? invariants->start : own;
+    run->conditions.size = invariants->size != NULL ? invariants->size : own + ni;
+    run->conditions.drift = invariants->drift != NULL ? invariants->drift : own + 2 * ni;
+    run->conditions.tolerance = invariants->tolerance;
+    run->conditions.value = lag_take(memory, lag_conditions_memory(model));
+    run->conditions.scale = run->conditions.value + ni;
+    run->conditions.held = run->conditions.scale + ni;
 }
 
 static lag_status report_event(void *context, const lag_event_notice *notice)
@@ -70,7 +70,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
-    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
+    lag_guards_place(&run->guards, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_guards_memory(model)));
     run->instants.noise.tolerance = options->tolerance;
     run->instants.iteration.listener.tell = report_event;
     run->instants.iteration.listener.context = run;
@@ -149,8 +149,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->lost.t = (double)INFINITY;
     place_watch(run, model, &memory);
     lag_stiffness_place(&run->methods.stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
-    run->half.pending = lag_take(&memory, lag_guards(model));
-    run->half.waiting = lag_take(&memory, lag_guards(model));
+    run->half.pending = lag_take(&memory, lag_guard_count(model));
+    run->half.waiting = lag_take(&memory, lag_guard_count(model));
     run->u_before = lag_take(&memory, model->nu);
     lag_turns_place(&run->turns, model, lag_take(&memory, lag_turns_memory(model)));
     return run;
@@ -171,9 +171,9 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .events = run->counts.events,
         .changes = run->methods.changes,
         .w = run->motion.w,
-        .changed = run->crossings.changed,
+        .changed = run->guards.changed,
         .guilty = run->instants.iteration.discretes.guilty,
-        .doubted = run->crossings.doubted,
+        .doubted = run->guards.doubted,
         .fault = run->instants.iteration.clauses.fault,
         .next = lag_instants_next(&run->instants),
         .change = run->methods.change,

@@ -36,14 +36,14 @@ static lag_status evaluate_distances(lag_run *run, double t, const double *x, do
     lag_motion *motion = &run->motion;
     double solved = 0.0;
     lag_status status = LAG_OK;
-    if (run->crossings.corners.solved) {
+    if (run->guards.corners.solved) {
         status = lag_motion_solve(motion, t, x);
     } else {
         lag_motion_set_state(motion, t, x);
     }
     status = status == LAG_OK ? motion->model->corner(&motion->at, far, &solved) : status;
-    if (status == LAG_OK && solved != 0.0 && !run->crossings.corners.solved) {
-        run->crossings.corners.solved = 1;
+    if (status == LAG_OK && solved != 0.0 && !run->guards.corners.solved) {
+        run->guards.corners.solved = 1;
         return evaluate_distances(run, t, x, far);
     }
     return status;
@@ -65,10 +65,10 @@ static void between(lag_run *run, double s)
 static lag_status sample(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_status status = evaluate_distances(run, s->t_before, s->x_before, run->crossings.pieces.seen[0]);
+    lag_status status = evaluate_distances(run, s->t_before, s->x_before, run->guards.pieces.seen[0]);
     for (int k = 0; k < SAMPLES && status == LAG_OK; ++k) {
         between(run, PLACES[k]);
-        status = evaluate_distances(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == SAMPLES - 1 ? s->x : run->point, run->crossings.pieces.seen[k + 1]);
+        status = evaluate_distances(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == SAMPLES - 1 ? s->x : run->point, run->guards.pieces.seen[k + 1]);
     }
     return status;
 }
@@ -76,11 +76,11 @@ static lag_status sample(lag_run *run)
 /* The difference of the largest and the smallest distance of corner i. */
 static double range_of(const lag_run *run, size_t i)
 {
-    double least = run->crossings.pieces.seen[0][i];
+    double least = run->guards.pieces.seen[0][i];
     double most = least;
     for (int k = 1; k <= SAMPLES; ++k) {
-        least = fmin(least, run->crossings.pieces.seen[k][i]);
-        most = fmax(most, run->crossings.pieces.seen[k][i]);
+        least = fmin(least, run->guards.pieces.seen[k][i]);
+        most = fmax(most, run->guards.pieces.seen[k][i]);
     }
     return most - least;
 }
@@ -88,11 +88,11 @@ static double range_of(const lag_run *run, size_t i)
 /* True if the value changes by more than its distance from zero. A value that is not a number may be a corner, too. */
 static int is_near(const lag_run *run, size_t i)
 {
-    double nearest = fabs(run->crossings.pieces.seen[0][i]);
+    double nearest = fabs(run->guards.pieces.seen[0][i]);
     int changes = 0;
     for (int k = 1; k <= SAMPLES; ++k) {
-        nearest = fmin(nearest, fabs(run->crossings.pieces.seen[k][i]));
-        changes = changes || (run->crossings.pieces.seen[k][i] < 0.0) != (run->crossings.pieces.seen[0][i] < 0.0);
+        nearest = fmin(nearest, fabs(run->guards.pieces.seen[k][i]));
+        changes = changes || (run->guards.pieces.seen[k][i] < 0.0) != (run->guards.pieces.seen[0][i] < 0.0);
     }
     return changes || !(nearest >= range_of(run, i));
 }
@@ -104,16 +104,16 @@ static int is_near(const lag_run *run, size_t i)
 static lag_status leave_out(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_zero_crossing *crossings = &run->crossings;
+    lag_guards *guards = &run->guards;
     lag_status status = LAG_OK;
     for (unsigned pattern = 0; pattern < PATTERNS; ++pattern) {
         for (size_t i = 0; i < s->ode->size; ++i) {
             const double by = (i >> pattern & 1u) != 0 ? -s->tolerance[i] : s->tolerance[i];
             run->point[i] = s->x_before[i] + (pattern + 1 < PATTERNS ? by : s->tolerance[i]);
         }
-        status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, crossings->corners.far) : status;
+        status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, guards->corners.far) : status;
         for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-            crossings->corners.side[i] = range_of(run, i) <= fabs(crossings->corners.far[i] - crossings->pieces.seen[0][i]) ? 0.0 : crossings->corners.side[i];
+            guards->corners.side[i] = range_of(run, i) <= fabs(guards->corners.far[i] - guards->pieces.seen[0][i]) ? 0.0 : guards->corners.side[i];
         }
     }
     return status;
@@ -132,10 +132,10 @@ static lag_status probe_distances(lag_run *run, double t, const double *x, const
 static lag_status find_sides(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_corners *corners = &run->crossings.corners;
+    lag_corners *corners = &run->guards.corners;
     const lag_status status = probe_distances(run, s->t_before, s->x_before, s->f_before, probe_step(run), corners->far);
     for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-        const double here = run->crossings.pieces.seen[0][i];
+        const double here = run->guards.pieces.seen[0][i];
         const int is_beside = fabs(here) <= BESIDE * range_of(run, i) && corners->far[i] != 0.0;
         corners->side[i] = corners->side[i] == 0.0 ? 0.0 : (is_beside ? corners->far[i] : here) < 0.0 ? -1.0 : 1.0;
     }
@@ -146,20 +146,20 @@ lag_status lag_run_face_corners(lag_run *run)
 {
     const size_t count = run->motion.model->ncorner;
     int near = 0;
-    run->crossings.corners.count = 0;
+    run->guards.corners.count = 0;
     if (!is_careful(run)) {
         return LAG_OK;
     }
     lag_status status = sample(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        run->crossings.corners.side[i] = is_near(run, i);
-        near = near || run->crossings.corners.side[i] != 0.0;
+        run->guards.corners.side[i] = is_near(run, i);
+        near = near || run->guards.corners.side[i] != 0.0;
     }
     if (near) {
         status = leave_out(run);
     }
-    if (near && status == LAG_OK && lag_any(count, run->crossings.corners.side)) {
-        run->crossings.corners.count = count;
+    if (near && status == LAG_OK && lag_any(count, run->guards.corners.side)) {
+        run->guards.corners.count = count;
         status = find_sides(run);
     }
     return status;
@@ -169,7 +169,7 @@ lag_status lag_run_face_corners(lag_run *run)
 static int only_corners(const lag_run *run)
 {
     const lag_model *model = run->motion.model;
-    return !lag_any(lag_guards(model), run->crossings.changed);
+    return !lag_any(lag_guard_count(model), run->guards.changed);
 }
 
 /* LAG_EVENT_PENDING: relations or contacts have changed at t, within the last step. */
@@ -177,7 +177,7 @@ static lag_status detect_jumps(lag_run *run, double t)
 {
     const lag_model *model = run->motion.model;
     const lag_status status = lag_scan_detect(run, t);
-    const int any = lag_any(lag_guards(model), run->crossings.changed);
+    const int any = lag_any(lag_guard_count(model), run->guards.changed);
     return status == LAG_EVENT_PENDING && !any ? LAG_OK : status;
 }
 
@@ -213,13 +213,13 @@ static lag_status with_relations(lag_run *run, double *own, double *corner)
 lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
 {
     const lag_model *model = run->motion.model;
-    lag_zero_crossing *crossings = &run->crossings;
-    const double *changed = crossings->changed + lag_guards(model);
+    lag_guards *guards = &run->guards;
+    const double *changed = guards->changed + lag_guard_count(model);
     lag_status status = LAG_OK;
     *corner = (double)INFINITY;
     for (int k = 0; k <= TURNS; ++k) {
         *own = (double)INFINITY;
-        crossings->corners.count = k < TURNS ? crossings->corners.count : 0;
+        guards->corners.count = k < TURNS ? guards->corners.count : 0;
         status = lag_run_happening(run, own);
         if (status != LAG_EVENT_PENDING || !only_corners(run)) {
             break;
@@ -227,8 +227,8 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
         if (*own - run->stepper.t_before > probe_step(run)) {
             return with_relations(run, own, corner);
         }
-        for (size_t i = 0; i < crossings->corners.count; ++i) { /* it has just been passed */
-            crossings->corners.side[i] = changed[i] != 0.0 ? -crossings->corners.side[i] : crossings->corners.side[i];
+        for (size_t i = 0; i < guards->corners.count; ++i) { /* it has just been passed */
+            guards->corners.side[i] = changed[i] != 0.0 ? -guards->corners.side[i] : guards->corners.side[i];
         }
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
@@ -248,16 +248,16 @@ int lag_run_is_at_end(const lag_run *run, double corner)
 int lag_run_meets_corner(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    const lag_zero_crossing *crossings = &run->crossings;
+    const lag_guards *guards = &run->guards;
     int meets = 0;
     if (!is_careful(run)) {
         return 0;
     }
-    lag_status status = evaluate_distances(run, s->t, s->x, crossings->pieces.seen[0]);
-    status = status == LAG_OK ? probe_distances(run, s->t, s->x, s->f, PASSED * probe_step(run), crossings->corners.far) : status;
+    lag_status status = evaluate_distances(run, s->t, s->x, guards->pieces.seen[0]);
+    status = status == LAG_OK ? probe_distances(run, s->t, s->x, s->f, PASSED * probe_step(run), guards->corners.far) : status;
     if (status == LAG_OK) {
         for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-            meets = meets || (crossings->corners.far[i] < 0.0) != (crossings->pieces.seen[0][i] < 0.0);
+            meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.seen[0][i] < 0.0);
         }
     }
     return meets;
@@ -267,14 +267,14 @@ void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     const double t = s->t + PASSED * probe_step(run);
-    run->crossings.corners.count = 0;
+    run->guards.corners.count = 0;
     if (!(t < limit)) {
         return;
     }
     for (size_t i = 0; i < s->ode->size; ++i) {
         run->point[i] = s->x[i] + (t - s->t) * s->f[i];
     }
-    if (lag_zero_crossing_count(&run->crossings) > 0 && lag_zero_crossing_detect(&run->crossings, t, run->point) != LAG_OK) {
+    if (lag_guards_count(&run->guards) > 0 && lag_guards_detect(&run->guards, t, run->point) != LAG_OK) {
         return; /* something happens on the way */
     }
     memcpy(s->x, run->point, s->ode->size * sizeof(double));

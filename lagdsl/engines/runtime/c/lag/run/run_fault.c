@@ -13,9 +13,9 @@ void lag_run_lose(lag_run *run, double t, const double *x)
 
 lag_status lag_run_watch(lag_run *run, double t, const double *x)
 {
-    const lag_status status = lag_watch_check(&run->watch, t, x);
+    const lag_status status = lag_conditions_check(&run->conditions, t, x);
     if (status == LAG_VIOLATED) {
-        lag_watch_count(&run->watch);
+        lag_conditions_count(&run->conditions);
         lag_run_lose(run, t, x);
         if (run->options.results != NULL) {
             const lag_status told = lag_results_end(run->options.results, run, t, x);
@@ -130,7 +130,7 @@ static void explain_off(lag_run *run, int switched, lag_fault *fault)
 static void explain_violated(lag_run *run, lag_fault *fault)
 {
     const lag_model *model = run->motion.model;
-    lag_watch *watch = &run->watch;
+    lag_conditions *watch = &run->conditions;
     fault->which = model->na + model->ni;
     for (size_t i = model->ni; i-- > 0;) {
         const double drift = fabs(watch->value[i] - watch->start[i]);

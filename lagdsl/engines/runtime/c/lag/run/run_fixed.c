@@ -30,7 +30,7 @@ static lag_status step_once(lag_run *run, double h, double end, lag_fixed_step *
     run->projection.iterations = 2;
     (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
     run->projection.iterations = iterations;
-    return run->motion.model->event != NULL ? lag_zero_crossing_detect(&run->crossings, s->t, s->x) : LAG_OK;
+    return run->motion.model->event != NULL ? lag_guards_detect(&run->guards, s->t, s->x) : LAG_OK;
 }
 
 /* From where the run is to `end` in pieces that end where something happens. */
@@ -62,7 +62,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_fixed_step *step, double *m
 {
     lag_stepper *s = &run->stepper;
     lag_status status = run->motion.model->nu > 0 ? lag_run_jump(run) : LAG_OK;
-    status = status == LAG_OK ? lag_zero_crossing_begin(&run->crossings, s->t, s->x) : status;
+    status = status == LAG_OK ? lag_guards_begin(&run->guards, s->t, s->x) : status;
     if (status != LAG_OK) {
         return status;
     }

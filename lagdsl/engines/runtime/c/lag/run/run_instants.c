@@ -22,21 +22,21 @@ static lag_status report(lag_run *run, lag_event_kind what)
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
 static int is_doubtful(const lag_run *run, size_t i)
 {
-    const lag_zero_crossing *crossings = &run->crossings;
-    const double rate = crossings->noise->value[run->motion.model->nindicator + run->motion.model->ncorner + i];
-    const double known = lag_zero_crossing_known(crossings, i);
-    return crossings->swing[i] <= known && SLOW * run->instants.contacts.length * fabs(rate) <= known;
+    const lag_guards *guards = &run->guards;
+    const double rate = guards->noise->value[run->motion.model->nindicator + run->motion.model->ncorner + i];
+    const double known = lag_guards_known(guards, i);
+    return guards->swing[i] <= known && SLOW * run->instants.contacts.length * fabs(rate) <= known;
 }
 
 /* Notes relations that may turn by the method's error. */
 static void note_doubtful(lag_run *run, const double *changed)
 {
-    lag_zero_crossing *crossings = &run->crossings;
+    lag_guards *guards = &run->guards;
     const lag_stepper *s = &run->stepper;
     const size_t count = run->motion.model->nindicator;
-    const int known = lag_any(count, changed) && lag_noise_update(crossings->noise, s->t, s->x) == LAG_OK; /* rounding errors are: it was located */
+    const int known = lag_any(count, changed) && lag_noise_update(guards->noise, s->t, s->x) == LAG_OK; /* rounding errors are: it was located */
     for (size_t i = 0; i < count; ++i) {
-        crossings->doubted[i] = known && changed[i] != 0.0 && is_doubtful(run, i) ? fmin(crossings->doubted[i], s->t) : crossings->doubted[i];
+        guards->doubted[i] = known && changed[i] != 0.0 && is_doubtful(run, i) ? fmin(guards->doubted[i], s->t) : guards->doubted[i];
     }
 }
 
@@ -63,17 +63,17 @@ static lag_status end(lag_run *run, lag_status status)
 /* The same for one that has turned the relations: as they lie now, they have not changed. */
 static lag_status end_with_relations(lag_run *run, lag_status status)
 {
-    const double *before = run->instants.w_before + run->crossings.places.relation;
-    const double *truth = run->motion.w + run->crossings.places.relation;
+    const double *before = run->instants.w_before + run->guards.places.relation;
+    const double *truth = run->motion.w + run->guards.places.relation;
     const lag_status ended = end(run, status);
     if (ended != LAG_OK && ended != LAG_STOPPED) {
         return ended;
     }
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
-        run->crossings.swing[i] = truth[i] != before[i] ? 0.0 : run->crossings.swing[i];
+        run->guards.swing[i] = truth[i] != before[i] ? 0.0 : run->guards.swing[i];
     }
-    lag_zero_crossing_hold(&run->crossings, &run->projection, run->stepper.t, run->stepper.x, run->point);
-    const lag_status seen = lag_zero_crossing_begin(&run->crossings, run->stepper.t, run->stepper.x);
+    lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+    const lag_status seen = lag_guards_begin(&run->guards, run->stepper.t, run->stepper.x);
     return seen == LAG_OK ? ended : seen;
 }
 
@@ -81,7 +81,7 @@ lag_status lag_run_enter(lag_run *run)
 {
     const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
     if (status == LAG_OK) {
-        lag_zero_crossing_hold(&run->crossings, &run->projection, run->stepper.t, run->stepper.x, run->point);
+        lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
     }
     return status;
 }
@@ -102,21 +102,21 @@ static lag_status keep_turning(lag_run *run, double *changed)
 static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
 {
     const lag_model *model = run->motion.model;
-    const size_t count = lag_guards(model);
+    const size_t count = lag_guard_count(model);
     double *x = run->stepper.x;
     lag_instants_after(&run->instants, run->stepper.t, h);
     if (changed == NULL) {
         return LAG_OK;
     }
-    memmove(run->crossings.changed, changed, count * sizeof(double));
+    memmove(run->guards.changed, changed, count * sizeof(double));
     const int any = lag_any(count, changed); /* without, other things than relations and contacts have changed */
-    lag_status status = keep_turning(run, run->crossings.changed);
-    if (status == LAG_OK && !ticks && any && !lag_any(count, run->crossings.changed)) {
+    lag_status status = keep_turning(run, run->guards.changed);
+    if (status == LAG_OK && !ticks && any && !lag_any(count, run->guards.changed)) {
         return LAG_OK;
     }
-    status = status == LAG_OK ? begin(run, run->crossings.changed) : status;
+    status = status == LAG_OK ? begin(run, run->guards.changed) : status;
     if (status == LAG_OK) {
-        status = end_with_relations(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, 1, ticks));
+        status = end_with_relations(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->guards.changed, 1, ticks));
     }
     return status;
 }
@@ -141,13 +141,13 @@ static lag_status find_turned(lag_run *run, int *any)
 {
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
-    lag_zero_crossing *crossings = &run->crossings;
-    double *contacts = crossings->changed + model->nindicator;
-    lag_status status = lag_guards(model) > 0 ? lag_zero_crossing_detect(crossings, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
+    lag_guards *guards = &run->guards;
+    double *contacts = guards->changed + model->nindicator;
+    lag_status status = lag_guard_count(model) > 0 ? lag_guards_detect(guards, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
-        contacts[i] *= run->motion.w[crossings->places.contact + i];
+        contacts[i] *= run->motion.w[guards->places.contact + i];
     }
-    *any = status == LAG_EVENT_PENDING && lag_any(lag_guards(model), crossings->changed);
+    *any = status == LAG_EVENT_PENDING && lag_any(lag_guard_count(model), guards->changed);
     lag_fill(model->ncontact + model->nfriction, 0.0, contacts); /* these follow */
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -229,7 +229,7 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     if (!*any || status != LAG_OK) {
         return status;
     }
-    memcpy(run->half.pending, run->crossings.changed, lag_guards(model) * sizeof(double));
+    memcpy(run->half.pending, run->guards.changed, lag_guard_count(model) * sizeof(double));
     const int due = lag_timed_due(&run->instants.timed, s->t);
     for (size_t i = 0; i < model->nindicator && due && run->half.left > 0.0 && run->half.t == s->t; ++i) { /* these wait for it */
         run->half.pending[i] = fmax(run->half.pending[i], run->half.waiting[i]);

@@ -37,15 +37,15 @@ static double place_of(const piece *in, int k)
 
 static size_t count_of(const lag_run *run)
 {
-    return lag_zero_crossing_count(&run->crossings);
+    return lag_guards_count(&run->guards);
 }
 
 static void remember(lag_run *run, int k)
 {
     for (size_t i = 0; i < count_of(run); ++i) {
-        const double value = run->crossings.value[i];
-        run->crossings.pieces.seen[k][i] = value;
-        run->crossings.top[i] = fmax(run->crossings.top[i], value);
+        const double value = run->guards.value[i];
+        run->guards.pieces.seen[k][i] = value;
+        run->guards.top[i] = fmax(run->guards.top[i], value);
     }
 }
 
@@ -59,7 +59,7 @@ static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, 
     double height = 0.0;
     const int just = k == 2 && in->a == run->stepper.t_before;
     for (int j = 0; j < 3; ++j) {
-        lag_triple_put(&at, j, LAG_SAMPLE_PLACES[k - 2 + j], run->crossings.pieces.seen[k - 2 + j][i]);
+        lag_triple_put(&at, j, LAG_SAMPLE_PLACES[k - 2 + j], run->guards.pieces.seen[k - 2 + j][i]);
     }
     for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
@@ -67,8 +67,8 @@ static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, 
             return LAG_OK;
         }
         const lag_status status = lag_scan_detect(run, *t);
-        const double value = run->crossings.value[i];
-        if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
+        const double value = run->guards.value[i];
+        if ((status == LAG_EVENT_PENDING && run->guards.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
             return status;
         }
         error = fmax(fabs(value - height), LAG_CLEARER * error);
@@ -83,8 +83,8 @@ static lag_status check_minima(lag_run *run, const piece *in, double *a, double 
     double there = 0.0;
     for (int k = 2; k <= in->samples; ++k) {
         for (size_t i = 0; i < count_of(run); ++i) {
-            const int changes = run->crossings.pieces.seen[k][i] < 0.0;
-            const lag_status status = changes ? LAG_OK : check_minimum(run, in, k, i, run->crossings.pieces.found[i], &there);
+            const int changes = run->guards.pieces.seen[k][i] < 0.0;
+            const lag_status status = changes ? LAG_OK : check_minimum(run, in, k, i, run->guards.pieces.found[i], &there);
             if (status != LAG_OK) {
                 *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
                 *b = there;
@@ -101,7 +101,7 @@ static double largest_value(const lag_run *run, const piece *in, size_t i)
 {
     double most = 0.0;
     for (int k = 0; k <= in->samples; ++k) {
-        most = fmax(most, fabs(run->crossings.pieces.seen[k][i]));
+        most = fmax(most, fabs(run->guards.pieces.seen[k][i]));
     }
     return most;
 }
@@ -111,25 +111,25 @@ static double difference_of(lag_run *run, size_t i)
 {
     double values[LAG_PIECE_SAMPLES];
     for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-        values[k] = run->crossings.pieces.seen[k][i];
+        values[k] = run->guards.pieces.seen[k][i];
     }
-    return lag_piece_error(values, &run->crossings.pieces.found[i]);
+    return lag_piece_error(values, &run->guards.pieces.found[i]);
 }
 
 /* Round-off of value i, found where it is not known yet. */
 static double noise_of(lag_run *run, size_t i)
 {
-    if (lag_zero_crossing_has_noise(&run->crossings, i) && !(lag_zero_crossing_noise(&run->crossings, i) > 0.0)) {
-        lag_noise_find(run->crossings.noise, run->stepper.t_before, run->stepper.x_before);
+    if (lag_guards_has_noise(&run->guards, i) && !(lag_guards_noise(&run->guards, i) > 0.0)) {
+        lag_noise_find(run->guards.noise, run->stepper.t_before, run->stepper.x_before);
     }
-    return lag_zero_crossing_noise(&run->crossings, i);
+    return lag_guards_noise(&run->guards, i);
 }
 
 /* The same as a part of its largest value; zero where that is round-off. */
 static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
     const double most = largest_value(run, in, i);
-    run->crossings.pieces.found[i] = LAG_KNOWN_PART * most;
+    run->guards.pieces.found[i] = LAG_KNOWN_PART * most;
     const double difference = in->samples == LAST ? difference_of(run, i) : 0.0;
     if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
@@ -170,21 +170,21 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 {
     const double w = in->b - in->a;
     const int whole = in->samples == LAST;
-    if (!whole && place_of(in, in->samples) - in->a > run->crossings.pieces.span && w > 1.5 * on->shortest) {
+    if (!whole && place_of(in, in->samples) - in->a > run->guards.pieces.span && w > 1.5 * on->shortest) {
         on->reach = place_of(in, in->samples) - in->a; /* nothing is known of so short a time: it is sampled as a piece */
         return 0;
     }
     const double doubt = largest_doubt(run, in);
     if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
         on->reach = fmax(on->shortest, fmin(0.7 * w, lag_piece_length(w, doubt)));
-        run->crossings.pieces.span = fmin(run->crossings.pieces.span, on->reach);
+        run->guards.pieces.span = fmin(run->guards.pieces.span, on->reach);
         return 0;
     }
     if (whole && status == LAG_OK) {
         const double next = lag_piece_length(w, doubt);
         const int cut = w < (1.0 - CUT) * on->reach;
         on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
-        run->crossings.pieces.span = fmax(run->crossings.pieces.span, w);
+        run->guards.pieces.span = fmax(run->guards.pieces.span, w);
     }
     return 1;
 }
@@ -215,10 +215,10 @@ static lag_status find_zeros_at_end(lag_run *run, const piece *in)
     const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
     int any = 0;
     for (size_t i = 0; i < count_of(run); ++i) {
-        const double value = run->crossings.pieces.seen[LAST][i];
-        const double rate = (value - run->crossings.pieces.seen[LAST - 1][i]) / h;
-        run->crossings.changed[i] = rate < 0.0 && value <= -rate * soon && run->crossings.top[i] > noise_of(run, i);
-        any = any || run->crossings.changed[i] != 0.0;
+        const double value = run->guards.pieces.seen[LAST][i];
+        const double rate = (value - run->guards.pieces.seen[LAST - 1][i]) / h;
+        run->guards.changed[i] = rate < 0.0 && value <= -rate * soon && run->guards.top[i] > noise_of(run, i);
+        any = any || run->guards.changed[i] != 0.0;
     }
     return any ? LAG_EVENT_PENDING : LAG_OK;
 }
@@ -226,11 +226,11 @@ static lag_status find_zeros_at_end(lag_run *run, const piece *in)
 /* Values that change within round-off of time behind the end do so with those that were found there. */
 static void join_at_end(lag_run *run, const piece *in)
 {
-    double *found = run->crossings.pieces.root;
-    memcpy(found, run->crossings.changed, count_of(run) * sizeof(double));
+    double *found = run->guards.pieces.root;
+    memcpy(found, run->guards.changed, count_of(run) * sizeof(double));
     (void)find_zeros_at_end(run, in);
     for (size_t i = 0; i < count_of(run); ++i) {
-        run->crossings.changed[i] = run->crossings.changed[i] != 0.0 || found[i] != 0.0;
+        run->guards.changed[i] = run->guards.changed[i] != 0.0 || found[i] != 0.0;
     }
 }
 
@@ -264,7 +264,7 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
             return LAG_EVENT_PENDING;
         }
         if (accepted) {
-            memcpy(run->crossings.pieces.seen[0], run->crossings.pieces.seen[LAST], count_of(run) * sizeof(double));
+            memcpy(run->guards.pieces.seen[0], run->guards.pieces.seen[LAST], count_of(run) * sizeof(double));
             in.a = in.b;
         }
     }
@@ -274,13 +274,13 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
 /* Limits the next piece behind relations that were found to change at t: gaps stay negative until they are found. */
 static void limit_behind(lag_run *run, double t)
 {
-    lag_zero_crossing *crossings = &run->crossings;
+    lag_guards *guards = &run->guards;
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
-        if (crossings->changed[i] != 0.0) {
-            const double interval = t - crossings->pieces.when[i];
+        if (guards->changed[i] != 0.0) {
+            const double interval = t - guards->pieces.when[i];
             const int is_crowded = !(interval > CROWDED * run->instants.contacts.length);
-            crossings->pieces.limit = is_crowded ? crossings->pieces.limit : fmin(crossings->pieces.limit, INTERVALS * interval);
-            crossings->pieces.when[i] = t;
+            guards->pieces.limit = is_crowded ? guards->pieces.limit : fmin(guards->pieces.limit, INTERVALS * interval);
+            guards->pieces.when[i] = t;
         }
     }
 }
@@ -288,10 +288,10 @@ static void limit_behind(lag_run *run, double t)
 lag_status lag_run_happening(lag_run *run, double *t)
 {
     const lag_stepper *s = &run->stepper;
-    lag_zero_crossing *crossings = &run->crossings;
+    lag_guards *guards = &run->guards;
     const double h = s->t - s->t_before;
     const double length = run->instants.contacts.length;
-    scan on = {s->t_before, crossings->pieces.reach > 0.0 ? crossings->pieces.reach : FIRST * h, 0.0, (double)INFINITY};
+    scan on = {s->t_before, guards->pieces.reach > 0.0 ? guards->pieces.reach : FIRST * h, 0.0, (double)INFINITY};
     if (count_of(run) == 0 || !(h > 0.0)) {
         return LAG_OK;
     }
@@ -299,17 +299,17 @@ lag_status lag_run_happening(lag_run *run, double *t)
     on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
     on.reach = fmin(fmax(on.reach, on.shortest), on.longest); /* the last step may have been as short as round-off */
     const double begun = on.reach;
-    on.reach = fmin(begun, fmax(crossings->pieces.limit, on.shortest));
+    on.reach = fmin(begun, fmax(guards->pieces.limit, on.shortest));
     const double limited = on.reach;
-    crossings->pieces.limit = (double)INFINITY;
+    guards->pieces.limit = (double)INFINITY;
     lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
     if (status == LAG_OK) {
-        status = lag_zero_crossing_begin(crossings, on.a, run->point);
+        status = lag_guards_begin(guards, on.a, run->point);
     }
     if (status == LAG_OK) {
         status = scan_pieces(run, &on, t);
     }
-    crossings->pieces.reach = on.reach < limited ? on.reach : fmax(on.reach, begun);
+    guards->pieces.reach = on.reach < limited ? on.reach : fmax(on.reach, begun);
     if (status == LAG_EVENT_PENDING) {
         limit_behind(run, *t);
     }

@@ -36,7 +36,7 @@ static lag_status project(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int moved = 0;
-    const int holds = lag_any(run->motion.model->nindicator, run->crossings.held);
+    const int holds = lag_any(run->motion.model->nindicator, run->guards.held);
     lag_status status = holds ? lag_projection_exact(&run->projection, s->t, s->x, &moved) : LAG_PROJECTION_FAILED;
     if (status != LAG_OK) { /* to round-off it may not be possible */
         status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
@@ -186,18 +186,18 @@ static lag_status advance_over_corners(lag_run *run, double limit)
  */
 static lag_status change_at_end(lag_run *run, const double *located, double *own)
 {
-    lag_zero_crossing *crossings = &run->crossings;
+    lag_guards *guards = &run->guards;
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
-    lag_noise_find(crossings->noise, s->t, s->x);
-    const lag_status status = lag_zero_crossing_detect(crossings, s->t, s->x);
-    for (size_t i = 0; i < lag_guards(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
-        const double noise = lag_zero_crossing_noise(crossings, i);
-        const double value = crossings->value[i];
-        const int comes = crossings->top[i] > noise && value <= noise;
-        const int leaves = -value >= crossings->depth[i] + 0.5 * noise;
-        crossings->changed[i] = located[i] != 0.0 && (comes || leaves);
-        *own = crossings->changed[i] != 0.0 ? s->t : *own;
+    lag_noise_find(guards->noise, s->t, s->x);
+    const lag_status status = lag_guards_detect(guards, s->t, s->x);
+    for (size_t i = 0; i < lag_guard_count(model) && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+        const double noise = lag_guards_noise(guards, i);
+        const double value = guards->value[i];
+        const int comes = guards->top[i] > noise && value <= noise;
+        const int leaves = -value >= guards->depth[i] + 0.5 * noise;
+        guards->changed[i] = located[i] != 0.0 && (comes || leaves);
+        *own = guards->changed[i] != 0.0 ? s->t : *own;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -220,8 +220,8 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
     half->corner = 0;
     for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
         status = lag_run_face_corners(run);
-        run->crossings.corners.count = k + 1 < MOST_CUTS ? run->crossings.corners.count : 0;
-        const int watched = run->crossings.corners.count > 0 || s->method->implicit;
+        run->guards.corners.count = k + 1 < MOST_CUTS ? run->guards.corners.count : 0;
+        const int watched = run->guards.corners.count > 0 || s->method->implicit;
         status = status == LAG_OK ? lag_run_next_corner(run, own, &corner) : status;
         if (at_event && status == LAG_OK && !(fmin(*own, corner) < (double)INFINITY)) {
             status = change_at_end(run, run->half.pending, own);
@@ -236,7 +236,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
         }
         half->corner = 0;
         at_event = !inside;
-        memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
+        memcpy(run->half.pending, run->guards.changed, lag_guard_count(run->motion.model) * sizeof(double));
         end = inside ? lag_run_before_corner(run, corner) : event;
         lag_stepper_undo(s, end - s->t_before);
         status = advance(run, end);
@@ -247,7 +247,7 @@ static lag_status advance_to_corner(lag_run *run, double limit, double *own)
 /* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
 static double scale_of(const lag_run *run, const lag_half *half)
 {
-    const double reach = run->crossings.pieces.reach;
+    const double reach = run->guards.pieces.reach;
     return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
 }
 
@@ -267,7 +267,7 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
     const int left = half->own && left_to_ticks(run, stop);
     const int own = half->own && !left;
     if (left) {
-        memcpy(run->half.waiting, run->half.pending, lag_guards(run->motion.model) * sizeof(double));
+        memcpy(run->half.waiting, run->half.pending, lag_guard_count(run->motion.model) * sizeof(double));
         run->half.left = h;
     }
     *happened = own || due;
@@ -289,7 +289,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     lag_status status = advance_to_corner(run, fmin(stop, lag_instants_next(&run->instants)), &own);
     half->left = 0.0;
-    memcpy(run->half.pending, run->crossings.changed, lag_guards(run->motion.model) * sizeof(double));
+    memcpy(run->half.pending, run->guards.changed, lag_guard_count(run->motion.model) * sizeof(double));
     if (status == LAG_OK && own < (double)INFINITY) {
         own = lag_scan_on_constraints(run, run->half.pending, own);
     }

@@ -21,7 +21,7 @@ static const double STEEP = 16.0;
 lag_status lag_scan_detect(lag_run *run, double t)
 {
     const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
-    return status == LAG_OK ? lag_zero_crossing_detect(&run->crossings, t, run->point) : status;
+    return status == LAG_OK ? lag_guards_detect(&run->guards, t, run->point) : status;
 }
 
 typedef struct change {
@@ -33,7 +33,7 @@ static double value_of(void *context, double t)
 {
     const change *one = context;
     const lag_status status = lag_scan_detect(one->run, t);
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? one->run->crossings.value[one->which] : (double)NAN;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? one->run->guards.value[one->which] : (double)NAN;
 }
 
 /*
@@ -67,7 +67,7 @@ static double root_of(change *one, double a, double b, double tolerance)
             break;
         }
         const double value = value_of(one, middle);
-        if (one->run->crossings.changed[one->which] != 0.0) {
+        if (one->run->guards.changed[one->which] != 0.0) {
             b = middle;
             fb = value;
         } else {
@@ -80,12 +80,12 @@ static double root_of(change *one, double a, double b, double tolerance)
 
 double lag_scan_earliest(lag_run *run, double a, double b)
 {
-    const size_t count = lag_zero_crossing_count(&run->crossings);
+    const size_t count = lag_guards_count(&run->guards);
     const double tolerance = lag_scan_tolerance(run);
-    double *root = run->crossings.pieces.root;
+    double *root = run->guards.pieces.root;
     double first = b;
-    run->crossings.locating = 1;
-    memcpy(root, run->crossings.changed, count * sizeof(double));
+    run->guards.locating = 1;
+    memcpy(root, run->guards.changed, count * sizeof(double));
     for (size_t i = 0; i < count; ++i) {
         change one = {run, i};
         const double last = fmin(b, first + LAG_SCAN_TOGETHER * tolerance);
@@ -93,15 +93,15 @@ double lag_scan_earliest(lag_run *run, double a, double b)
         root[i] = (double)INFINITY;
         if (may_be) {
             (void)value_of(&one, last);
-            if (run->crossings.changed[i] != 0.0) {
+            if (run->guards.changed[i] != 0.0) {
                 root[i] = root_of(&one, a, last, tolerance);
                 first = fmin(first, root[i]);
             }
         }
     }
-    run->crossings.locating = 0;
+    run->guards.locating = 0;
     for (size_t i = 0; i < count; ++i) {
-        run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
+        run->guards.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
     }
     return first;
 }
@@ -113,8 +113,8 @@ static double value_on_constraints(change *one, double t)
     int moved = 0;
     lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
     status = status == LAG_OK ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
-    status = status == LAG_OK ? lag_zero_crossing_detect(&run->crossings, t, run->point) : status;
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? run->crossings.value[one->which] : (double)NAN;
+    status = status == LAG_OK ? lag_guards_detect(&run->guards, t, run->point) : status;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? run->guards.value[one->which] : (double)NAN;
 }
 
 /* The located value that constraints move away from its zero at t; the number of all where none is. */
@@ -140,7 +140,7 @@ double lag_scan_on_constraints(lag_run *run, const double *located, double t)
 {
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
-    const size_t count = lag_guards(model);
+    const size_t count = lag_guard_count(model);
     change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count};
     double before = t - SECANT * (t - s->t_before);
     if (one.which == count || !(before < t)) {

@@ -1,6 +1,6 @@
 /*
  * Searches the last step of a run for events. Pieces of the step are so short that a polynomial of degree three through four
- * values of lag/events/zero_crossing.h and one of degree four through five of them differ little. Hence a value cannot
+ * values of lag/events/guards.h and one of degree four through five of them differ little. Hence a value cannot
  * change and change back between two samples without a minimum of the polynomial near zero, and the search takes one more sample there.
  * The pieces follow the time scale of the values alone; it is remembered from step to step.
  */

@@ -10,8 +10,8 @@
  * Bayo and Avello, Nonlinear Dynamics 5 (1994) 209 (the four-bar); Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I,
  * 2nd ed., section II.7 (collocation).
  */
-#ifndef LAG_SINGULAR_H
-#define LAG_SINGULAR_H
+#ifndef LAG_SINGULAR_CROSSING_H
+#define LAG_SINGULAR_CROSSING_H
 
 #include "lag/equations/motion.h"
 #include "lag/stepper.h"

@@ -129,7 +129,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->ranks.estimate.rank);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
-    RECORD(run->watch.begun);
+    RECORD(run->conditions.begun);
     RECORD(run->counts.begun);
     RECORD(run->methods.stiffness.signs);
     RECORD(run->methods.stiffness.wait);
@@ -137,9 +137,9 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.t);
     RECORD(run->methods.stiffness.before);
     RECORD(run->methods.stiffness.progress);
-    RECORD(run->crossings.pieces.span);
-    RECORD(run->crossings.pieces.reach);
-    RECORD(run->crossings.pieces.limit);
+    RECORD(run->guards.pieces.span);
+    RECORD(run->guards.pieces.reach);
+    RECORD(run->guards.pieces.limit);
     RECORD(run->sizes.found);
     RECORD(run->counts.row);
     RECORD(run->counts.steps);

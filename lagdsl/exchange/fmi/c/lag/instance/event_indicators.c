@@ -1,5 +1,5 @@
 /*
- * Event indicators. A guard is a relation, a contact or dry friction; its value passes zero downward when it changes (lag/events/zero_crossing.h). Importers
+ * Event indicators. A guard is a relation, a contact or dry friction; its value passes zero downward when it changes (lag/events/guards.h). Importers
  * compare the signs of indicators at their steps, so an indicator is clearly of one sign behind every event:
  *
  * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
@@ -31,7 +31,7 @@ static int is_held(const lag_fmu *fmu, size_t i)
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
     size_t count = 0;
-    for (size_t i = 0; i < lag_guards(fmu->model); ++i) {
+    for (size_t i = 0; i < lag_guard_count(fmu->model); ++i) {
         count += !is_held(fmu, i);
     }
     return count;
@@ -41,7 +41,7 @@ size_t lag_instance_indicator_count(const lag_fmu *fmu)
 static int is_false(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
-    return i < instance->fmu->model->nindicator && run->motion.w[run->crossings.places.relation + i] == 0.0;
+    return i < instance->fmu->model->nindicator && run->motion.w[run->guards.places.relation + i] == 0.0;
 }
 
 /* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
@@ -54,19 +54,19 @@ static int changes_at_zero(const lag_instance *instance, size_t i)
 /* Guards that are off are infinite; FMI wants numbers. */
 static double value_of(const lag_instance *instance, size_t i)
 {
-    const double value = instance->run->crossings.value[i];
+    const double value = instance->run->guards.value[i];
     return isinf(value) ? 1.0 : value;
 }
 
 /* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
 static double round_off(const lag_instance *instance, size_t i)
 {
-    return fmax(DBL_MIN, lag_zero_crossing_noise(&instance->run->crossings, i));
+    return fmax(DBL_MIN, lag_guards_noise(&instance->run->guards, i));
 }
 
 static double dead_band(const lag_instance *instance, size_t i)
 {
-    return fmax(round_off(instance, i), lag_zero_crossing_known(&instance->run->crossings, i));
+    return fmax(round_off(instance, i), lag_guards_known(&instance->run->guards, i));
 }
 
 int lag_instance_is_armed(const lag_instance *instance, size_t i)
@@ -78,7 +78,7 @@ int lag_instance_is_armed(const lag_instance *instance, size_t i)
 static double distance_to_leave(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
-    const double before = lag_zero_crossing_touches(&instance->run->crossings, i) ? dead_band(instance, i) : 0.0;
+    const double before = lag_guards_touches(&instance->run->guards, i) ? dead_band(instance, i) : 0.0;
     const double behind = lag_instance_is_armed(instance, i) ? -before : instance->guards.latched[i];
     return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
@@ -87,7 +87,7 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 {
     const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
     const int leaves = distance_to_leave(instance, i) < near;
-    instance->run->crossings.pieces.seen[0][i] = value_of(instance, i);
+    instance->run->guards.pieces.seen[0][i] = value_of(instance, i);
     instance->guards.latched[i] *= leaves && !lag_instance_is_armed(instance, i) ? WIDER : 1.0;
     return leaves;
 }
@@ -95,8 +95,8 @@ int lag_instance_leaves(lag_instance *instance, size_t i)
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->values.g;
-    const size_t count = lag_guards(instance->fmu->model);
-    lag_status status = count > 0 ? lag_zero_crossing_detect(&instance->run->crossings, instance->held.t, instance->x) : LAG_OK;
+    const size_t count = lag_guard_count(instance->fmu->model);
+    lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         if (!is_held(instance->fmu, i)) {
@@ -123,7 +123,7 @@ static int stays_armed(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double value = value_of(instance, i);
-    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->crossings.pieces.seen[0][i]) <= sigma;
+    return lag_instance_is_armed(instance, i) && value > TOGETHER * sigma && fabs(value - instance->run->guards.pieces.seen[0][i]) <= sigma;
 }
 
 lag_status lag_instance_arm(lag_instance *instance)
@@ -134,8 +134,8 @@ lag_status lag_instance_arm(lag_instance *instance)
     if (instance->fmu->model->nindicator > 0) {
         lag_noise_find(&run->instants.noise, t, instance->x);
     }
-    const lag_status status = lag_zero_crossing_begin(&run->crossings, t, instance->x);
-    for (size_t i = 0; i < lag_guards(instance->fmu->model) && status == LAG_OK; ++i) {
+    const lag_status status = lag_guards_begin(&run->guards, t, instance->x);
+    for (size_t i = 0; i < lag_guard_count(instance->fmu->model) && status == LAG_OK; ++i) {
         if (stays_armed(instance, i)) {
             continue;
         }

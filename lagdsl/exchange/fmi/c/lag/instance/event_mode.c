@@ -19,20 +19,20 @@ static const double LATE = 1e-9;
 static lag_status find_left(lag_instance *instance, double t, double *left, int *flies)
 {
     const lag_model *model = instance->fmu->model;
-    lag_zero_crossing *crossings = &instance->run->crossings;
+    lag_guards *guards = &instance->run->guards;
     const int exchanged = instance->held.exchanged;
     const size_t relations = model->nindicator;
-    const size_t count = lag_guards(model);
+    const size_t count = lag_guard_count(model);
     if (exchanged && relations > 0) {
-        lag_noise_find(crossings->noise, t, instance->x); /* where the importer began, numbers may have been zero */
+        lag_noise_find(guards->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
-    lag_status status = count > 0 ? lag_zero_crossing_detect(crossings, t, instance->x) : LAG_OK;
+    lag_status status = count > 0 ? lag_guards_detect(guards, t, instance->x) : LAG_OK;
     for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
-        const int leaves = exchanged ? lag_instance_leaves(instance, i) : crossings->changed[i] != 0.0;
-        const double behind = i < relations ? fmax(0.0, -crossings->value[i]) : 0.0;
+        const int leaves = exchanged ? lag_instance_leaves(instance, i) : guards->changed[i] != 0.0;
+        const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && lag_instance_is_armed(instance, i));
-        crossings->depth[i] = !exchanged ? crossings->depth[i] : left[i] != 0.0 ? 0.0 : behind;
+        guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
@@ -90,7 +90,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
     const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
-    const size_t count = lag_guards(instance->fmu->model);
+    const size_t count = lag_guard_count(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;
     instance->values.known = 0;

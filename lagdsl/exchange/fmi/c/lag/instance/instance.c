@@ -32,7 +32,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guards(fmu->model) +
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guard_count(fmu->model) +
            fmu->dependents.count;
 }
 
@@ -92,8 +92,8 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->inputs.course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
     instance->inputs.given = lag_take(&memory, model->nu);
     instance->inputs.left = lag_take(&memory, model->nu);
-    instance->guards.latched = lag_take(&memory, lag_guards(fmu->model));
-    instance->guards.armed = lag_take(&memory, lag_guards(fmu->model));
+    instance->guards.latched = lag_take(&memory, lag_guard_count(fmu->model));
+    instance->guards.armed = lag_take(&memory, lag_guard_count(fmu->model));
     instance->offsets = lag_take(&memory, fmu->dependents.count);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->values.g = lag_take(&memory, lag_instance_indicator_count(fmu));

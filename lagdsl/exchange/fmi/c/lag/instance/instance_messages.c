@@ -65,7 +65,7 @@ static const char *broken(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     size_t i = 0;
-    while (i < model->na && instance->run->watch.held[i] != 0.0) {
+    while (i < model->na && instance->run->conditions.held[i] != 0.0) {
         ++i;
     }
     return i < model->na ? model->assertions[i] : "an invariant left its tolerance";

@@ -146,8 +146,8 @@ lag_status lag_instance_begin_at(lag_instance *instance)
     status = lag_run_enter(run);
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     lag_instance_note_stop(instance, status);
-    lag_fill(lag_guards(instance->fmu->model), 0.0, instance->guards.latched);
-    lag_fill(lag_guards(instance->fmu->model), (double)INFINITY, instance->guards.armed);
+    lag_fill(lag_guard_count(instance->fmu->model), 0.0, instance->guards.latched);
+    lag_fill(lag_guard_count(instance->fmu->model), (double)INFINITY, instance->guards.armed);
     if (status == LAG_OK || status == LAG_STOPPED) {
         status = lag_instance_arm(instance);
     }

@@ -164,7 +164,7 @@ lag_status lag_instance_evaluate(lag_instance *instance, unsigned what)
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
 {
     const lag_model *model = instance->fmu->model;
-    lag_watch *watch = &instance->run->watch;
+    lag_conditions *watch = &instance->run->conditions;
     if (model->na == 0) {
         return LAG_OK;
     }

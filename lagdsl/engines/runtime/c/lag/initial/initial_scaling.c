@@ -1,6 +1,6 @@
 #include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
-#include "lag/initial/initial_problem.h"
+#include "lag/initial/initial_scaling.h"
 
 #include <float.h>
 #include <math.h>

@@ -4,8 +4,8 @@
  * A relation that the rows of its mode hold does not move, and is not watched. lag/events/instant.h carries out the changes. Corners are guards on request
  * only: the discretes do not contain them.
  */
-#ifndef LAG_ZERO_CROSSING_H
-#define LAG_ZERO_CROSSING_H
+#ifndef LAG_GUARDS_H
+#define LAG_GUARDS_H
 
 #include "lag/contacts/reserve.h"
 #include "lag/equations/projection.h"
@@ -29,7 +29,7 @@ typedef struct lag_pieces {
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_pieces;
 
-typedef struct lag_zero_crossing {
+typedef struct lag_guards {
     lag_motion *motion;
     lag_places places;
     lag_contacts *contacts;
@@ -48,41 +48,41 @@ typedef struct lag_zero_crossing {
     double *held;                  /* (nindicator) flags: the rows of the mode hold it */
     double *swing;                 /* (nindicator) largest magnitude since it turned last; infinite: it has not turned */
     double *doubted;               /* (nindicator) first time at which it turned by the method's error, perhaps; infinite: none */
-} lag_zero_crossing;
+} lag_guards;
 
 /* So many guards of a model, without corners: relations, contacts, friction, in this order. */
-static inline size_t lag_guards(const lag_model *model)
+static inline size_t lag_guard_count(const lag_model *model)
 {
     return model->nindicator + model->ncontact + model->nfriction;
 }
 
 /* Doubles for it. */
-size_t lag_zero_crossing_memory(const lag_model *model);
+size_t lag_guards_memory(const lag_model *model);
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
 
 /* So many guards are watched: relations, contacts, friction, corners. */
-size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
+size_t lag_guards_count(const lag_guards *guards);
 
 /* True if that value hardly gets behind zero, as that of a slip in a plane, which turns round there. */
-int lag_zero_crossing_touches(const lag_zero_crossing *crossings, size_t which);
+int lag_guards_touches(const lag_guards *guards, size_t which);
 
 /* Rounding error of that, as far as it is known. */
-double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
+double lag_guards_noise(const lag_guards *guards, size_t which);
 
 /* True if lag/events/noise.h finds it: contacts and friction have bounds of their own. */
-int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
+int lag_guards_has_noise(const lag_guards *guards, size_t which);
 
 /* A guard nearer to zero than this is zero, as far as the tolerance lets the motion be known. */
-double lag_zero_crossing_known(const lag_zero_crossing *crossings, size_t which);
+double lag_guards_known(const lag_guards *guards, size_t which);
 
 /* A step begins at x at time t, or an event has ended there. */
-lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const double *x);
+lag_status lag_guards_begin(lag_guards *guards, double t, const double *x);
 
 /* LAG_EVENT_PENDING if a guard has left its mode at x at time t, with the discretes of `motion`. */
-lag_status lag_zero_crossing_detect(lag_zero_crossing *crossings, double t, const double *x);
+lag_status lag_guards_detect(lag_guards *guards, double t, const double *x);
 
 /* Finds the relations that the rows of the mode hold from x at time t on. `point` (2 nq + nz) is for its own use. */
-void lag_zero_crossing_hold(lag_zero_crossing *crossings, lag_projection *projection, double t, const double *x, double *point);
+void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point);
 
 #endif

@@ -1,6 +1,6 @@
 /* Declarations that the files behind lag/initial.h share: start values with their weights, constraints in natural sizes. */
-#ifndef LAG_INITIAL_PROBLEM_H
-#define LAG_INITIAL_PROBLEM_H
+#ifndef LAG_INITIAL_SCALING_H
+#define LAG_INITIAL_SCALING_H
 
 #include "lag/initial.h"
 #include "lag/initial/nearest_configuration.h"

@@ -1,14 +1,14 @@
-#include "lag/run/watch.h"
+#include "lag/run/conditions.h"
 
 #include <math.h>
 
-size_t lag_watch_memory(const lag_model *model)
+size_t lag_conditions_memory(const lag_model *model)
 {
     return 2 * model->ni + model->na;
 }
 
 /* True if all invariants are within their tolerances; with `count`, also records their departures and scales. */
-static int invariants(lag_watch *watch, int count)
+static int invariants(lag_conditions *watch, int count)
 {
     int within = 1;
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
@@ -23,12 +23,12 @@ static int invariants(lag_watch *watch, int count)
     return within;
 }
 
-void lag_watch_count(lag_watch *watch)
+void lag_conditions_count(lag_conditions *watch)
 {
     (void)invariants(watch, 1);
 }
 
-lag_status lag_watch_check(lag_watch *watch, double t, const double *x)
+lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {

@@ -1,0 +1,341 @@
+#include "lag/events/guards.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* ---- kinds of guards ---- */
+
+/* Guards of one kind: how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
+typedef struct kind {
+    lag_status (*evaluate)(lag_guards *guards);
+    double (*value)(const lag_guards *guards, size_t k);
+    double (*noise)(const lag_guards *guards, size_t k);
+} kind;
+
+static lag_status evaluate_relations(lag_guards *guards)
+{
+    return guards->motion->model->indicator(&guards->motion->at, guards->g);
+}
+
+static double relation(const lag_guards *guards, size_t k)
+{
+    const int holds = guards->motion->w[guards->places.relation + k] != 0.0;
+    return guards->held[k] != 0.0 ? 1.0 : holds ? guards->g[k] : -guards->g[k];
+}
+
+static double relation_noise(const lag_guards *guards, size_t k)
+{
+    return guards->noise->sigma[k];
+}
+
+static int is_closed(const lag_guards *guards, size_t k)
+{
+    return guards->motion->w[guards->places.contact + k] != 0.0;
+}
+
+static lag_status evaluate_contacts(lag_guards *guards)
+{
+    return lag_contacts_evaluate(guards->contacts);
+}
+
+static double contact(const lag_guards *guards, size_t k)
+{
+    const lag_motion *motion = guards->motion;
+    if (!is_closed(guards, k)) {
+        return lag_contacts_is_one_way(guards->contacts, k) ? guards->contacts->speed[k] : guards->contacts->gap[k];
+    }
+    const int shares = !isnan(guards->frictions->reserve[k]); /* friction of its group is watched */
+    return shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
+}
+
+static double contact_noise(const lag_guards *guards, size_t k)
+{
+    return is_closed(guards, k) ? lag_contacts_force_noise(guards->contacts, k) : lag_contacts_gap_noise(guards->contacts, k);
+}
+
+static lag_status evaluate_frictions(lag_guards *guards)
+{
+    const lag_status status = lag_frictions_evaluate(guards->frictions);
+    return status == LAG_OK ? lag_reserve_evaluate(guards->reserve) : status;
+}
+
+static double friction(const lag_guards *guards, size_t k)
+{
+    return lag_frictions_guard(guards->frictions, k);
+}
+
+static double friction_noise(const lag_guards *guards, size_t k)
+{
+    return lag_frictions_dead_band(guards->frictions, k);
+}
+
+static lag_status evaluate_corners(lag_guards *guards)
+{
+    double solved = 0.0;
+    return guards->motion->model->corner(&guards->motion->at, guards->corners.far, &solved);
+}
+
+static double corner(const lag_guards *guards, size_t k)
+{
+    return guards->corners.side[k] * guards->corners.far[k];
+}
+
+static double corner_noise(const lag_guards *guards, size_t k)
+{
+    return guards->noise->sigma[guards->motion->model->nindicator + k];
+}
+
+enum { RELATIONS, CONTACTS, FRICTIONS, CORNERS, KINDS };
+
+static const kind KIND[KINDS] = {
+    [RELATIONS] = {evaluate_relations, relation, relation_noise},
+    [CONTACTS] = {evaluate_contacts, contact, contact_noise},
+    [FRICTIONS] = {evaluate_frictions, friction, friction_noise},
+    [CORNERS] = {evaluate_corners, corner, corner_noise},
+};
+
+/* The number of guards of kind k. Every evaluation asks this for every guard: no calls. */
+static inline size_t count_of(const lag_guards *guards, int k)
+{
+    const lag_model *model = guards->motion->model;
+    return k == RELATIONS ? model->nindicator : k == CONTACTS ? model->ncontact : k == FRICTIONS ? model->nfriction : guards->corners.count;
+}
+
+/* The kind of guard *which; its number among those of its kind instead. */
+static int kind_of(const lag_guards *guards, size_t *which)
+{
+    int k = 0;
+    while (k < KINDS - 1 && *which >= count_of(guards, k)) {
+        *which -= count_of(guards, k);
+        ++k;
+    }
+    return k;
+}
+
+size_t lag_guards_count(const lag_guards *guards)
+{
+    return lag_guard_count(guards->motion->model) + guards->corners.count;
+}
+
+double lag_guards_noise(const lag_guards *guards, size_t which)
+{
+    const int k = kind_of(guards, &which);
+    return KIND[k].noise(guards, which);
+}
+
+int lag_guards_has_noise(const lag_guards *guards, size_t which)
+{
+    const int k = kind_of(guards, &which);
+    return k == RELATIONS || k == CORNERS;
+}
+
+int lag_guards_touches(const lag_guards *guards, size_t which)
+{
+    const lag_model *model = guards->motion->model;
+    const size_t k = which - model->nindicator - model->ncontact; /* large for others */
+    return k < model->nfriction && lag_frictions_components(guards->frictions, k) > 1 && *lag_frictions_sticks(guards->frictions, k) == 0.0;
+}
+
+/* The size of the numbers that enter the guard of a contact or of friction. */
+static double size_of(const lag_guards *guards, size_t which)
+{
+    const lag_contacts *contacts = guards->contacts;
+    const size_t i = which - guards->motion->model->nindicator;
+    if (i >= guards->motion->model->ncontact) {
+        return lag_frictions_size(guards->frictions, i - guards->motion->model->ncontact);
+    }
+    return is_closed(guards, i) ? contacts->sizes.force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->sizes.pace[i] : contacts->sizes.scale[i];
+}
+
+double lag_guards_known(const lag_guards *guards, size_t which)
+{
+    return !lag_guards_has_noise(guards, which) ? guards->noise->tolerance * size_of(guards, which) :
+        lag_noise_known(guards->noise, which);
+}
+
+/* ---- memory ---- */
+
+size_t lag_guards_memory(const lag_model *model)
+{
+    const size_t count = lag_guard_count(model) + model->ncorner;
+    return 5 * model->nindicator + 2 * model->ncorner + (7 + LAG_PIECE_SAMPLES) * count;
+}
+
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
+{
+    const lag_model *model = motion->model;
+    const size_t count = lag_guard_count(model) + model->ncorner;
+    guards->motion = motion;
+    guards->places = lag_places_of(model);
+    guards->contacts = reserve->frictions->contacts;
+    guards->frictions = reserve->frictions;
+    guards->reserve = reserve;
+    guards->noise = noise;
+    guards->value = lag_take(&memory, count);
+    guards->changed = lag_take(&memory, count);
+    guards->depth = lag_take(&memory, count);
+    guards->band = lag_take(&memory, count);
+    guards->top = lag_take(&memory, count);
+    guards->pieces.root = lag_take(&memory, count);
+    guards->pieces.found = lag_take(&memory, count);
+    for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
+        guards->pieces.seen[k] = lag_take(&memory, count);
+    }
+    guards->pieces.when = lag_take(&memory, model->nindicator);
+    guards->held = lag_take(&memory, model->nindicator);
+    guards->swing = lag_take(&memory, model->nindicator);
+    guards->doubted = lag_take(&memory, model->nindicator);
+    guards->g = lag_take(&memory, model->nindicator);
+    guards->corners.far = lag_take(&memory, model->ncorner);
+    guards->corners.side = memory;
+    guards->pieces.span = guards->pieces.reach = 0.0;
+    guards->pieces.limit = (double)INFINITY;
+    guards->locating = 0;
+    lag_fill(count, 0.0, guards->depth);
+    lag_fill(count, 0.0, guards->band);
+    lag_fill(count, 0.0, guards->top);
+    lag_fill(model->nindicator, 0.0, guards->held);
+    lag_fill(model->nindicator, -(double)INFINITY, guards->pieces.when);
+    lag_fill(model->nindicator, (double)INFINITY, guards->swing);
+    lag_fill(model->nindicator, (double)INFINITY, guards->doubted);
+}
+
+/* ---- looks ---- */
+
+/* True if values depend on accelerations or multipliers: relations may contain them, and closed contacts have them. */
+static int needs_forces(const lag_guards *guards)
+{
+    const lag_model *model = guards->motion->model;
+    int needs = model->nindicator > 0 || model->nfriction > 0 || (guards->corners.count > 0 && guards->corners.solved);
+    for (size_t i = 0; i < model->ncontact && !needs; ++i) {
+        needs = is_closed(guards, i);
+    }
+    return needs;
+}
+
+static lag_status evaluate(lag_guards *guards, double t, const double *x)
+{
+    lag_status status = LAG_OK;
+    if (needs_forces(guards)) {
+        status = lag_motion_solve(guards->motion, t, x);
+    } else {
+        lag_motion_set_state(guards->motion, t, x);
+    }
+    double *value = guards->value;
+    for (int k = 0; k < KINDS && status == LAG_OK; ++k) {
+        const size_t count = count_of(guards, k);
+        status = count > 0 ? KIND[k].evaluate(guards) : LAG_OK;
+        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+            *value++ = KIND[k].value(guards, i);
+        }
+    }
+    return status;
+}
+
+/* True if relation i is zero and does not hold there: one that `limit` or `min` ends at zero changes there, though it does not pass it. */
+static int ends_at_zero(const lag_guards *guards, size_t i)
+{
+    const lag_model *model = guards->motion->model;
+    return i < model->nindicator && guards->value[i] == 0.0 &&
+        (guards->motion->w[guards->places.relation + i] != 0.0) == (model->strict[i] != 0);
+}
+
+/* True if guard i may have left its mode: its rounding error here is not known. */
+static int is_unclear(const lag_guards *guards, size_t i)
+{
+    if (guards->band[i] != 0.0 || !lag_guards_has_noise(guards, i)) {
+        return 0;
+    }
+    const double value = guards->value[i];
+    if (value > 0.0) {
+        return 0;
+    }
+    return -value > guards->depth[i] || ends_at_zero(guards, i);
+}
+
+/* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */
+static int find_dead_bands(lag_guards *guards, double t, const double *x)
+{
+    const size_t count = lag_guards_count(guards);
+    size_t i = 0;
+    while (i < count && !is_unclear(guards, i)) {
+        ++i;
+    }
+    if (i == count) {
+        return 0;
+    }
+    for (size_t k = 0; k < count; ++k) {
+        guards->changed[k] = is_unclear(guards, k);
+    }
+    lag_noise_find(guards->noise, t, x);
+    for (size_t k = 0; k < count; ++k) {
+        guards->band[k] = guards->changed[k] != 0.0 ? fmax(DBL_MIN, lag_guards_noise(guards, k)) : guards->band[k];
+    }
+    return 1;
+}
+
+/* True if guard i has left its mode: it is below its dead band. One that began below zero and has left did so where it fell below its beginning. */
+static int has_left(const lag_guards *guards, size_t i)
+{
+    const double value = guards->value[i];
+    if (value > 0.0) {
+        return 0;
+    }
+    const int has_begun_below = guards->locating && guards->depth[i] > 0.0;
+    const double noise = lag_guards_has_noise(guards, i) ? guards->band[i] : lag_guards_noise(guards, i);
+    const double band = has_begun_below ? 0.0 : noise;
+    const int ends = ends_at_zero(guards, i) && guards->top[i] > LAG_CLEARLY * noise;
+    return -value > guards->depth[i] + band || ends;
+}
+
+lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
+{
+    const size_t count = lag_guards_count(guards);
+    lag_status status = evaluate(guards, t, x);
+    if (status == LAG_OK && find_dead_bands(guards, t, x)) {
+        status = evaluate(guards, t, x);
+    }
+    int any = 0;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        guards->changed[i] = has_left(guards, i);
+        any = any || guards->changed[i] != 0.0;
+    }
+    return any ? LAG_EVENT_PENDING : status;
+}
+
+lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
+{
+    const lag_model *model = guards->motion->model;
+    const size_t count = lag_guards_count(guards);
+    if (count == 0) {
+        return LAG_OK;
+    }
+    lag_noise_follow(guards->noise, x);
+    lag_contacts_follow(guards->contacts, x);
+    const lag_status status = evaluate(guards, t, x);
+    if (model->nfriction > 0 && status == LAG_OK) {
+        lag_frictions_begin(guards->frictions); /* guards of slips in a plane begin with it */
+    }
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const double value = guards->value[i];
+        guards->depth[i] = fmax(-value, 0.0);
+        guards->band[i] = 0.0;
+        guards->top[i] = value;
+    }
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        guards->swing[i] = fmax(guards->swing[i], fabs(guards->g[i]));
+    }
+    for (size_t k = 0; k < model->ncontact && status == LAG_OK; ++k) {
+        const double force = is_closed(guards, k) ? fabs(contact(guards, k)) : 0.0;
+        guards->contacts->sizes.force[k] = isfinite(force) ? fmax(guards->contacts->sizes.force[k], force) : guards->contacts->sizes.force[k];
+    }
+    return status;
+}
+
+void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point)
+{
+    lag_noise_hold(guards->noise, projection, t, x, point, guards->held);
+}
