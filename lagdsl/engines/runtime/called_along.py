@@ -13,11 +13,11 @@ _ALONG: Any = dict(field[:2] for field in RunCallbacks._fields_)["along"]
 
 
 class CalledAlong:
-    """`make` makes the model with these functions. In C nothing may be raised: `problem` is what was, to be raised
-    later."""
+    """`make`, which may be another one later, makes the model with these functions. In C nothing may be raised:
+    `problem` is what was, to be raised later."""
 
     def __init__(self, make: Callable[[], NativeModel | None]) -> None:
-        self._make = make
+        self.make = make
         self._held: tuple[NativeModel, Buffers] | None = None
         self.problem: BaseException | None = None
         self.called = _ALONG(self._tell)
@@ -26,7 +26,7 @@ class CalledAlong:
         """Without functions, `told` stays as it is: zero."""
         try:
             model = None if self._held is None else self._held[0]
-            model = self._make() if model is None else model
+            model = self.make() if model is None else model
         except BaseException as problem:
             self.problem = problem
             return

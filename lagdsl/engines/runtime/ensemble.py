@@ -26,8 +26,8 @@ _FAILED: Any = next(field[1] for field in Ensemble._fields_ if field[0] == "fail
 
 @record(kw_only=True)
 class EnsembleSettings:
-    """Settings of many runs. Of `settings` p (runs, np), natural (runs, 2 nq + nz) and constant inputs (runs, nu) are
-    those of every run. Start values x (runs, 2 nq + nz) are given where `given` (2 nq + nz,) says so.
+    """Settings of many runs. Of `settings` p (runs, np), natural sizes (runs, 2 nq + nz) and constant inputs (runs, nu)
+    are those of every run. Start values x (runs, 2 nq + nz) are given where `given` (2 nq + nz,) says so.
     Inputs may jump at `breaks`; `equations`: with the initial equations. The first `first_piece` steps
     are taken together, then `piece` steps at a time."""
 
@@ -123,7 +123,7 @@ class Bench:
             inputs.tell(options, library, kept)
             inputs = inputs.u
         assert isinstance(inputs, np.ndarray), "functions of Python are called for one run at a time"
-        numbers = {"at": np.array(told.breaks), "p": own.p, "u": inputs, "natural": own.natural, "x": told.x}
+        numbers = {"at": np.array(told.breaks), "p": own.p, "u": inputs, "natural": own.measures.natural, "x": told.x}
         for name, values in numbers.items():
             setattr(ensemble, name, address(values, kept))
         made = Made(

@@ -11,17 +11,29 @@ import numpy as np
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
-from lagdsl.engines.runtime.called_along import CalledAlong
-from lagdsl.engines.runtime.called_inputs import CalledInputs
-from lagdsl.engines.runtime.engines.buffers import Buffers
+from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.run_options import RunSettings, address, shared_options
+from lagdsl.engines.runtime.run_options import RunSettings, ToldOptions
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
-from lagdsl.engines.runtime.signal_tables import TabledInputs
-from lagdsl.engines.runtime.structures import Initial, RunOptions, Status
+from lagdsl.engines.runtime.structures import Initial, Status
+
+_STATUSES = tuple(Status)  # in their order, from 0 on: found faster than by `Status(...)`
+# Bytes of a run that is kept for the next one; memory as large as this is made as fast as it is used.
+_LARGEST = 1 << 23
+
+
+def run_of(model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]) -> Run:
+    """A run that has not begun, in the memory of one that is over where there is one. `layout` and `along` are those
+    of the model."""
+    try:
+        run = model.idle.pop()
+    except IndexError:
+        return Run(model, layout, settings, along)
+    assert isinstance(run, Run), "runs alone are left idle"
+    return run if run.renew(settings, along) else Run(model, layout, settings, along)
 
 
 def _zeros(size: int) -> Floats:
@@ -31,6 +43,33 @@ def _zeros(size: int) -> Floats:
     """
     own = ACCESS_COPY if os.name == "posix" else ACCESS_DEFAULT
     return np.frombuffer(mmap(-1, -(-size // 8) * 8, access=own), dtype=np.float64)
+
+
+class _Search:
+    """The memory of a search for a start: addresses, and what is read from there."""
+
+    def __init__(self, size: int, layout: Layout) -> None:
+        nc, nq = len(layout.constraints), len(layout.coordinates)
+        self._redundant = np.array(layout.redundant, dtype=np.uint8)
+        self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(nc), np.zeros((nc, nq))
+        self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
+        self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
+        self._told = Initial(
+            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(self._pattern)
+        )
+
+    def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
+        """The start values with those `given`, and what the search is told."""
+        if given:
+            self._chosen[:] = 0
+        for place, value in given.items():
+            self._x[place], self._chosen[place] = value, 1
+        self._told.given, self._told.p = not equations, None
+        self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
+        return self._x.copy(), self._told
+
+    def found(self, starts: Floats, p: Floats) -> Found:
+        return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)
 
 
 class Run(RunView):
@@ -44,81 +83,58 @@ class Run(RunView):
         self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
     ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
-        self._model, self.settings = model, settings
-        self._called: list[CalledInputs | CalledAlong] = []  # what C calls
-        self._kept: list[object] = []  # what C has the address of
-        self._row_sizes = np.ones(len(layout.constraints))
-        self.results = RunResults(self._library, model, layout, settings, self._kept)
-        self._told = options = self._options(along)
+        self._model, self._search = model, _Search(self.size, layout)
+        self.results = RunResults(self._library, model, layout)
+        self._told = ToldOptions(layout, along)
+        options = self._told.structure
+        options.results, options.sizes.row_sizes = addressof(self.results.structure), self._search.row_sizes
+        for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
+            setattr(options.invariants, name, place_of(values))
+        self._told.take(settings)
         options.zeroed = 1
-        self._size = size = int(self._library.run_size(model.model, byref(options)))
-        block = _zeros(size)
-        self._kept.append(block)
-        self._run = self._library.run_place(block.ctypes.data, model.model, byref(options))
+        self._sized = model.model
+        self._block = _zeros(int(self._library.run_size(model.model, byref(options))))
+        self._run = self._library.run_place(place_of(self._block), model.model, byref(options))
 
-    def renew(self) -> bool:
-        """Lets it be a run with the same settings that has not begun; False if the model that it goes on with now does
-        not fit into its memory."""
-        self._told.zeroed = 0
-        if self._library.run_size(self._model.model, byref(self._told)) > self._size:
+    @property
+    def settings(self) -> RunSettings:
+        """The settings that it was made with."""
+        return self._told.settings
+
+    def renew(self, settings: RunSettings | None = None, along: Callable[[], NativeModel | None] | None = None) -> bool:
+        """Lets it be a run that has not begun, with these settings and directions or the same; False if the model that
+        it goes on with now does not fit into its memory."""
+        if settings is not None:
+            self._told.take(settings)
+        self._told.along.make = along or self._told.along.make
+        options, model = self._told.structure, self._model.model
+        options.zeroed = 0
+        if model is not self._sized and self._library.run_size(model, byref(options)) > self._block.nbytes:
             return False
-        self._library.run_place(self._run, self._model.model, byref(self._told))
+        self._sized = model
+        self._library.run_place(self._run, model, byref(options))
         self.p = self.settings.p
         self.results.forget()
         return True
 
-    def _options(self, along: Callable[[], NativeModel | None]) -> RunOptions:
-        settings = self.settings
-        options = shared_options(self._library, settings, self._kept)
-        options.p = address(settings.p, self._kept)
-        options.sizes.natural = address(settings.natural, self._kept)
-        options.sizes.row_sizes = self._row_sizes.ctypes.data
-        if settings.invariant_tolerance is not None:
-            for name, values in zip(("start", "size", "drift"), self.results.drifts, strict=True):
-                setattr(options.invariants, name, values.ctypes.data)
-        inputs = settings.inputs
-        if isinstance(inputs, TabledInputs):
-            inputs.tell(options, self._library, self._kept)
-            options.u = address(inputs.u, self._kept)
-        elif isinstance(inputs, HeldInputs):
-            inputs.tell(options, self._library)
-            self._called += [inputs.called] if inputs.called is not None else []
-        elif callable(inputs):
-            asked = CalledInputs(inputs, range(self._layout.size(Group.U)))
-            options.callbacks.inputs = asked.called
-            self._called.append(asked)
-        else:
-            options.u = address(inputs, self._kept)
-        directions = CalledAlong(along)
-        options.callbacks.along = directions.called
-        self._called.append(directions)
-        options.results = addressof(self.results.structure)
-        return options
+    def leave(self) -> None:
+        """It is over, and nobody asks it any more: the next run of the model may have its memory."""
+        self._told.forget()
+        if self._block.nbytes <= _LARGEST:
+            self._model.idle.append(self)
 
     # ---- what it does ------------------------------------------------------------------------------------------------
 
     def find(self, t: float, given: dict[int, float], *, equations: bool) -> Found:
         """The start at time t: from the start values of the model, with those `given` by their place in x instead; with
         or without the initial equations of the model."""
-        layout, count = self._layout, len(self._layout.constraints)
-        starts = np.zeros(self.size)
-        self._checked(self._library.run_start(self._run, t, starts.ctypes.data))
-        chosen = np.zeros(self.size + 1, dtype=np.uint8)
-        for place, value in given.items():
-            starts[place], chosen[place] = value, 1
-        x, dependent = starts.copy(), np.array(layout.redundant, dtype=np.uint8)
-        pattern = np.zeros((count, len(layout.coordinates)))
-        told = Initial(
-            given=not equations,
-            dependent=dependent.ctypes.data,
-            row_sizes=self._row_sizes.ctypes.data,
-            pattern=pattern.ctypes.data,
-        )
-        at = chosen.ctypes.data if given else None
-        self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
-        if self.settings.start.free:
-            self.p = np.array((c_double * len(layout.parameters)).from_address(told.p))
-        return found_of(told, starts, x, self.p, dependent, self._row_sizes, pattern)
+        search, library = self._search, self._library
+        self._checked(library.run_start(self._run, t, search.x))
+        starts, told = search.begin(given, equations)
+        self._checked(library.run_find(self._run, t, search.chosen if given else None, search.x, byref(told)))
+        if self.settings.measures.start.free:
+            self.p = np.array((c_double * len(self._layout.parameters)).from_address(told.p))
+        return search.found(starts, self.p)
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""
@@ -144,21 +160,21 @@ class Run(RunView):
     def change(self, model: NativeModel) -> None:
         """The functions of `model`, another filling of the same equations, from now on."""
         buffers = Buffers(model)
-        self._kept.append(buffers)
+        self._told.kept.append(buffers)
         status = self._library.run_change(self._run, model.model, buffers.workspace.ctypes.data)
         assert status == Status.OK, "internal error: the compiled model is another one than the tape"
         self._model = model
 
     def saved(self) -> bytes:
         """The state of the run, as lag/serialization.h has it."""
-        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        size = self._library.run_saved_size(self._model.model, byref(self._told.structure))
         buffer = create_string_buffer(size)
         self._library.run_save(self._run, buffer)
         return buffer.raw
 
     def load(self, saved: bytes) -> Status:
         """Takes the state of a run with the same settings; BAD_STATE_DATA: these bytes are none, nothing changes."""
-        size = self._library.run_saved_size(self._model.model, byref(self._told))
+        size = self._library.run_saved_size(self._model.model, byref(self._told.structure))
         return Status(self._library.run_load(self._run, saved)) if len(saved) == size else Status.BAD_STATE_DATA
 
     def end(self) -> Status:
@@ -166,12 +182,12 @@ class Run(RunView):
         return self._done(self._library.run_end(self._run))
 
     def _checked(self, status: int) -> Status:
-        for called in self._called:
+        for called in self._told.called:
             if called.problem is not None:
                 raise called.problem
         if self._model.raised:
             raise self._model.raised.pop(0)
-        return Status(status)
+        return _STATUSES[status]
 
     @property
     def model(self) -> NativeModel:
@@ -184,5 +200,6 @@ class Run(RunView):
         return self._run
 
     def _done(self, status: int) -> Status:
-        self.results.take()
+        if self.results.structure.note:
+            self.results.take()
         return self._checked(status)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from ctypes import addressof, byref
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.library import Runtime
-from lagdsl.engines.runtime.run_options import RunSettings
 from lagdsl.engines.runtime.structures import WHAT, Extremes, Note, Results, Status
 
 _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
@@ -19,14 +20,28 @@ _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
 _ROWS, _NOTES = 256, 1024
 
 
+class _Ends:
+    """Extremes of a run as C keeps them, lag_extremes, in `memory`."""
+
+    def __init__(self, library: Runtime, model: NativeModel) -> None:
+        self.told = Extremes()
+        self.memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
+        self._model = model  # lives as long
+        self._place = partial(library.extremes_place, byref(self.told), model.model, place_of(self.memory))
+        self._place()
+
+    def forget(self) -> None:
+        """Everything so far."""
+        self.memory[:] = 0.0
+        self._place()
+
+
 class RunResults:
     """`structure` is their form in C, lag_results; `drifts` (3, ni) the start, the size and the largest drift of every
     invariant. `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or
     `terminate`."""
 
-    def __init__(
-        self, library: Runtime, model: NativeModel, layout: Layout, settings: RunSettings, kept: list[object]
-    ) -> None:
+    def __init__(self, library: Runtime, model: NativeModel, layout: Layout) -> None:
         self.notes: list[tuple[float, str, int]] = []
         self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
@@ -34,16 +49,14 @@ class RunResults:
         self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
         self._notes = (Note * _NOTES)()
         self._full = _FULL(self._empty)
-        self._extremes = Extremes()
-        self._extreme_memory = np.zeros(int(library.extremes_memory(model.model)) + 1)
-        library.extremes_place(byref(self._extremes), model.model, self._extreme_memory.ctypes.data)
+        self._ends = _Ends(library, model)
         self.structure = Results(
             most_rows=_ROWS,
             most_notes=_NOTES,
-            rows=self._rows.ctypes.data,
+            rows=place_of(self._rows),
             notes=addressof(self._notes),
             full=self._full,
-            extremes=addressof(self._extremes),
+            extremes=addressof(self._ends.told),
         )
 
     @property
@@ -58,27 +71,37 @@ class RunResults:
 
     def take(self) -> None:
         """Contents of the buffers."""
-        if self.keeps and self.structure.row:
-            self._taken.append(self._rows[: self.structure.row].copy())
-        self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: self.structure.note]]
-        self.structure.row = self.structure.note = 0
+        structure = self.structure
+        if self.keeps and structure.row:
+            self._taken.append(self._rows[: structure.row].copy())
+        if structure.note:
+            self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: structure.note]]
+        structure.row = structure.note = 0
 
     def forget(self) -> None:
-        """Everything so far."""
+        """Everything so far: a run begins that has nothing of the one before."""
         self._taken, self.notes = [], []
-        self.structure.row = self.structure.note = self.structure.any = 0
+        structure = self.structure
+        structure.row = structure.note = structure.any = 0
+        structure.last = structure.after = 0.0
+        self.drifts[:] = 0.0
+        self._ends.forget()
 
     def rows(self) -> Floats:
-        """All rows so far, as lag/run/results.h tells them."""
-        return np.concatenate([self._rows[:0], *self._taken])
+        """All rows so far, as lag/run/results.h tells them. Nobody may change them."""
+        self.take()
+        if len(self._taken) != 1:
+            self._taken = [np.concatenate([self._rows[:0], *self._taken])]
+        return self._taken[0]
 
     def extremes(self) -> Floats:
         """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so
         far; infinite where there was no number."""
-        count = self._extremes.count
-        return self._extreme_memory[: 2 * count].reshape(2, count).copy()
+        count = self._ends.told.count
+        return self._ends.memory[: 2 * count].reshape(2, count).copy()
 
-    def turns(self, size: int) -> Floats:
+    def turns(self, size: int) -> list[float]:
         """Number of reversals of every number of a state of this size."""
-        first = 2 * self._extremes.count
-        return self._extreme_memory[first : first + size].copy()
+        first = 2 * self._ends.told.count
+        found: list[float] = self._ends.memory[first : first + size].tolist()
+        return found

@@ -8,6 +8,7 @@ import numpy as np
 
 from lagdsl.derivation.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.run_options import Flags
@@ -22,8 +23,8 @@ _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MAN
 @record(kw_only=True)
 class Found:
     """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
-    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq); `p` are the parameters, those
-    that were found too."""
+    it was looked for from, which the search may have `moved`; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq); `p`
+    are the parameters, those that were found too."""
 
     starts: Floats
     x: Floats
@@ -35,6 +36,7 @@ class Found:
     excess: int
     general: int
     dependent: Flags
+    moved: bool
     row_sizes: Floats
     pattern: Flags
     p: Floats
@@ -55,6 +57,7 @@ def found_of(
         excess=told.excess,
         general=told.general,
         dependent=dependent.astype(np.bool_),
+        moved=bool(told.moved),
         row_sizes=row_sizes.copy(),
         pattern=pattern != 0.0,
         p=p,
@@ -79,6 +82,8 @@ class RunView:
         self._library, self._run, self._layout = runtime_library(), run, layout
         self.size, self.p = size, p
         self._report = RunReport()
+        self._at = np.zeros(size + 1)  # one number more, so that there is a place where there is no state
+        self._at_place = place_of(self._at)
 
     @property
     def report(self) -> RunReport:
@@ -139,5 +144,5 @@ class RunView:
         self._library.motion_parameters(self._run + _MOTION, p.ctypes.data)
 
     def _state(self, x: Floats) -> int:
-        self._at = np.append(x, 0.0)
-        return int(self._at.ctypes.data)
+        self._at[:-1] = x
+        return self._at_place

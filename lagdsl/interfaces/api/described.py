@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,12 +92,16 @@ class Described(Interface):
     @property
     def defaults(self) -> Floats:
         """Values of the independent parameters, shape (np,)."""
+        return self._default_values.copy()
+
+    @cached_property
+    def _default_values(self) -> Floats:
         return np.array(self._layout.defaults, dtype=np.float64)
 
     def _parameter_vector(self, given: Given) -> Floats:
         """The defaults with some replaced by name, or all. Raises UnknownName and ValueError for what does not fit."""
         if given is None:
-            return self.defaults
+            return self._default_values.copy()
         values = dict(zip(self.parameters, self._layout.defaults, strict=True))
         chosen = entries("parameter" if isinstance(given, Mapping) else "p", given, self._named("parameter"))
         for parameter in self._compilation.flat.parameters:
@@ -126,7 +131,9 @@ class Described(Interface):
                 return None
 
     def _start_values(self, given: Mapping[str, Value] | None) -> dict[str, float]:
-        return known("start value", by_own_names(self._compilation.flat, given or {}), self._named("start"))
+        if not given:
+            return {}
+        return known("start value", by_own_names(self._compilation.flat, given), self._named("start"))
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
         """Targets of values, by the names of the model."""

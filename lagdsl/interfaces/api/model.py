@@ -131,16 +131,32 @@ class Model(Stepped):
 
     @with_starts
     def initial_state(
-        self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
+        self,
+        *,
+        parameters: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
     ) -> InitialState:
         """The consistent state to start from: `.q .qd .z` in SI units and `.moved`, which tells what was adjusted.
 
-        `start` overrides start values by name, `theta` or `der(theta)`. Raises CompilationFailed where there is none.
+        `start` overrides start values by name, `theta` or `der(theta)`; of `inputs` the values at the start count.
+        Raises CompilationFailed where there is none.
         """
         from lagdsl.motion.simulate.initialize import initial_state
 
         p = self._parameter_vector(parameters)
-        return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
+        u = None if inputs is None else self._inputs_at_start(inputs, p)
+        return initial_state(self._compilation.flat, self._engine, p, u=u, start=self._start_values(start))
+
+    def _inputs_at_start(self, inputs: Mapping[str, Signal | str] | Path | str, p: Floats) -> Floats:
+        """u (nu,): those that are given, and the model's."""
+        from lagdsl.interfaces.api.inputs.values import inputs_at
+        from lagdsl.motion.simulate.placed import start_values
+
+        t = self._compilation.flat.experiment.start_time
+        given = inputs_at(self._compilation.flat, inputs, t)
+        own = zip(self.inputs, start_values(self._engine, t, p)[1].tolist(), strict=True)
+        return np.array([given.get(name, value) for name, value in own])
 
     @with_starts
     def simulate(

@@ -13,6 +13,8 @@ from lagdsl.motion.signals import trajectory
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+_FIELDS = tuple(field.name for field in fields(trajectory.Trajectory))
+
 
 class Trajectory(trajectory.Trajectory):
     """Rows at the requested times; `trajectory["theta"]` is a column in SI units."""
@@ -23,7 +25,9 @@ class Trajectory(trajectory.Trajectory):
     @classmethod
     def of(cls, motion: trajectory.Trajectory, page: Callable[[], str] | None = None) -> Trajectory:
         """`page` makes the page of the motion; None where no page can repeat it."""
-        made = cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
+        made = object.__new__(cls)  # a copy, without a look at its values
+        for name in _FIELDS:
+            object.__setattr__(made, name, getattr(motion, name))
         object.__setattr__(made, "_page", page)
         return made
 

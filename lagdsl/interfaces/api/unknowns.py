@@ -29,7 +29,7 @@ def with_starts(method: Callable[Concatenate[M, P], T]) -> Callable[Concatenate[
     @wraps(method)
     def called(self: M, /, *args: P.args, **kwargs: P.kwargs) -> T:
         start = kwargs.get("start")
-        return method(self._of_starts(start if isinstance(start, Mapping) else None), *args, **kwargs)
+        return method(self._of_starts(start) if isinstance(start, dict | Mapping) else self, *args, **kwargs)
 
     return called
 

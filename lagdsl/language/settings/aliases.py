@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import TypeVar
 
+from lagdsl.foundation.record import remembered
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.settings.arrays import family
 from lagdsl.language.settings.failure import SettingError
@@ -15,6 +16,7 @@ _SUBSCRIPT = re.compile(r"\[[^\[\]]*\]")
 _START = ".start"
 
 
+@remembered
 def other_names(flat: FlatModel) -> dict[str, tuple[str, ...]]:
     """By coordinate `x` and rate `der(x)`, the other names that it has."""
     found: dict[str, tuple[str, ...]] = {}

@@ -299,8 +299,8 @@ class Session(Present):
         if status is not Status.OK:
             raise refused("E0891", why="the runtime does not know them", way="save the state again")
         held.u[:] = saved.u
-        run.results.drifts[:] = saved.drifts
         run.results.forget()
+        run.results.drifts[:] = saved.drifts
         self._attach(run, held, saved.method, self._made[1])
         held.before[:] = saved.before
         held.hold.goal = run.t

@@ -11,10 +11,10 @@ import numpy as np
 from lagdsl.engines.runtime.held_inputs import HeldInputs
 from lagdsl.engines.runtime.signal_tables import SignalTable, TabledInputs
 from lagdsl.engines.runtime.structures import SignalKind
-from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.diagnostics import Diagnostic, Sink
 from lagdsl.foundation.diagnostics.suggest import did_you_mean
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.record import record
+from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.admissible import report_outside
 from lagdsl.language.flat.model import FlatModel, Input
 from lagdsl.motion.signals.hold import Hold
@@ -107,6 +107,8 @@ def signals(
     cannot be (E0845, E0885); and the note N0848.
     Raises ValueError for what is no signal at all.
     """
+    if not inputs:
+        return Signals(tuple(map(_Constant, defaults.tolist())), ())
     names = [item.name for item in flat.inputs]
     for name in inputs:
         if name not in names:
@@ -130,7 +132,28 @@ def signals(
 
 def report_missing(flat: FlatModel, given: Collection[str], sink: Sink) -> None:
     """N0875 for the inputs that neither `given` nor the model has a value for."""
-    items = [item for item in flat.inputs if not item.stated and item.derivative_of is None]
+    if given:
+        _report_missing(_unstated(flat), given, sink)
+        return
+    for diagnostic in _nothing_given(flat):
+        sink.add(diagnostic)
+
+
+@remembered
+def _unstated(flat: FlatModel) -> list[Input]:
+    """Inputs for which the model has no value."""
+    return [item for item in flat.inputs if not item.stated and item.derivative_of is None]
+
+
+@remembered
+def _nothing_given(flat: FlatModel) -> tuple[Diagnostic, ...]:
+    """The note where no input is given."""
+    sink = Sink()
+    _report_missing(_unstated(flat), (), sink)
+    return sink.diagnostics
+
+
+def _report_missing(items: Sequence[Input], given: Collection[str], sink: Sink) -> None:
     missing = [item for item in items if _source(item.name, given)[0] is None]
     if not missing:
         return

@@ -13,7 +13,7 @@ from lagdsl.derivation.structure.names import located
 from lagdsl.engines.backends.start import free_parameters
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.record import record
+from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.display import Display, display, display_rate
 from lagdsl.language.flat.model import FlatModel
 
@@ -73,22 +73,36 @@ def moved_rows(starts: Starts, x: Floats, outputs: Callable[[], Floats]) -> tupl
     far = (np.abs(x - starts.x) > least)[: 2 * starts.count]
     if not far.any():
         return ()
-    rows: list[MovedRow] = []
-    guesses = _in_loops(starts)
-    for first, shown, pattern in ((0, display, "{}"), (starts.count, display_rate, "der({})")):
-        for place, coordinate in enumerate(starts.flat.coordinates, start=first):
-            start, value = float(starts.x[place]), float(x[place])
-            if far[place] or starts.fixed[place]:
-                name = pattern.format(coordinate.name)
-                written = starts.written[place] and name not in guesses
-                kind: Kind = "fixed" if starts.fixed[place] else "explicit" if written else "default"
-                rows.append(MovedRow(name=name, start=start, value=value, kind=kind, unit=shown(coordinate)))
+    names, fixed = _names(starts.flat), starts.fixed[: 2 * starts.count]
+    written = starts.written[: 2 * starts.count].copy()
+    written[: starts.count] &= ~_in_loops(starts)
+    kinds: list[Kind] = ["default", "explicit", "fixed"]
+    places = np.flatnonzero(far | fixed)
+    columns = (each[places].tolist() for each in (starts.x, x, np.where(fixed, 2, written)))
+    rows = [
+        MovedRow(name=names[place][0], start=start, value=value, kind=kinds[kind], unit=names[place][1])
+        for place, start, value, kind in zip(places.tolist(), *columns, strict=True)
+    ]
+    cut = cut_joints(starts.flat)
+    values = outputs()[list(cut)].tolist() if cut else ()
     derived = [
-        MovedRow(name=output.name, start=value, value=value, kind="derived", unit=display(output))
-        for output, value in zip(starts.flat.outputs, outputs().tolist(), strict=False)
-        if output.joint
+        MovedRow(name=name, start=value, value=value, kind="derived", unit=unit)
+        for (name, unit), value in zip(cut.values(), values, strict=True)
     ]
     return (*rows, *derived)
+
+
+@remembered
+def _names(flat: FlatModel) -> list[tuple[str, Display]]:
+    """Names and displays of coordinates, then of their rates."""
+    coordinates = [(each.name, display(each)) for each in flat.coordinates]
+    return coordinates + [(f"der({each.name})", display_rate(each)) for each in flat.coordinates]
+
+
+@remembered
+def cut_joints(flat: FlatModel) -> dict[int, tuple[str, Display]]:
+    """The outputs that are coordinates of cut joints: names and displays by place."""
+    return {place: (each.name, display(each)) for place, each in enumerate(flat.outputs) if each.joint}
 
 
 def found_rows(flat: FlatModel, layout: Layout, guesses: Floats, p: Floats) -> tuple[MovedRow, ...]:
@@ -105,11 +119,12 @@ def found_rows(flat: FlatModel, layout: Layout, guesses: Floats, p: Floats) -> t
 
 def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None:
     """W0814 for explicit starts that were moved by more than the digits they were typed with."""
+    explicit = [row for row in rows if row.kind == "explicit"]
+    if not explicit:
+        return
     coordinates = {c.name: (c, size) for c, size in zip(starts.flat.coordinates, starts.sizes.tolist(), strict=False)}
-    for row in rows:
+    for row in explicit:
         rate = row.name.startswith("der(")
-        if row.kind != "explicit":
-            continue
         coordinate, size = coordinates[row.name[4:-1] if rate else row.name]
         if abs(row.value - row.start) <= NOTICED * max(abs(row.start), size):
             continue
@@ -118,12 +133,15 @@ def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None
         sink.report("W0814", span, name=row.name, start=_shown(row, row.start), value=_shown(row, row.value))
 
 
-def _in_loops(starts: Starts) -> set[str]:
-    """Names of the coordinates that closures of loops hold: their starts choose how the loop is assembled, and are
-    guesses even where they are written."""
-    items = [item for item in located(starts.flat) if item.constraint.closure is not None]
-    held = np.any(starts.pattern[[row for item in items for row in item.rows]], axis=0)
-    return {c.name for c, inside in zip(starts.flat.coordinates, held.tolist(), strict=True) if inside}
+def _in_loops(starts: Starts) -> Flags:
+    """Coordinates (nq,) that closures of loops hold: their starts choose how the loop is assembled, and are guesses
+    even where they are written."""
+    return np.asarray(starts.pattern[_rows_of_closures(starts.flat)].any(axis=0))
+
+
+@remembered
+def _rows_of_closures(flat: FlatModel) -> list[int]:
+    return [row for item in located(flat) if item.constraint.closure is not None for row in item.rows]
 
 
 def _shown(row: MovedRow, si: float) -> str:
@@ -166,6 +184,7 @@ def _adjusted(rows: tuple[MovedRow, ...], loops: tuple[str, ...]) -> str:
     return f"{text}, {rates} rate{'' if rates == 1 else 's'} adjusted" if rates else text
 
 
+@remembered
 def loops_of(flat: FlatModel) -> tuple[str, ...]:
     """Names of the joints at which loops are cut."""
     return tuple(dict.fromkeys(c.closure.joint or c.name for c in flat.constraints if c.closure is not None))

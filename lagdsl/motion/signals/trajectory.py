@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
-from math import isnan
-from typing import TYPE_CHECKING, Literal, Self
+from math import isfinite, isnan
+from typing import TYPE_CHECKING, Literal, Self, TypeAlias, overload
 
 import numpy as np
 
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Kind = Literal["time", "coordinate", "rate", "state", "discrete", "output"]
+# Name, unit, kind and display of a column.
+Head: TypeAlias = tuple[str, str, Kind, Display]
 
 
 @record(kw_only=True)
@@ -50,6 +52,55 @@ class Column:
         if len(seen):
             object.__setattr__(self, "lowest", float(np.min(seen)))
             object.__setattr__(self, "highest", float(np.max(seen)))
+
+
+class Columns(Sequence[Column]):
+    """The columns of a table, each made when it is first asked for: short motions are read in part.
+
+    `table` (columns, rows), time first; `ends` (2, columns but for time) are the lowest and highest values, infinite
+    where there was no number; `aliases` are other names by name.
+    """
+
+    __slots__ = ("_aliases", "_ends", "_heads", "_made", "_table")
+
+    def __init__(
+        self, heads: Sequence[Head], table: Floats, ends: Floats, aliases: Mapping[str, tuple[str, ...]]
+    ) -> None:
+        self._heads, self._table, self._ends, self._aliases = heads, table, ends, aliases
+        self._made: dict[int, Column] = {}
+
+    def __len__(self) -> int:
+        return len(self._heads)
+
+    @overload
+    def __getitem__(self, place: int) -> Column: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> tuple[Column, ...]: ...
+
+    def __getitem__(self, place: int | slice) -> Column | tuple[Column, ...]:
+        if isinstance(place, slice):
+            return tuple(self[k] for k in range(len(self))[place])
+        if place not in self._made:
+            self._made[place] = self._column(range(len(self))[place])
+        return self._made[place]
+
+    def _column(self, place: int) -> Column:
+        name, unit, kind, shown = self._heads[place]
+        if place:
+            low, high = self._ends[:, place - 1].tolist()
+        else:
+            low, high = (self._table[0, 0], self._table[0, -1]) if self._table.size else (np.nan, np.nan)
+        return Column(
+            name=name,
+            unit=unit,
+            kind=kind,
+            display=shown,
+            values=self._table[place],
+            lowest=low if isfinite(low) else np.nan,
+            highest=high if isfinite(high) else np.nan,
+            aliases=self._aliases.get(name, ()),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,12 +154,13 @@ class Trajectory:
 
     `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
     units of the constraint rows; `energy` is energy() [J].
-    `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it; with
-    True, with so many that curves look smooth. A copy that comes from another process (pickle) has the rows alone.
+    `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it, else
+    None; with True, with so many that curves look smooth. A copy that comes from another process (pickle) has the rows
+    alone.
     """
 
     model: str
-    columns: tuple[Column, ...]
+    columns: Sequence[Column]
     position_residual: Floats
     velocity_residual: Floats
     energy: Floats
@@ -116,7 +168,7 @@ class Trajectory:
     moved: tuple[MovedRow, ...]
     statistics: Statistics
     events: tuple[Event, ...] = ()
-    finer: Callable[[bool], Trajectory] | None = field(default=None, compare=False)
+    finer: Callable[[bool], Trajectory | None] | None = field(default=None, compare=False)
 
     def __reduce__(self) -> tuple[partial[Trajectory], tuple[()]]:
         """Without `finer`, which holds the model and its compiled functions."""
@@ -144,7 +196,7 @@ class Trajectory:
 
     def drawn(self, *, smooth: bool = False) -> Trajectory:
         """The motion with rows that are enough to draw it; with `smooth`, also its curves at any size."""
-        return self if self.finer is None else self.finer(smooth)
+        return self if self.finer is None else self.finer(smooth) or self
 
     def column(self, name: str) -> Column:
         """The column with its unit; KeyError with the known names otherwise."""
@@ -184,11 +236,16 @@ class Trajectory:
         with None itself."""
         if names is None:
             return self
-        finer = self.finer
+        own = self.finer
+
+        def finer(smooth: bool) -> Trajectory | None:
+            found = own(smooth) if own is not None else None
+            return None if found is None else found.only(names)
+
         return replace(
             self,
             columns=(self.columns[0], *(each for column in self.columns[1:] for each in _under(column, names))),
-            finer=None if finer is None else lambda smooth: finer(smooth).only(names),
+            finer=None if own is None else finer,
         )
 
     def to_dataframe(self) -> pd.DataFrame:

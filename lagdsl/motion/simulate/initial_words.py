@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 import numpy as np
 
 from lagdsl.derivation.program.program import Layout
@@ -63,7 +65,7 @@ def report_no_start(
 
 def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bool:
     """E0816 for every start value and input that is not a number; whether there is any."""
-    if np.isfinite(starts).all() and np.isfinite(u).all():
+    if all(map(isfinite, starts.tolist())) and all(map(isfinite, u.tolist())):
         return False
     names = [
         *(c.name for c in flat.coordinates),
@@ -142,7 +144,7 @@ def report_endless(flat: FlatModel, layout: Layout, run: Run, t: float, found: F
     """E0802 for rows such as x/(1 + x^2) that count as met far away, where they are small: a zero nearby is as far
     along their gradient as the start has moved."""
     n, count = len(layout.coordinates), len(layout.constraints)
-    natural = run.settings.natural[:n]
+    natural = run.settings.measures.natural[:n]
     moved = np.abs(found.x[:n] - found.starts[:n]) > FAR * natural
     if not moved.any():
         return

@@ -18,24 +18,24 @@ from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.admissible import report_outside
-from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.model import Coordinate, FlatModel, State
 from lagdsl.motion.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.motion.simulate.explicit_rates import report_contradictions, turned_rates
 from lagdsl.motion.simulate.initial_words import report_endless, report_found, report_no_start, report_numbers
-from lagdsl.motion.simulate.placed import placed
+from lagdsl.motion.simulate.placed import placed, start_values
 
 
 @record(kw_only=True)
 class InitialState:
-    """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
-    rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
-    rows that depend on others near this state; `p` are the independent parameters, those that were found with them."""
+    """x = (q, qd, z), with `count` coordinates, at time t, SI units; `moved` tells which starts were changed, `freedom`
+    counts the rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant`
+    flags the rows that depend on others near this state; `p` are the independent parameters, those that were found
+    with them."""
 
     model: str
     t: float
-    q: Floats
-    qd: Floats
-    z: Floats
+    x: Floats
+    count: int
     p: Floats
     freedom: int
     moved: tuple[MovedRow, ...]
@@ -43,9 +43,19 @@ class InitialState:
     loops: tuple[str, ...] = ()
 
     @property
-    def x(self) -> Floats:
-        """(q, qd, z)."""
-        return np.concatenate([self.q, self.qd, self.z])
+    def q(self) -> Floats:
+        """Coordinates (nq,)."""
+        return self.x[: self.count]
+
+    @property
+    def qd(self) -> Floats:
+        """Rates (nq,)."""
+        return self.x[self.count : 2 * self.count]
+
+    @property
+    def z(self) -> Floats:
+        """States (nz,)."""
+        return self.x[2 * self.count :]
 
     def __str__(self) -> str:
         return moved_text(self.model, self.freedom, self.moved, self.loops)
@@ -71,9 +81,10 @@ def initial_state(
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p
     t = flat.experiment.start_time if t0 is None else t0
     with np.errstate(all="ignore"):
-        inputs = engine.evaluate("start", t, parameters)[3] if u is None else u
+        inputs = start_values(engine, t, parameters)[1] if u is None else u
         run = placed(flat, engine, parameters, inputs, t0=t)
         found = find_start(flat, engine, run, t, inputs, start or {}, own)
+        run.leave()
     if sink is None:
         own.raise_if_errors()
     return found
@@ -84,37 +95,45 @@ def find_start(
 ) -> InitialState:
     """The same for a run that has not begun; `u` are its inputs then."""
     before = len(sink.diagnostics)
-    given = _by_place(flat, start, sink)
+    given = _by_place(flat, start, sink) if start else {}
     found = run.find(t, given, equations=bool(flat.initial_equations))
     _report_outside(flat, found.starts, given, sink)
     if not report_numbers(flat, found.starts, u, sink):
         report_no_start(flat, engine.layout, run, t, found, sink)
-    n = len(flat.coordinates)
-    starts = _starts(flat, run, found, given)
     if found.fault is InitialFault.NONE:
-        report_endless(flat, engine.layout, run, t, found, sink)
+        if found.moved:
+            report_endless(flat, engine.layout, run, t, found, sink)
         report_found(flat, engine.layout, found.p, sink)
-    rows: tuple[MovedRow, ...] = ()
+    rows = tuple[MovedRow, ...]()
     if not _wrong(sink, before):
-        rows = moved_rows(starts, found.x, partial(_cut_joints, flat, run, t, found))
+        if found.moved:
+            rows = _moved(flat, run, t, found, given, sink)
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
-    if not flat.initial_equations:  # these say themselves that starts are to be moved
-        if not _wrong(sink, before) and flat.constraints:
-            report_contradictions(starts, run, t, found, sink)
-        if not _wrong(sink, before):
-            report_moved(starts, rows, sink)
     return InitialState(
         model=flat.name,
         t=t,
-        q=found.x[:n],
-        qd=found.x[n : 2 * n],
-        z=found.x[2 * n :],
+        x=found.x,
+        count=len(flat.coordinates),
         p=found.p,
         freedom=found.freedom,
         moved=rows,
         redundant=tuple(found.dependent.tolist()),
         loops=loops_of(flat),
     )
+
+
+def _moved(
+    flat: FlatModel, run: Run, t: float, found: Found, given: Mapping[int, float], sink: Sink
+) -> tuple[MovedRow, ...]:
+    """Everything that was moved. It is reported unless initial equations say themselves that starts are to be moved."""
+    before, starts = len(sink.diagnostics), _starts(flat, run, found, given)
+    rows = moved_rows(starts, found.x, partial(_outputs, flat, run, t, found))
+    if not flat.initial_equations:
+        if flat.constraints:
+            report_contradictions(starts, run, t, found, sink)
+        if not _wrong(sink, before):
+            report_moved(starts, rows, sink)
+    return rows
 
 
 def _wrong(sink: Sink, before: int) -> bool:
@@ -140,11 +159,16 @@ def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[i
 
 def _report_outside(flat: FlatModel, starts: Floats, given: Mapping[int, float], sink: Sink) -> None:
     """W0328 for start values outside of their bounds."""
-    n = len(flat.coordinates)
-    items = dict(enumerate(flat.coordinates)) | dict(enumerate(flat.states, 2 * n))
-    for place, item in items.items():
+    for place, item in _bounded(flat).items():
         if place in given or item.start_explicit:
             report_outside(item, f"{item.name}(start)", float(starts[place]), sink)
+
+
+@remembered
+def _bounded(flat: FlatModel) -> dict[int, Coordinate | State]:
+    """Coordinates and states that have bounds, by their place in (q, qd, z)."""
+    items = dict(enumerate(flat.coordinates)) | dict(enumerate(flat.states, 2 * len(flat.coordinates)))
+    return {place: item for place, item in items.items() if item.minimum is not None or item.maximum is not None}
 
 
 @remembered
@@ -156,14 +180,15 @@ def _flags(told: Start) -> tuple[Flags, Flags, NDArray[np.intp]]:
 
 def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
     n = len(flat.coordinates)
-    fixed, written, turning = _flags(run.settings.start)
+    measures = run.settings.measures
+    fixed, written, turning = _flags(measures.start)
     if given:
         written = written.copy()
         written[list(given)] = True
     return Starts(
         flat=flat,
         x=turned_rates(found.starts, found.x, turning - n, n),
-        sizes=run.settings.natural,
+        sizes=measures.natural,
         fixed=fixed,
         written=written,
         pattern=found.pattern,
@@ -171,8 +196,6 @@ def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float])
     )
 
 
-def _cut_joints(flat: FlatModel, run: Run, t: float, found: Found) -> Floats:
-    """Outputs at the start, which hold the coordinates of cut joints, where there are some."""
-    if not any(output.joint for output in flat.outputs):
-        return np.zeros(0)
+def _outputs(flat: FlatModel, run: Run, t: float, found: Found) -> Floats:
+    """Outputs at the start, which hold the coordinates of cut joints."""
     return run.evaluate("output", t, found.x, len(flat.outputs))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from math import isfinite
 from time import perf_counter
 from typing import NoReturn
 
@@ -58,7 +59,7 @@ class Asked:
 
 @record(kw_only=True)
 class Task:
-    """Everything one motion needs; `run` has not begun."""
+    """Everything one motion needs; `run` has not begun. `finer` makes the same motion with other rows."""
 
     asked: Asked
     run: Run
@@ -66,6 +67,7 @@ class Task:
     times: Floats
     sink: Sink
     progress: Callable[[float], None] | None
+    finer: Callable[[bool], Trajectory | None] | None
 
 
 class Motion:
@@ -92,7 +94,7 @@ class Motion:
                     controlled.act(acting, run, task.sink)
                 status = self._ended(run.jump())
         self._ended(run.end())
-        found = self._so_far()
+        found = self._so_far(self._task.finer)
         found = self._check_outputs(found)
         self._tell_rounded(found)
         self._tell_doubted()
@@ -113,7 +115,8 @@ class Motion:
     def _tell_doubted(self) -> None:
         """W0886 for each relation that turned by what may be the error of the method."""
         relations = self._asked.flat.events.relations
-        for relation, time in zip(relations, self._run.doubted(len(relations)), strict=True):
+        times = self._run.doubted(len(relations)) if relations else ()
+        for relation, time in zip(relations, times, strict=True):
             if np.isfinite(time):
                 self._task.sink.report("W0886", where(relation), name=relation.name, time=time_text(time))
 
@@ -128,10 +131,10 @@ class Motion:
 
     def _check_outputs(self, found: Trajectory) -> Trajectory:
         """E0857 for the first output that is no number, with all rows; a note for each without a limit."""
-        columns = [column.values for column in found.columns if column.kind == "output"]
-        if not columns:
+        asked, count = self._asked, len(self._asked.flat.outputs)
+        if not count or isfinite(np.add.reduce(self._run.results.rows()[:, -3 - count : -3], axis=None)):
             return found
-        asked = self._asked
+        columns = [column.values for column in found.columns if column.kind == "output"]
         states = [column.values for column in found.columns if column.kind in _STATE]
 
         def state_of(row: int) -> State:
@@ -144,7 +147,7 @@ class Motion:
             sink, t = Sink(), float(found.time[row])
             name = outputs.report(which, t, float(columns[which][row]), sink)
             state = {column.name: float(column.values[row]) for column in found.columns if column.kind in _STATE}
-            raise SimulationFailed(sink.diagnostics[-1], t, state, name, found)
+            raise SimulationFailed(sink.diagnostics[-1], t, state, name, replace(found, finer=None))
         notes = (outputs.note(which, float(found.time[row])) for row, which in outputs.left)
         statistics = replace(found.statistics, notes=(*found.statistics.notes, *notes))
         return replace(found, statistics=statistics)
@@ -160,13 +163,18 @@ class Motion:
 
     def _on(self, stop: float, steps: int) -> Status:
         """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
-        engine, run, before = self._asked.engine, self._run, self._run.t
-        started = perf_counter()
+        engine, run = self._asked.engine, self._run
+        if not isinstance(engine, AutoEngine):
+            status = run.to(stop, steps)
+            self._steps += run.report.steps
+            return status
+        before, started = run.t, perf_counter()
         status = run.to(stop, steps)
-        self._steps += run.report.steps
-        if isinstance(engine, AutoEngine) and status in (Status.OK, Status.TOO_LONG):
-            seconds, reached = perf_counter() - started, max(run.t - before, 1e-9 * (self._last - self._first))
-            engine.worked(seconds, left=seconds * (self._last - run.t) / reached)
+        report = run.report
+        self._steps += report.steps
+        if status in (Status.OK, Status.TOO_LONG):
+            seconds, reached = perf_counter() - started, max(report.t - before, 1e-9 * (self._last - self._first))
+            engine.worked(seconds, left=seconds * (self._last - report.t) / reached)
             compiled = engine.hasten()
             if compiled is not None:
                 run.change(compiled)
@@ -188,8 +196,10 @@ class Motion:
         raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
 
     def _tell_progress(self) -> None:
+        if self._task.progress is None:
+            return
         part = (self._run.t - self._first) / (self._last - self._first)
-        if self._task.progress is not None and (part - self._shown >= _PROGRESS_STEP or part >= 1.0):
+        if part - self._shown >= _PROGRESS_STEP or part >= 1.0:
             self._shown = part
             self._task.progress(part)
 
@@ -207,7 +217,7 @@ class Motion:
 
     # ---- what became of it -------------------------------------------------------------------------------------------
 
-    def _so_far(self) -> Trajectory:
+    def _so_far(self, finer: Callable[[bool], Trajectory | None] | None = None) -> Trajectory:
         run, report = self._run, self._run.report
         automatic = "radau" if report.implicit else "dop853"
         statistics = Statistics(
@@ -216,9 +226,10 @@ class Motion:
             evaluations=report.counts.evaluations,
             jacobians=report.counts.jacobians,
             projections=report.projections,
-            notes=(*self._notes, *self._changes()),
+            notes=(*self._notes, *self._changes()) if report.changes else tuple(self._notes),
         )
-        return trajectory(self._asked.flat, self._asked.engine.layout, run, self._task.initial.moved, statistics)
+        task, asked = self._task, self._asked
+        return trajectory(asked.flat, asked.engine.layout, run, task.initial.moved, statistics, finer)
 
     def _changes(self) -> list[str]:
         """Changes of the method, where the runtime chooses it."""

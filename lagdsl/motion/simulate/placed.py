@@ -6,13 +6,13 @@ import numpy as np
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.structure.names import contact_rows
-from lagdsl.derivation.structure.scales import Scales, scales_of
-from lagdsl.engines.backends.start import Start, start_of
+from lagdsl.derivation.structure.scales import scales_of
+from lagdsl.engines.backends.start import start_of
 from lagdsl.engines.runtime.engines.engine import Engine
-from lagdsl.engines.runtime.run import Run
-from lagdsl.engines.runtime.run_options import RunInputs, RunSettings
+from lagdsl.engines.runtime.run import Run, run_of
+from lagdsl.engines.runtime.run_options import Measures, RunInputs, RunSettings
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.record import record, remembered
+from lagdsl.foundation.record import remembered
 from lagdsl.language.flat.model import FlatModel
 
 # Residuals below this part of the tolerance need no projection.
@@ -38,11 +38,23 @@ def placed(
     known; the rest that is left out says the experiment."""
     t = flat.experiment.start_time if t0 is None else t0
     if q is None:
-        q = engine.evaluate("start", t, p)[0]
+        q = start_values(engine, t, p)[0]
     settings = settings_of(
         flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
     )
-    return Run(engine.native, engine.layout, settings, engine.along)
+    return run_of(engine.native, engine.layout, settings, engine.along)
+
+
+def start_values(engine: Engine, t: float, p: Floats) -> tuple[Floats, Floats]:
+    """Start values of coordinates (nq,) and defaults of inputs (nu,) for the parameters p at time t. Nobody may change
+    them."""
+    known, key = engine.native.starts, (t, p.tobytes())
+    for before, found in known[:1]:
+        if before == key:
+            return found
+    q, _, _, u = engine.evaluate("start", t, p)
+    known[:] = [(key, (q, u))]
+    return q, u
 
 
 def settings_of(
@@ -62,19 +74,13 @@ def settings_of(
     those of many runs."""
     experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance
-    measures = _measures(flat, layout, q, t)
     invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
     asked = np.zeros(0) if times is None else times
     length = float(asked[-1] - asked[0]) if len(asked) > 1 else max(experiment.stop_time - t, np.spacing(abs(t)))
     return RunSettings(
         p=p,
         inputs=inputs,
-        start=measures.start,
-        group=measures.scales.groups,
-        natural=measures.scales.sizes,
-        cap=measures.scales.caps,
-        lasting=measures.lasting,
-        general=measures.general,
+        measures=_measures(flat, layout, q, t),
         times=asked,
         tolerance=relative,
         part=PROJECTION_PART,
@@ -85,26 +91,16 @@ def settings_of(
     )
 
 
-@record()
-class _Measures:
-    """Settings that follow from the model, its start values and their time. Nobody can write to the arrays."""
-
-    start: Start
-    scales: Scales
-    lasting: Floats
-    general: int
-
-
 @remembered
-def _last(flat: FlatModel) -> list[tuple[object, _Measures]]:
+def _last(flat: FlatModel) -> list[tuple[tuple[Layout, float, Floats], Measures]]:
     """Settings for the last start values, with these."""
     return []
 
 
-def _measures(flat: FlatModel, layout: Layout, q: Floats, t: float) -> _Measures:
-    known, key = _last(flat), (t, q.shape, q.tobytes(), layout.components, layout.redundant)
-    for before, measures in known[:1]:
-        if before == key:
+def _measures(flat: FlatModel, layout: Layout, q: Floats, t: float) -> Measures:
+    known = _last(flat)
+    for (before, time, starts), measures in known[:1]:
+        if before is layout and time == t and (starts is q or np.array_equal(starts, q)):
             return measures
     loose = contact_rows(flat)
     scales = scales_of(flat, layout.components, q)
@@ -112,6 +108,13 @@ def _measures(flat: FlatModel, layout: Layout, q: Floats, t: float) -> _Measures
     for array in (scales.groups, scales.sizes, scales.caps, lasting):
         array.flags.writeable = False
     general = sum(not (flag or row in loose) for row, flag in enumerate(layout.redundant))
-    measures = _Measures(start_of(flat, t, ()), scales, lasting, general)
-    known[:] = [(key, measures)]
+    measures = Measures(
+        start=start_of(flat, t, ()),
+        group=scales.groups,
+        natural=scales.sizes,
+        cap=scales.caps,
+        lasting=lasting,
+        general=general,
+    )
+    known[:] = [((layout, t, q), measures)]
     return measures

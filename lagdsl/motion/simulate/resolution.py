@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
-from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.motion.signals.trajectory import Trajectory
 
@@ -43,10 +41,10 @@ class Resolution:
         return max(min(_SMOOTH * self.turns, _MOST_ROWS), self.rows)
 
 
-def resolution_of(turns: Floats) -> Resolution:
+def resolution_of(turns: Sequence[float]) -> Resolution:
     """From how often every number of the state turns around."""
-    most = int(turns.max(initial=0.0))
-    place = int(np.argmax(turns >= _AS_OFTEN * most)) if len(turns) else 0
+    most = int(max(turns, default=0.0))
+    place = next((k for k, count in enumerate(turns) if count >= _AS_OFTEN * most), 0)
     times = max(math.ceil(min(_ENOUGH * most, _MOST_ROWS) / DEFAULT_ROWS), 1)
     return Resolution(times * DEFAULT_ROWS, most, place)
 
@@ -55,7 +53,8 @@ def noted(motion: Trajectory, resolution: Resolution, intervals: int) -> Traject
     """With a note where so many intervals between rows hide what the motion does."""
     if intervals >= resolution.least:
         return motion
-    span = float(motion.time[-1] - motion.time[0])
+    time = motion.time
+    span = float(time[-1] - time[0])
     name = motion.columns[1 + resolution.place].name
     text = (
         f"the rows do not show `{name}`, which turns around {resolution.turns} times: they are "

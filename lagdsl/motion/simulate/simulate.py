@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from math import floor, isfinite
 
 import numpy as np
 
+from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.library import FIXED_METHODS, METHODS
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import remembered
 from lagdsl.language.flat.limits import check_clocks, check_limits
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import Signal, report_missing, signals
@@ -21,13 +23,15 @@ from lagdsl.motion.simulate.control import Control, Controls
 from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
-from lagdsl.motion.simulate.placed import placed
+from lagdsl.motion.simulate.placed import placed, start_values
 from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
 _GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
 LARGEST_ROWS = 20_000_000
+
+_UNKNOWN = resolution_of(())
 
 
 def _number(name: str, value: object) -> float:
@@ -69,32 +73,79 @@ def simulate(
     check_options(t0, end, relative, solver, step)
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
-    names = (slot.name for slot in engine.layout.parameters)
     with np.errstate(all="ignore"):
-        values = dict(zip(names, parameters.tolist(), strict=True))
-        check_limits(flat, values, own)
-        own.raise_if_errors()
-        check_clocks(flat, values, (t0, end), max_steps, own)
-        q, _, _, defaults = engine.evaluate("start", t0, parameters)
+        _check_parameters(flat, engine.layout, parameters, (t0, end), max_steps, own)
+        q, defaults = start_values(engine, t0, parameters)
         given = signals(flat, defaults, inputs or {}, (t0, end), own, speeds=engine.layout.speeds)
         own.raise_if_errors()
-        if not control:
+        controls = None
+        if control:
+            commands = Commands(flat, given.following, engine.layout.speeds, read)
+            controls = Controls(control, flat, given, commands, (t0, end))
+        else:
             report_missing(flat, inputs or {}, own)
-    commands = Commands(flat, given.following, engine.layout.speeds, read)
-    asked = Asked(
-        flat=flat,
-        engine=engine,
-        p=parameters,
-        q=q,
-        signals=given,
-        start=start or {},
-        tolerance=relative,
-        solver=solver,
-        step=step,
-        max_steps=max_steps,
-        controls=Controls(control, flat, given, commands, (t0, end)) if control else None,
-    )
-    return _shown(asked, (t0, end), wanted, progress, own)
+        asked = Asked(
+            flat=flat,
+            engine=engine,
+            p=parameters,
+            q=q,
+            signals=given,
+            start=start or {},
+            tolerance=relative,
+            solver=solver,
+            step=step,
+            max_steps=max_steps,
+            controls=controls,
+        )
+        return _shown(asked, (t0, end), wanted, progress, own)
+
+
+def _check_parameters(
+    flat: FlatModel, layout: Layout, p: Floats, span: tuple[float, float], max_steps: int, sink: Sink
+) -> None:
+    """Raises CompilationFailed for values that parameters, or what follows from them, must not have."""
+    known, key = _sound(flat), p.tobytes()
+    if known == [key] and not flat.events.clocks:
+        return
+    values = dict(zip((slot.name for slot in layout.parameters), p.tolist(), strict=True))
+    check_limits(flat, values, sink)
+    sink.raise_if_errors()
+    check_clocks(flat, values, span, max_steps, sink)
+    known[:] = [key]
+
+
+@remembered
+def _sound(flat: FlatModel) -> list[bytes]:
+    """The last parameters that were found sound; none at first."""
+    return []
+
+
+class _Finer:
+    """Makes the motion that was `asked` for with rows that show it; `resolution` and the number of `intervals` that it
+    has are known when it has been made once."""
+
+    def __init__(self, asked: Asked, span: tuple[float, float]) -> None:
+        self._asked, self._span = asked, span
+        self._made: dict[int, Trajectory] = {}
+        self.resolution, self.intervals = _UNKNOWN, 0
+
+    def made(self, times: Floats, progress: Callable[[float], None] | None, sink: Sink) -> Trajectory:
+        """With rows at `times`."""
+        motion, turns = _motion(self._asked, times, progress, sink, self)
+        self.resolution, self.intervals = resolution_of(turns), len(times) - 1
+        return motion
+
+    def again(self, intervals: int) -> Trajectory:
+        """With so many intervals between rows."""
+        if intervals not in self._made:
+            times = grid(*self._span, (self._span[1] - self._span[0]) / intervals)
+            with np.errstate(all="ignore"):
+                self._made[intervals] = _motion(self._asked, times, None, Sink(), None)[0]
+        return self._made[intervals]
+
+    def __call__(self, smooth: bool) -> Trajectory | None:
+        needed = self.resolution.smooth if smooth else self.resolution.rows
+        return None if self.intervals >= needed else self.again(needed)
 
 
 def _shown(
@@ -105,54 +156,43 @@ def _shown(
     sink: Sink,
 ) -> Trajectory:
     """With rows as they are asked for; where nobody asks, with as many as show the motion."""
-    times = grid(*span, interval)
-    motion, turns = _motion(asked, times, progress, sink)
-    resolution = resolution_of(turns)
-
-    made: dict[int, Trajectory] = {}
-
-    def again(intervals: int) -> Trajectory:
-        if intervals not in made:
-            made[intervals] = _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
-        return made[intervals]
-
-    intervals = len(times) - 1
-    if interval is None and intervals < resolution.rows:
-        intervals = resolution.rows
-        motion = again(intervals)
-    motion = noted(motion, resolution, intervals)
-
-    def finer(smooth: bool) -> Trajectory:
-        needed = resolution.smooth if smooth else resolution.rows
-        return motion if intervals >= needed else again(needed)
-
-    return replace(motion, finer=finer)
+    finer = _Finer(asked, span)
+    motion = finer.made(grid(*span, interval), progress, sink)
+    if interval is None and finer.intervals < finer.resolution.rows:
+        finer.intervals = finer.resolution.rows
+        motion = replace(finer.again(finer.intervals), finer=finer)
+    return noted(motion, finer.resolution, finer.intervals)
 
 
 def _motion(
-    asked: Asked, times: Floats, progress: Callable[[float], None] | None, sink: Sink
-) -> tuple[Trajectory, Floats]:
+    asked: Asked,
+    times: Floats,
+    progress: Callable[[float], None] | None,
+    sink: Sink,
+    finer: Callable[[bool], Trajectory | None] | None,
+) -> tuple[Trajectory, list[float]]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    with np.errstate(all="ignore"), warnings.catch_warnings():
-        # Checks of the values detect those that are not numbers.
-        warnings.simplefilter("ignore", RuntimeWarning)
-        run = placed(
-            flat,
-            engine,
-            asked.p,
-            given.course(t0) if asked.controls is None else given.held(t0),
-            t0=t0,
-            q=asked.q,
-            times=times,
-            tolerance=asked.tolerance,
-            solver=asked.solver,
-            step=asked.step,
-        )
-        initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
-        sink.raise_if_errors()
-        task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
-        return Motion(task).trajectory(), run.results.turns(run.size)
+    inputs = given.course(t0) if asked.controls is None else given.held(t0)
+    run = placed(
+        flat,
+        engine,
+        asked.p,
+        inputs,
+        t0=t0,
+        q=asked.q,
+        times=times,
+        tolerance=asked.tolerance,
+        solver=asked.solver,
+        step=asked.step,
+    )
+    u = inputs if isinstance(inputs, np.ndarray) else given.at(t0)
+    initial = find_start(flat, engine, run, t0, u, asked.start, sink)
+    sink.raise_if_errors()
+    task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
+    found, turns = Motion(task).trajectory(), run.results.turns(run.size)
+    run.leave()
+    return found, turns
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:
@@ -160,7 +200,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     step = (stop - t0) / DEFAULT_ROWS if interval is None else interval
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
-    count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
+    count = floor((stop - t0) / step * (1.0 + 1e-12))
     if count == 0:
         return np.array([t0, stop])
     if count == 1 and stop - (t0 + step) <= 1e-9 * step:
@@ -174,7 +214,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
 
 def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:
     """Raise ValueError for options that make no sense."""
-    if not np.isfinite(stop) or not stop > t0:
+    if not isfinite(stop) or not stop > t0:
         raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
     if not 1e-13 <= tolerance <= 0.1:
         raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")

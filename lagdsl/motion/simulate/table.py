@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-
-import numpy as np
+from collections.abc import Callable, Collection, Sequence
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
@@ -14,44 +12,34 @@ from lagdsl.language.flat.listing import discrete_outputs
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.moved import MovedRow
-from lagdsl.motion.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantRecord, Statistics, Trajectory
 
 
 def trajectory(
-    flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
+    flat: FlatModel,
+    layout: Layout,
+    run: Run,
+    moved: tuple[MovedRow, ...],
+    statistics: Statistics,
+    finer: Callable[[bool], Trajectory | None] | None = None,
 ) -> Trajectory:
     """All rows so far."""
-    heads, places, others = heads_of(flat), places_of_columns(flat), other_names(flat)
-    rows, extremes = run.results.rows(), run.results.extremes()
-    table = np.ascontiguousarray(rows[:, places].T)
-    ends = np.full((2, 1 + rows.shape[1]), np.nan)
-    ends[:, 1 : 1 + extremes.shape[1]] = np.where(np.isfinite(extremes), extremes, np.nan)
-    low, high = ends[:, places]
-    energy, *residuals = np.ascontiguousarray(rows[:, places[-1] + 1 :].T)
+    places = _columns_of_rows(flat)
+    whole = run.results.rows().T.copy()
+    ends = run.results.extremes()
+    if isinstance(places, list):
+        ends = ends[:, [place - 1 for place in places[1:]]]
     return Trajectory(
         model=flat.name,
-        columns=tuple(
-            Column(
-                name=name,
-                unit=unit,
-                kind=kind,
-                display=shown,
-                values=values,
-                lowest=lowest,
-                highest=highest,
-                aliases=others.get(name, ()),
-            )
-            for (name, unit, kind, shown), values, lowest, highest in zip(
-                heads, table, low.tolist(), high.tolist(), strict=True
-            )
-        ),
-        position_residual=residuals[0],
-        velocity_residual=residuals[1],
-        energy=energy,
-        invariants=_invariants(flat, run),
+        columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
+        position_residual=whole[-2],
+        velocity_residual=whole[-1],
+        energy=whole[-3],
+        invariants=_invariants(flat, run) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
         events=events_of(flat, layout, run.results.notes),
+        finer=finer,
     )
 
 
@@ -62,12 +50,11 @@ def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str,
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
     """Drift of every invariant."""
-    start, size, drift = run.results.drifts
     tolerance = run.settings.invariant_tolerance
-    limits = [] if tolerance is None else (tolerance * size).tolist()
+    limits = [] if tolerance is None else tolerance.tolist()
     return tuple(
-        InvariantRecord(name=i.name, start=at_start, drift=largest, limit=limit)
-        for i, at_start, largest, limit in zip(flat.invariants, start.tolist(), drift.tolist(), limits, strict=True)
+        InvariantRecord(name=i.name, start=start, drift=drift, limit=limit * size)
+        for i, start, size, drift, limit in zip(flat.invariants, *run.results.drifts.tolist(), limits, strict=True)
     )
 
 
@@ -90,9 +77,9 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
 
 
 @remembered
-def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
+def heads_of(flat: FlatModel) -> tuple[Head, ...]:
     """Names, units and kinds of the columns, in the order of result files. Discrete outputs stand among the outputs."""
-    heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
+    heads: list[Head] = [("time", "s", "time", Display("s"))]
     heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
     for c in flat.coordinates:
         unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
@@ -104,7 +91,7 @@ def heads_of(flat: FlatModel) -> tuple[tuple[str, str, Kind, Display], ...]:
     return tuple(heads)
 
 
-def called_heads(flat: FlatModel) -> dict[str, tuple[str, str, Kind, Display]]:
+def called_heads(flat: FlatModel) -> dict[str, Head]:
     """Heads of the columns by all names: those of the results, then other names of coordinates and rates, with the
     other name in the head."""
     heads = {head[0]: head for head in heads_of(flat)}
@@ -127,3 +114,10 @@ def places_of_columns(flat: FlatModel) -> list[int]:
     discretes = [first + k for k, item in enumerate(flat.events.discretes) if item.name not in outputs]
     end = first + len(flat.events.discretes)
     return [*range(first), *discretes, *range(end, end + len(flat.outputs))]
+
+
+@remembered
+def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
+    """The same, as one piece where it is one."""
+    places = places_of_columns(flat)
+    return slice(len(places)) if places == list(range(len(places))) else places

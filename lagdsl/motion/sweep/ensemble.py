@@ -94,7 +94,7 @@ class Ensemble:
         with self._lock, np.errstate(all="ignore"):
             q = self._engine.evaluate_many("start", settings.t, settings.settings.p)[0]
         starts = np.where(settings.given[:n], settings.x[:, :n], q)
-        farthest = FAR * settings.settings.natural[:, :n]
+        farthest = FAR * settings.settings.measures.natural[:, :n]
         return np.asarray(np.all(np.abs(first[:, :n] - starts) <= farthest, axis=1))
 
     def worked(self, seconds: float, left: float) -> int:

@@ -47,7 +47,7 @@ def test_damping_and_dry_friction_have_columns(engine: str) -> None:
     arm = model(ARM, engine)
     assert arm.inertial_parameter_names[20:] == ["damping(a)", "damping(a, b)", "damping(b)", "limit(brake)"]
     np.testing.assert_allclose(arm.inertial_parameters()[20:], [0.7 + 0.2, -0.4, 0.8, 0.4], rtol=1e-15)
-    np.testing.assert_allclose(arm.inertial_parameters(p={"rub": 3.0, "d": 1.0})[20:], [1.2, -0.4, 0.8, 3.0])
+    np.testing.assert_allclose(arm.inertial_parameters(parameters={"rub": 3.0, "d": 1.0})[20:], [1.2, -0.4, 0.8, 3.0])
     q, qd, qdd = states()
     columns = arm.regressor(0.0, q, qd, qdd)[..., 20:]
     zero = 0 * qd[:, 0]

@@ -333,3 +333,28 @@ def test_the_derivation_in_symbols_has_the_events_of_the_model() -> None:
     assert motion["h"][-1] == pytest.approx(1.25, abs=1e-9)
     assert motion["der(h)"][-1] == pytest.approx(0.0, abs=1e-8)
     assert motion["hits"][-1] == 1.0
+
+
+def test_initial_state_under_inputs_is_that_of_the_motion() -> None:
+    """A spring of 2 N/m at rest: x = F/k."""
+    pressed = lagdsl.compile(
+        """
+        model Pressed
+          coordinate Length x;
+          input Force F = 1;
+          kinetic 1/2*(1 kg)*der(x)^2;
+          potential 1/2*(2 N/m)*x^2;
+          force F on x;
+          initial equation
+            der(x) = 0;
+            der(der(x)) = 0;
+        end Pressed;
+        """,
+        engine="tape",
+    )
+    inputs = {"F": ([0.0, 9.0], [6.0, 0.0])}
+    np.testing.assert_allclose(pressed.initial_state(inputs={"F": "6 N"}).q, [3.0], rtol=1e-9)
+    np.testing.assert_allclose(pressed.initial_state().q, [0.5], rtol=1e-9)
+    np.testing.assert_array_equal(
+        pressed.initial_state(inputs=inputs).q, pressed.simulate(stop=1, inputs=inputs)["x"][:1]
+    )

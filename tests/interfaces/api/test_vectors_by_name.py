@@ -86,6 +86,8 @@ def test_outputs_by_name_have_the_axes_of_their_arrays(functions: Any) -> None:
     np.testing.assert_allclose(found["doubled"][4], [2.0, 4.0])
     np.testing.assert_allclose(found["grid"][4], [[0.3, 2, 3], [4, 5, 0.7]])
     np.testing.assert_allclose(found["height"], -0.5 * np.cos(0.3))
+    other = functions.named_outputs(0.0, Q, QD, z=[0.7], inputs={"tau": [3.0, 4.0]})
+    np.testing.assert_allclose(other["doubled"], [6.0, 8.0])
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from ctypes import c_size_t
 
 from lagdsl.algebra.graph.operation import ARGUMENT_NAMES
 from lagdsl.engines.runtime.engines.broadcast import Spread
-from lagdsl.engines.runtime.engines.buffers import Buffers
+from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.engines.one_state import VECTORS
@@ -62,7 +62,7 @@ class Benches:
         batch = bench.batch
         places = []
         for name, array, stride in _filled(many):
-            address = array.__array_interface__["data"][0]
+            address = place_of(array)
             strided = bench.point(name, address, stride)
             if stride:
                 places.append((strided, address, 8 * stride))

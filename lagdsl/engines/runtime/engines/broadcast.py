@@ -107,10 +107,14 @@ def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[Arra
     given = [real_numbers(name, argument) for (name, _), argument in zip(signature, arguments, strict=True)]
     leading: tuple[int, ...] = ()
     for (name, length), array in zip(signature, given, strict=True):
-        if length is not None and (array.ndim == 0 or array.shape[-1] != length):
-            raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
-        own_axes = array.shape if length is None else array.shape[:-1]
-        if own_axes in ((), leading):  # of one state, or of as many as before: NumPy takes its time to find that out
+        shape = array.shape
+        if length is not None and (not shape or shape[-1] != length):
+            raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {shape}")
+        own_axes = shape if length is None else shape[:-1]
+        if own_axes in ((), leading):
+            continue
+        if not leading:  # NumPy takes its time to find that out
+            leading = own_axes
             continue
         try:
             leading = np.broadcast_shapes(leading, own_axes)

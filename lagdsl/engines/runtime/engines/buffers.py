@@ -2,13 +2,31 @@
 
 from __future__ import annotations
 
+from ctypes import addressof, c_char
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 
 # Bytes of the longest vector: what starts at a multiple of it is read fastest.
 _ALIGNMENT = 64
+_byte_of: Any = c_char.from_buffer
+
+
+def place_of(array: NDArray[Any]) -> int:
+    """Its address. The buffer protocol tells it in a quarter of the time that NumPy takes, but not of an array without
+    entries, nor of one that nobody may write to."""
+    try:
+        return addressof(_byte_of(array)) if array.size else _told_place(array)
+    except (TypeError, ValueError):
+        return _told_place(array)
+
+
+def _told_place(array: NDArray[Any]) -> int:
+    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 def aligned(count: int) -> Floats:

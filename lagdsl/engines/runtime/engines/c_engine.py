@@ -22,6 +22,7 @@ from lagdsl.engines.backends.python.support.vectorize import split
 from lagdsl.engines.backends.tape.emit import tape
 from lagdsl.engines.runtime.engines.benches import Bench
 from lagdsl.engines.runtime.engines.broadcast import Spread, apart, spread
+from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.cores import PART, share_out
 from lagdsl.engines.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.engines.runtime.engines.memory import Memory
@@ -227,7 +228,7 @@ class CEngine:
             require_room(out, shapes[0])
             many = apart(many, out)
         found = [np.empty(shapes[0]) if out is None else out, np.empty(shapes[1])]
-        (qdd, n), (lam, m) = ((block.ctypes.data, 8 * block.shape[-1]) for block in found)
+        (qdd, n), (lam, m) = ((place_of(block), 8 * block.shape[-1]) for block in found)
         forward_dynamics = self._runtime.batch_forward_dynamics
 
         def solve(batch: Batch, first: int, coordinate: c_size_t) -> None:

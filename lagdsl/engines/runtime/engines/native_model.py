@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import byref, c_size_t
+from dataclasses import field
 from pathlib import Path
 from typing import Any, cast
 
 from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.structures import VERSION, Model
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
 
@@ -18,7 +20,8 @@ class NativeModel:
     its functions need beside their arguments.
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
-    live as long; `raised` is where functions of Python leave what they raised.
+    live as long; `raised` is where functions of Python leave what they raised. `idle` are runs of it that are over,
+    whose memory the next ones take; `starts` are start values and default inputs for the last time and parameters.
     """
 
     model: object
@@ -29,6 +32,8 @@ class NativeModel:
     lanes: int
     held: object
     raised: list[BaseException] | None = None
+    idle: list[object] = field(default_factory=list)
+    starts: list[tuple[tuple[float, bytes], tuple[Floats, Floats]]] = field(default_factory=list)
 
     @property
     def address(self) -> int:

@@ -179,9 +179,10 @@ class Interface(Values):
         p = p if parameters is None else given_once("p", p, "parameters", parameters)
         return self._calls["regressor"](self, t, q, qd, z, u, w, p, qdd, out)
 
-    def inertial_parameters(self, p: Entries | None = None) -> Floats:
+    def inertial_parameters(self, p: Entries | None = None, *, parameters: Entries | None = None) -> Floats:
         """pi, shape (..., n): of each body mass, first moments and inertia about the origin of its frame, of each
         mass its mass; then coefficients of damping and limits of dry friction."""
+        p = p if parameters is None else given_once("p", p, "parameters", parameters)
         zeros = np.zeros(self._sizes.q)
         return self._evaluate("regressor", *self._state(0.0, zeros, None, None, None, None, p), zeros)[1]
 
@@ -226,9 +227,13 @@ class Interface(Values):
         u: Entries | None = None,
         w: Entries | None = None,
         p: Entries | None = None,
+        *,
+        inputs: Entries | None = None,
+        parameters: Entries | None = None,
     ) -> dict[str, Floats]:
         """Outputs by name: shape (...) of a scalar, (..., n) of an array of n elements."""
-        return arrays_of(self._names["y"], self.output(t, q, qd, z, u, w, p))
+        values = self.output(t, q, qd, z, u, w, p, inputs=inputs, parameters=parameters)
+        return arrays_of(self._names["y"], values)
 
     def energy(
         self,

@@ -305,7 +305,8 @@ void lag_run_solve(lag_run *run, double t, const double *x, int after_event);
  */
 lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results);
 
-/* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. */
+/* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. They are
+ * counted where the estimate of the rank does not show that none is lost. */
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 
 /* A step to `stop` does not go beyond this time. */

@@ -16,7 +16,7 @@ static const double LEFT = 0.25;
 size_t lag_rank_estimate_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return 3 * lag_entries_count(model) + 4 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
+    return 5 * lag_entries_count(model) + 8 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
 }
 
 /* Columns of each row. */
@@ -120,6 +120,21 @@ static void find_profile(lag_rank_estimate *estimate, double *low)
     estimate->start[estimate->m] = (double)next;
 }
 
+/* Entries of each column, with the place of their rows in the order, ascending. */
+static void list_entries(lag_rank_estimate *estimate)
+{
+    double *next = estimate->columns.first + 1; /* where a column ends so far, while it is filled */
+    memmove(next, estimate->columns.first, estimate->n * sizeof(double));
+    for (size_t i = 0; i < estimate->m; ++i) {
+        const size_t row = (size_t)estimate->order[i];
+        for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row); ++k) {
+            const size_t e = (size_t)next[(size_t)estimate->column[k]]++;
+            estimate->columns.place[e] = (double)i;
+            estimate->columns.entry[e] = (double)k;
+        }
+    }
+}
+
 void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory)
 {
     const size_t m = model->nc;
@@ -140,13 +155,17 @@ void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model
     estimate->start = lag_take(&memory, m + 1);
     estimate->follows = lag_take(&memory, m);
     estimate->trial = lag_take(&memory, m);
+    estimate->columns.first = lag_take(&memory, n + 1);
+    estimate->columns.place = lag_take(&memory, lag_entries_count(model));
+    estimate->columns.entry = lag_take(&memory, lag_entries_count(model));
+    estimate->columns.products = lag_take(&memory, 4 * m);
     double *low = lag_take(&memory, n);
-    double *of_columns = lag_take(&memory, n + 1);
     estimate->band = memory;
     if (m > 0) {
         list_columns(estimate);
-        list_rows(estimate, of_columns, estimate->now);
-        put_in_order(estimate, of_columns, estimate->now);
+        list_rows(estimate, estimate->columns.first, estimate->now);
+        put_in_order(estimate, estimate->columns.first, estimate->now);
+        list_entries(estimate);
         find_profile(estimate, low);
     }
     lag_fill(m, 0.0, estimate->follows);
@@ -170,20 +189,19 @@ static size_t redundant_rows(const lag_rank_estimate *estimate)
     return count > estimate->most ? count - estimate->most : 0;
 }
 
-/* Row i of a times row j of b, both by entries. */
-static double product(const lag_rank_estimate *estimate, size_t i, size_t j, const double *a, const double *b)
+/* The row at place i of a times the rows of b up to there, from the first on with which it shares a column. */
+static void take_products(const lag_rank_estimate *estimate, size_t i, const double *a, const double *b, double *sums)
 {
-    const size_t end = end_of(estimate, i);
-    const size_t others = end_of(estimate, j);
-    size_t l = (size_t)estimate->first[j];
-    double sum = 0.0;
-    for (size_t k = (size_t)estimate->first[i]; k < end; ++k) {
-        while (l < others && estimate->column[l] < estimate->column[k]) {
-            ++l;
+    const size_t row = (size_t)estimate->order[i];
+    const size_t reach = (size_t)estimate->reach[i];
+    lag_fill(i + 1 - reach, 0.0, sums + reach);
+    for (size_t k = (size_t)estimate->first[row]; k < end_of(estimate, row); ++k) {
+        const size_t column = (size_t)estimate->column[k];
+        const size_t end = a[k] != 0.0 ? (size_t)estimate->columns.first[column + 1] : 0; /* most of a dense row is zero */
+        for (size_t e = (size_t)estimate->columns.first[column]; e < end && estimate->columns.place[e] <= (double)i; ++e) {
+            sums[(size_t)estimate->columns.place[e]] += a[k] * b[(size_t)estimate->columns.entry[e]];
         }
-        sum += l < others && estimate->column[l] == estimate->column[k] ? a[k] * b[l] : 0.0;
     }
-    return sum;
 }
 
 /* x . y in sums of which none waits for another. */
@@ -237,21 +255,23 @@ static double least_pivot(lag_rank_estimate *estimate, size_t spare)
     return least;
 }
 
-/* The products of rows a with rows b, made symmetric, less a part of those of b; of each row that does not count with itself one. */
+/* The products of rows a with rows b: with a part made symmetric, less that part of those of b. Of each row that does not count with itself one. */
 static void multiply(const lag_rank_estimate *estimate, const double *a, const double *b, double part)
 {
-    for (size_t i = 0; i < estimate->m; ++i) {
-        const size_t row = (size_t)estimate->order[i];
+    const size_t m = estimate->m;
+    double *sums = estimate->columns.products, *others = sums + m, *of_b = others + m, *counted = of_b + m;
+    for (size_t i = 0; i < m; ++i) {
         const size_t reach = (size_t)estimate->reach[i];
         double *line = estimate->band + (size_t)estimate->start[i];
+        counted[i] = (double)counts(estimate, (size_t)estimate->order[i]);
+        take_products(estimate, i, a, b, sums);
+        if (part > 0.0) {
+            take_products(estimate, i, b, a, others);
+            take_products(estimate, i, b, b, of_b);
+        }
         for (size_t j = reach; j <= i; ++j) {
-            const size_t other = (size_t)estimate->order[j];
-            double sum = i == j ? 1.0 : 0.0;
-            if (counts(estimate, row) && counts(estimate, other)) {
-                sum = 0.5 * (product(estimate, row, other, a, b) + product(estimate, row, other, b, a));
-                sum -= part > 0.0 ? part * product(estimate, row, other, b, b) : 0.0;
-            }
-            line[j - reach] = sum;
+            const double both = part > 0.0 ? 0.5 * (sums[j] + others[j]) - part * of_b[j] : sums[j];
+            line[j - reach] = counted[i] != 0.0 && counted[j] != 0.0 ? both : i == j ? 1.0 : 0.0;
         }
     }
 }

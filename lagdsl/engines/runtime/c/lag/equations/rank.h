@@ -26,6 +26,10 @@ typedef struct lag_rank_estimate {
     double *rows, *now;       /* (entries) J in these sizes, at the last state and now */
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
+    struct {
+        double *first, *place, *entry; /* (n + 1) (entries) column by column: places of the rows in their order, ascending, and which entry it is */
+        double *products;              /* (4 m) of one row with others */
+    } columns;
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
     double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
 } lag_rank_estimate;

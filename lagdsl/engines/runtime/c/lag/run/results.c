@@ -44,7 +44,7 @@ static void find_residuals(lag_run *run, double *residual)
 
 void lag_run_solve(lag_run *run, double t, const double *x, int after_event)
 {
-    if (lag_run_crosses(run->motion.model, &run->options)) {
+    if (lag_run_crosses(run->motion.model, &run->options) && run->sizes.found) { /* before a start is known nothing tells ranks */
         lag_singular_row(&run->ranks.singular, t, x, after_event);
     } else {
         lag_event_iteration_solve(&run->motion, t, x);

@@ -24,17 +24,15 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
 
 size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
 {
-    lag_singular *singular = &run->ranks.singular;
-    const lag_stepper *s = &run->stepper;
-    *general = *weakest = 0;
-    if (!lag_run_crosses(run->motion.model, &run->options)) {
-        return 0;
+    size_t rows = 0;
+    for (size_t i = 0; i < run->motion.model->nc && lag_run_crosses(run->motion.model, &run->options); ++i) {
+        rows += (size_t)lag_run_row_counts(run, i);
     }
-    *general = lag_singular_rows(singular, s->t, s->x);
-    if (*general <= run->ranks.estimate.most && lag_singular_margin(singular, s->t, s->x) > LAG_RANK_NEAR) {
-        return *general; /* as nearly always: singular values of many rows cost the cube of their number */
-    }
-    return lag_singular_rank(singular, s->t, s->x, general, weakest);
+    *general = rows;
+    *weakest = 0;
+    const int clear = rows <= run->ranks.estimate.most && lag_singular_margin(&run->ranks.singular, run->stepper.t, run->stepper.x) > LAG_RANK_NEAR;
+    /* Singular values of many rows cost the cube of their number. */
+    return rows == 0 || clear ? rows : lag_singular_rank(&run->ranks.singular, run->stepper.t, run->stepper.x, general, weakest);
 }
 
 /* The place of the largest; what is no number is larger than all others. */
@@ -165,7 +163,7 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         explain_off(run, status == LAG_POSITION_JUMP, fault);
         break;
     case LAG_BRANCH_POINT:
-        (void)lag_run_rank(run, &(size_t){0}, &fault->which);
+        (void)lag_singular_rank(&run->ranks.singular, run->stepper.t, run->stepper.x, &(size_t){0}, &fault->which);
         break;
     case LAG_VIOLATED:
         explain_violated(run, fault);

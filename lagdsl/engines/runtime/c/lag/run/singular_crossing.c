@@ -66,7 +66,7 @@ double lag_singular_margin(lag_singular *s, double t, const double *x)
     return jacobian_at(s, t, x) ? lag_rank_estimate_margin(&s->run->ranks.estimate, jacobian_of(s)) : 0.0;
 }
 
-static int is_independent(const lag_run *run, size_t row)
+int lag_run_row_counts(const lag_run *run, size_t row)
 {
     const unsigned char *redundant = run->motion.model->redundant;
     return !(redundant != NULL && redundant[row]) && run->ranks.lasting[row] != 0.0;
@@ -80,13 +80,13 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
     size_t count = 0;
     int known = jacobian_at(s, t, x);
     for (size_t i = 0; i < model->nc; ++i) {
-        if (is_independent(run, i)) {
+        if (lag_run_row_counts(run, i)) {
             s->drift[count++] = phi[i] / run->sizes.rows[i];
         }
     }
     known = known && lag_projection_look(&run->projection, 0) == LAG_OK;
     for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
-        if (is_independent(run, i)) {
+        if (lag_run_row_counts(run, i)) {
             for (size_t j = 0; j < model->nq; ++j) {
                 s->rows[j * count + column] = jacobian_of(s)[i * model->nq + j] * run->sizes.natural[j] / run->sizes.rows[i];
             }
@@ -103,7 +103,7 @@ size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *gen
     double most = -1.0;
     size_t rank = 0;
     for (size_t i = 0, row = 0; row < rows; ++i) {
-        if (is_independent(s->run, i)) {
+        if (lag_run_row_counts(s->run, i)) {
             const double share = fabs(svd.v[(rows - 1) * rows + row++]);
             *weakest = share > most ? i : *weakest;
             most = fmax(most, share);

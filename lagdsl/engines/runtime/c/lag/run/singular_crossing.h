@@ -59,6 +59,7 @@ double lag_collocation_node(size_t i);
 void lag_collocation_interpolate(size_t first, size_t width, const double *values, double *coefficients);
 double lag_collocation_value(size_t width, const double *coefficients, double part);
 void lag_collocation_state(const lag_model *model, const double *coefficients, const double *start, double length, double part, double *x);
+int lag_run_row_counts(const struct lag_run *run, size_t row); /* true: the row lasts, and is independent in general */
 /* The least pivot of J (lag/equations/rank.h) at x at time t; `rows`, `phi` and `drift` there, and their number, 0 where there are none. */
 double lag_singular_margin(lag_singular *singular, double t, const double *x);
 size_t lag_singular_rows(lag_singular *singular, double t, const double *x);
