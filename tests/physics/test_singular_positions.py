@@ -238,7 +238,7 @@ def test_a_run_that_is_saved_anywhere_goes_on_as_it_was() -> None:
         return run
 
     one, other = begun(), begun()
-    library, options = one._library, byref(one._told)
+    library, options = one._library, byref(one._told.structure)
     saved = np.zeros(int(library.run_saved_size(one._model.model, options)), dtype=np.uint8)
     while one.t < 0.4:
         library.run_save(one._run, saved.ctypes.data)

@@ -32,7 +32,7 @@ def flat_of(items: str, force: str = FORCE) -> FlatModel:
 
 def found(items: str, version: int, values: dict[str, float] | None = None, force: str = FORCE) -> list[Diagnostic]:
     sink = Sink()
-    refuse(flat_of(items, force), version, values or {}, sink)
+    refuse(flat_of(items, force), version, ("cs",), values or {}, sink)
     return list(sink.diagnostics)
 
 
