@@ -11,6 +11,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from choice import repeats
 
 from lagdsl.engines.runtime.building.build_library import wheel_tag
 from lagdsl.engines.runtime.building.linking import zig_program
@@ -152,6 +153,7 @@ def test_the_wheel_runs_a_model(site: Path, root: Path, tmp_path: Path) -> None:
     assert out.startswith("time,theta,der(theta)")
 
 
+@repeats("tests/exchange/fmi/test_installed_objects.py")
 @pytest.mark.skipif(zig_program() is None, reason="ziglang is not installed")
 def test_the_first_fmu_of_a_wheel_compiles_the_model_only(site: Path, root: Path, tmp_path: Path) -> None:
     """With an empty cache: beside the model there are files that read headers of the standard, which fmpy brings."""

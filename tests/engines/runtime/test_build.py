@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import repeats
 from sample_programs import pendulum
 
 from lagdsl.engines.backends.c.emit import engine_sources, model_symbol, sources
@@ -198,6 +199,7 @@ def test_nothing_reorders_arithmetic() -> None:
     assert not any("fast-math" in flag for flag in FLAGS)
 
 
+@repeats("tests/engines/backends/test_artifacts.py, for which it is compiled, too")
 @pytest.mark.usefixtures("_compiled_runtime")
 def test_the_runtime_is_compiled_once_for_all_modules() -> None:
     before = set(cache_folder().iterdir())
