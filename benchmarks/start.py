@@ -15,8 +15,8 @@ from lagdsl.derivation.mechanics.equations import form_equations
 from lagdsl.derivation.program.program import Program
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.language.semantics.classes.library import read_source
-from lagdsl.language.semantics.flatten import flatten
 from lagdsl.language.syntax.parser import parse
+from lagdsl.motion.pipeline import flatten_unit
 
 MODELS = Path(__file__).parents[1] / "models"
 SIZES = (10, 20, 40, 80)
@@ -72,7 +72,7 @@ def _program(links: int) -> Program:
     assert source is not None
     unit = parse(source, sink)
     assert unit is not None
-    flat = flatten(unit, sink, structural={"N": float(links)})
+    flat = flatten_unit(unit, sink, structural={"N": float(links)})
     sink.raise_if_errors()
     assert flat is not None
     return arrange(form_equations(flat))

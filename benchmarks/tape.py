@@ -120,11 +120,11 @@ def _arguments(program: Program, model: NativeModel, lanes: int, kept: list[obje
 
 
 def _prepare(model: NativeModel, at: Arguments, lanes: int) -> None:
-    """prepare() is the third member of lag_states, and one of lag_model."""
+    """prepare() is the fourth member of lag_states, of one word each, and one of lag_model."""
     if lanes == 1:
         runtime_library().prepare(model.model, ctypes.byref(at))
         return
-    address = ctypes.cast(model.part, ctypes.POINTER(ctypes.c_void_p))[2]
+    address = ctypes.cast(model.part, ctypes.POINTER(ctypes.c_void_p))[3]
     ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(address)(ctypes.addressof(at))
 
 
