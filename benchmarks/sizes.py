@@ -12,12 +12,12 @@ import lagdsl
 
 # By model: what it is, the end of the motion [s], sizes.
 FAMILIES: dict[str, tuple[str, float, tuple[int, ...]]] = {
-    "four_bars": ("chain of four-bars", 0.5, (5, 10, 20, 40, 80)),
+    "four_bars": ("chain of four-bars", 0.5, (5, 10, 20, 40, 80, 160)),
     "iftomm_a02": ("row of four-bars with shared uprights", 0.5, (5, 10, 20, 40, 80)),
-    "planar_chain": ("open chain", 0.5, (5, 10, 20, 40, 80)),
-    "masses": ("masses in a row", 0.5, (5, 10, 20, 40, 80)),
-    "net": ("net of springs", 0.2, (5, 10, 20)),
-    "ladder": ("ladder of coils and capacitors", 5e-3, (5, 10, 20, 40)),
+    "planar_chain": ("open chain", 0.5, (5, 10, 20, 40, 80, 160, 320)),
+    "masses": ("masses in a row", 0.5, (5, 10, 20, 40, 80, 160, 320, 640)),
+    "net": ("net of springs", 0.2, (5, 10, 20, 40)),
+    "ladder": ("ladder of coils and capacitors", 5e-3, (5, 10, 20, 40, 80, 160, 320)),
     "balls": ("balls that bounce", 1.0, (5, 10, 20, 40, 80, 160)),
 }
 # Models with events: so long nothing happens [s].
