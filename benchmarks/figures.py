@@ -68,7 +68,7 @@ def _sizes(found: Results, path: Path) -> None:
     for axis, (key, title) in zip(axes, panels, strict=True):
         for index, (name, points) in enumerate(found["curves"].items()):
             pairs = [(p["n"], p["start"] + p["motion"] if key == "whole" else p[key]) for p in points]
-            pairs = [(n, value) for n, value in pairs if value > 0.0]
+            pairs = [(n, value) for n, value in pairs if value > (1.0 if key == "memory" else 0.0)]  # below: pages
             axis.loglog(*zip(*pairs, strict=True), "o-", color=f"C{index}", label=FAMILIES[name][0]) if pairs else None
         low = axis.get_ylim()[0]
         for power, style in ((1.0, ":"), (2.0, "-.")):
@@ -111,8 +111,9 @@ def _finish(figure: Any, axes: Any, path: Path) -> None:
 
     for axis in axes:
         axis.grid(True, which="both", alpha=0.25)
-        axis.legend(fontsize=7.5)
         axis.xaxis.set_major_formatter(ScalarFormatter())
         axis.xaxis.set_minor_formatter(NullFormatter())
+    lines, labels = axes[0].get_legend_handles_labels()
+    figure.legend(lines, labels, fontsize=8, loc="outside lower center", ncols=5)
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)
