@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -277,3 +278,8 @@ def test_start_of_a_knot_is_a_guess() -> None:
     assert motion["x"][0] == 0.0 and motion["s"][0] == pytest.approx(0.05)
     found = lagdsl.check(KNOT.replace(", s;", ", s(start = 0.01 m);"))
     assert "W0814" in [each.code for each in found]
+
+
+def test_the_derivation_counts_what_balances_leave(root: Path) -> None:
+    text = " ".join(str(lagdsl.compile(root / "models" / "viscoelastic_mount.lag").derive()).split())
+    assert "Two equations of motion have no inertia" in text and "one degree of freedom remains" in text

@@ -126,7 +126,7 @@ def coordinates(page: Page) -> list[Block]:
     return [
         Heading("Coordinates and their count", "1"),
         Table(("coordinate", "in the model", "unit", "meaning"), rows),
-        *count_blocks(page.derivation.count, page.notation.letter),
+        *count_blocks(page.derivation.count, page.notation.letter, len(page.derivation.balanced)),
     ]
 
 
