@@ -9,8 +9,8 @@ from lagdsl.documents.report.boxes import EQUALS, Box, Number, Row, Sum
 from lagdsl.documents.report.document import Block, Equation, Equations, Paragraph, text
 
 
-def count_blocks(count: Count, letter: Callable[[str], Box], balances: int = 0) -> list[Block]:
-    """`letter` gives a letter that is not the model's. So many equations are `balances` of forces."""
+def count_blocks(count: Count, letter: Callable[[str], Box]) -> list[Block]:
+    """`letter` gives a letter that is not the model's."""
     blocks: list[Block] = []
     free = count.placing + count.other
     if not free and not count.in_space:
@@ -21,11 +21,6 @@ def count_blocks(count: Count, letter: Callable[[str], Box], balances: int = 0) 
         blocks += _coordinates_only(count, letter)
     if not free:
         blocks.append(Paragraph(text("No coordinate is left: the time and inputs determine all positions.")))
-    if balances:
-        verb = "has" if balances == 1 else "have"
-        words = f"{_some(balances, 'equation').capitalize()} of motion {verb} no inertia: balances of forces determine "
-        words += f"that much of the motion, and {_some(count.velocity_freedom - balances, 'degree')} of freedom remain"
-        blocks.append(Paragraph(text(f"{words}{_s(count.velocity_freedom - balances)}.")))
     if count.rank > count.position_rank:
         independent = count.rank - count.position_rank
         blocks.append(

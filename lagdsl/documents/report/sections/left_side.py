@@ -126,8 +126,19 @@ def coordinates(page: Page) -> list[Block]:
     return [
         Heading("Coordinates and their count", "1"),
         Table(("coordinate", "in the model", "unit", "meaning"), rows),
-        *count_blocks(page.derivation.count, page.notation.letter, len(page.derivation.balanced)),
+        *count_blocks(page.derivation.count, page.notation.letter),
+        *_balances(page),
     ]
+
+
+def _balances(page: Page) -> list[Block]:
+    """Without a number: where rows tie directions without inertia, equations do not show how many there are."""
+    names = listed([page.notation.of(q) for q in page.derivation.balanced])
+    words = " hold no inertia: as balances of forces they leave fewer degrees of freedom than are counted here."
+    if len(page.derivation.balanced) == 1:
+        words = " holds no inertia: as a balance of forces it leaves fewer degrees of freedom than are counted here."
+    equations = "equation" if len(page.derivation.balanced) == 1 else "equations"
+    return [Paragraph((Text(f"The {equations} of "), *names, Text(words)))] if names else []
 
 
 def positions(page: Page) -> list[Block]:
