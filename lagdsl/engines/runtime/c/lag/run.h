@@ -31,6 +31,21 @@
 typedef struct lag_run lag_run;
 struct lag_initial;
 
+/* Causes of an instant: the start, guards that were located, clocks and time, inputs that jump, the end. */
+typedef enum lag_cause_kind {
+    LAG_CAUSE_START,
+    LAG_CAUSE_GUARDS,
+    LAG_CAUSE_TIME,
+    LAG_CAUSE_INPUTS,
+    LAG_CAUSE_END
+} lag_cause_kind;
+
+typedef struct lag_cause {
+    lag_cause_kind kind;
+    double h;              /* length of the step that led there */
+    const double *changed; /* flags of guards, or null */
+} lag_cause;
+
 /* Functions of the caller, all with one context; null where nobody wants them. */
 typedef struct lag_run_callbacks {
     void *context;
@@ -218,12 +233,9 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
 
 /*
  * For callers who step by themselves and leave events to the run, which must be at their state (lag_run_move): what happens at the start;
- * what changed in their last step, of length h (flags as in `changed` above; null: nothing); ticks
- * that are due, and whether any would be at t.
+ * ticks that are due, and whether any would be at t.
  */
 lag_status lag_run_enter(lag_run *run);
-lag_status lag_run_event(lag_run *run, double h, const double *changed);
-lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
@@ -323,6 +335,15 @@ void lag_run_lose(lag_run *run, double t, const double *x);
 
 /* True if runs of the model cross singular positions by themselves. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
+
+/* The companion of the motion (lag/run/results.h); null: there is none. */
+static inline lag_companion *lag_run_companion(const lag_run *run)
+{
+    return run->options.results != NULL ? run->options.results->companion : NULL;
+}
+/* Lets it happen now, if there is anything; the same without the companion. */
+lag_status lag_run_instant(lag_run *run, const lag_cause *cause);
+lag_status lag_run_carry(lag_run *run, const lag_cause *cause);
 
 /* Keeps the past of delayed expressions up to time t in the last step. */
 lag_status lag_run_keep_past(lag_run *run, double t);

@@ -104,10 +104,10 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     if (results->extremes != NULL) {
         lag_extremes_row(results->extremes, row + 1);
     }
-    ++results->row;
+    const size_t number = results->row++;
     results->any = 1;
     results->last = t;
-    return LAG_OK;
+    return results->companion != NULL ? results->companion->row(run, number, t, x) : LAG_OK;
 }
 
 lag_status lag_results_step(lag_results *results, lag_run *run, double t)
@@ -134,10 +134,14 @@ lag_status lag_results_end(lag_results *results, lag_run *run, double t, const d
 static lag_status note(lag_results *results, const lag_event_notice *notice)
 {
     const lag_status status = empty_when_full(results);
-    if (status == LAG_OK) {
-        results->notes[results->note++] = (lag_note){notice->t, notice->what, notice->which};
+    if (status != LAG_OK) {
+        return status;
     }
-    return status;
+    if (results->companion != NULL) {
+        results->companion->note(results->companion, results->note);
+    }
+    results->notes[results->note++] = (lag_note){notice->t, notice->what, notice->which};
+    return LAG_OK;
 }
 
 lag_status lag_results_record_event(lag_results *results, lag_run *run, const lag_event_notice *notice)
@@ -153,6 +157,9 @@ lag_status lag_results_record_event(lag_results *results, lag_run *run, const la
         return status;
     case LAG_AFTER:
         results->after = t;
+        if (results->companion != NULL) {
+            results->companion->after(results->companion);
+        }
         return lag_results_row(results, run, t, notice->x);
     default:
         return note(results, notice);

@@ -11,6 +11,21 @@
 #include "lag/event_notice.h"
 
 struct lag_run;
+struct lag_cause;
+
+/*
+ * A companion goes with a motion along its way, as its sensitivities do. It is told of each step, which it may take back for a shorter one
+ * (LAG_TOO_LONG); of a time within the step to which the run goes back; of instants, which it carries out itself by lag_run_carry(), and of their
+ * ends; of the numbers of rows and notes in their buffers. Any other status than LAG_OK ends the run.
+ */
+typedef struct lag_companion {
+    lag_status (*step)(struct lag_run *run);
+    lag_status (*back)(struct lag_run *run, double t);
+    lag_status (*instant)(struct lag_run *run, const struct lag_cause *cause);
+    void (*after)(struct lag_companion *companion);
+    lag_status (*row)(struct lag_run *run, size_t row, double t, const double *x);
+    void (*note)(struct lag_companion *companion, size_t note);
+} lag_companion;
 
 typedef struct lag_note {
     double t;
@@ -29,6 +44,7 @@ typedef struct lag_results {
     int any;                      /* 1: there was a row, */
     double last, after;           /* the times of the last row and of the last one after an event */
     int bare;
+    lag_companion *companion; /* null: there is none */
     struct lag_extremes *extremes; /* lowest and highest values of everything, of the motion itself; null: not wanted */
 } lag_results;
 

@@ -1,4 +1,4 @@
-/* A run begins: at the start values of its model, at a state that is given. */
+/* A run begins, at the start values of its model or at a state that is given; what may happen to it; its end. */
 #include <math.h>
 #include <string.h>
 
@@ -125,4 +125,37 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
         status = lag_run_rows(run, t, 1);
     }
     return status == LAG_OK && stopped ? LAG_STOPPED : status;
+}
+
+/* ---- what may happen ---- */
+
+lag_status lag_run_instant(lag_run *run, const lag_cause *cause)
+{
+    lag_companion *companion = lag_run_companion(run);
+    if (cause->kind == LAG_CAUSE_TIME && cause->changed == NULL && !lag_run_due(run, run->stepper.t)) {
+        return LAG_OK;
+    }
+    return companion != NULL ? companion->instant(run, cause) : lag_run_carry(run, cause);
+}
+
+lag_status lag_run_enter(lag_run *run)
+{
+    return lag_run_instant(run, &(lag_cause){LAG_CAUSE_START, 0.0, NULL});
+}
+
+lag_status lag_run_ticks(lag_run *run)
+{
+    return lag_run_instant(run, &(lag_cause){LAG_CAUSE_TIME, 0.0, NULL});
+}
+
+lag_status lag_run_jump(lag_run *run)
+{
+    return lag_run_instant(run, &(lag_cause){LAG_CAUSE_INPUTS, 0.0, NULL});
+}
+
+lag_status lag_run_end(lag_run *run)
+{
+    run->motion.until = (double)INFINITY;
+    const lag_status status = lag_run_ticks(run);
+    return status == LAG_OK ? lag_run_instant(run, &(lag_cause){LAG_CAUSE_END, 0.0, NULL}) : status;
 }

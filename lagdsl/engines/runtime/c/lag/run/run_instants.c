@@ -78,7 +78,7 @@ static lag_status end_with_relations(lag_run *run, lag_status status)
     return seen == LAG_OK ? ended : seen;
 }
 
-lag_status lag_run_enter(lag_run *run)
+static lag_status enter(lag_run *run)
 {
     lag_delays_clear(&run->motion.delays);
     const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
@@ -128,16 +128,6 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
     return status;
 }
 
-lag_status lag_run_event(lag_run *run, double h, const double *changed)
-{
-    return carry_out(run, h, changed, 0);
-}
-
-lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed)
-{
-    return carry_out(run, h, changed, 1);
-}
-
 int lag_run_due(const lag_run *run, double t)
 {
     return has_instants(run) && lag_instants_due(&run->instants, t);
@@ -159,7 +149,7 @@ static lag_status find_turned(lag_run *run, int *any)
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
-lag_status lag_run_ticks(lag_run *run)
+static lag_status tick(lag_run *run)
 {
     lag_stepper *s = &run->stepper;
     int quiet = 0;
@@ -170,7 +160,7 @@ lag_status lag_run_ticks(lag_run *run)
     if (run->half.left > 0.0 && run->half.t == s->t) {
         const double h = run->half.left;
         run->half.left = 0.0;
-        return lag_run_event_and_ticks(run, h, run->half.waiting);
+        return carry_out(run, h, run->half.waiting, 1);
     }
     lag_status status = lag_instants_change_unreported(&run->instants, s->t, s->x, &quiet);
     if (status == LAG_OK && quiet) {
@@ -248,7 +238,7 @@ static lag_status follow_inputs(lag_run *run, int blown, int *any)
     return status == LAG_OK ? end_with_relations(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->half.pending, 0, due)) : status;
 }
 
-lag_status lag_run_jump(lag_run *run)
+static lag_status jump(lag_run *run)
 {
     int blown = 0;
     int any = 0;
@@ -261,14 +251,19 @@ lag_status lag_run_jump(lag_run *run)
     return status == LAG_OK && (blown || any) ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
 }
 
-lag_status lag_run_end(lag_run *run)
+lag_status lag_run_carry(lag_run *run, const lag_cause *cause)
 {
-    run->motion.until = (double)INFINITY;
-    const lag_status status = lag_run_ticks(run);
-    if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
-        return status;
+    if (cause->kind == LAG_CAUSE_START) {
+        return enter(run);
     }
-    return end(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x));
+    if (cause->kind == LAG_CAUSE_INPUTS) {
+        return jump(run);
+    }
+    if (cause->kind != LAG_CAUSE_END) {
+        return cause->changed != NULL ? carry_out(run, cause->h, cause->changed, cause->kind == LAG_CAUSE_TIME) : tick(run);
+    }
+    const int ends = has_instants(run) && run->instants.places.terminal < run->motion.model->nw;
+    return ends ? end(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x)) : LAG_OK;
 }
 
 lag_status lag_run_back(lag_run *run, double t)
@@ -285,6 +280,7 @@ lag_status lag_run_back(lag_run *run, double t)
     if (status == LAG_OK) {
         (void)lag_projection_exact(&run->projection, t, run->point, &moved); /* where it cannot, it is as the method found it */
         memcpy(s->x, run->point, s->ode->size * sizeof(double));
+        status = lag_run_companion(run) != NULL ? lag_run_companion(run)->back(run, t) : LAG_OK;
         s->t = t;
     }
     return status;

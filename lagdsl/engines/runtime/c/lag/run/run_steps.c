@@ -118,6 +118,9 @@ static lag_status step_once(lag_run *run, double limit)
         if (status == LAG_OK && crosses) {
             status = check_rank(run, &shorter);
         }
+        if (status == LAG_OK && lag_run_companion(run) != NULL) {
+            status = lag_run_companion(run)->step(run);
+        }
         if (status == LAG_TOO_LONG) {
             continue;
         }
@@ -272,12 +275,8 @@ static lag_status carry_out(lag_run *run, double stop, const lag_half *half, int
     }
     *happened = own || due;
     lag_instants_after(&run->instants, t, h);
-    lag_status status = LAG_OK;
-    if (own) {
-        status = due ? lag_run_event_and_ticks(run, h, run->half.pending) : lag_run_event(run, h, run->half.pending);
-    } else if (due) {
-        status = lag_run_ticks(run);
-    }
+    const lag_cause cause = {due ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, own ? run->half.pending : NULL};
+    const lag_status status = own || due ? lag_run_instant(run, &cause) : LAG_OK;
     return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x, NULL) : status;
 }
 
