@@ -67,6 +67,13 @@ static inline lag_status spring_output(const lag_arguments *at, double *y)
     return LAG_OK;
 }
 
+static inline lag_status spring_output_tangent(const lag_arguments *at, double *y)
+{
+    y[0] = at->dq[0];
+    y[1] = at->dz[0];
+    return LAG_OK;
+}
+
 static inline lag_status spring_turn(const lag_arguments *at, double *value, double *rate, double *turn, double *entry)
 {
     value[0] = atan2(sin(at->z[0]), cos(at->z[0]));
@@ -107,6 +114,7 @@ static const lag_model SPRING = {
     .state_derivative = spring_rates,
     .state_derivative_tangent = spring_rates_tangent,
     .output = spring_output,
+    .output_tangent = spring_output_tangent,
     .turn = spring_turn,
     .energies = spring_energies,
 };

@@ -17,6 +17,7 @@ from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
 from lagdsl.engines.runtime.run_options import RunSettings, ToldOptions
 from lagdsl.engines.runtime.run_results import RunResults
+from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
 from lagdsl.engines.runtime.structures import Initial, Status
 
@@ -135,6 +136,12 @@ class Run(RunView):
         if self.settings.measures.start.free:
             self.p = np.array((c_double * len(self._layout.parameters)).from_address(told.p))
         return search.found(starts, self.p)
+
+    def differentiate(self, t: float, starts: Floats, given: bool, of: Directions) -> Status:
+        """The motion is differentiated along these directions, from the start that `find` found last, from `starts` at
+        time t; `given`: some of these were given."""
+        sensitivities = self.results.differentiate(self._model, of)
+        return sensitivities.start(self._run, t, self._search.chosen if given else None, starts)
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""

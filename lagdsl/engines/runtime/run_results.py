@@ -13,6 +13,7 @@ from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.library import Runtime
+from lagdsl.engines.runtime.run_sensitivities import Directions, RunSensitivities
 from lagdsl.engines.runtime.structures import WHAT, Extremes, Note, Results, Status
 
 _FULL: Any = dict(field[:2] for field in Results._fields_)["full"]
@@ -46,6 +47,7 @@ class RunResults:
         self.keeps = True  # False: rows and notes are of use until they are taken the next time
         self.drifts = np.zeros((3, len(layout.invariants)))
         self._taken: list[Floats] = []
+        self.sensitivities: RunSensitivities | None = None
         self._rows = np.zeros((_ROWS, int(library.results_width(model.model))))
         self._notes = (Note * _NOTES)()
         self._full = _FULL(self._empty)
@@ -64,6 +66,12 @@ class RunResults:
         """Numbers of a row."""
         return self._rows.shape[1]
 
+    def differentiate(self, model: NativeModel, of: Directions) -> RunSensitivities:
+        """Rows have derivatives along these directions from now on."""
+        self.sensitivities = RunSensitivities(model, of, _ROWS, _NOTES)
+        self.structure.companion = self.sensitivities.address
+        return self.sensitivities
+
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""
         self.take()
@@ -74,6 +82,8 @@ class RunResults:
         structure = self.structure
         if self.keeps and structure.row:
             self._taken.append(self._rows[: structure.row].copy())
+        if self.sensitivities is not None:
+            self.sensitivities.take(structure.row, structure.note)
         if structure.note:
             self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: structure.note]]
         structure.row = structure.note = 0
@@ -81,7 +91,9 @@ class RunResults:
     def forget(self) -> None:
         """Everything so far: a run begins that has nothing of the one before."""
         self._taken, self.notes = [], []
+        self.sensitivities = None
         structure = self.structure
+        structure.companion = None
         structure.row = structure.note = structure.any = 0
         structure.last = structure.after = 0.0
         self.drifts[:] = 0.0
@@ -93,6 +105,12 @@ class RunResults:
         if len(self._taken) != 1:
             self._taken = [np.concatenate([self._rows[:0], *self._taken])]
         return self._taken[0]
+
+    def derivatives(self) -> tuple[Floats, Floats]:
+        """Derivatives of all rows so far (rows, count, width) and of the times of all notes (notes, count)."""
+        self.take()
+        assert self.sensitivities is not None, "internal error: nobody asked for derivatives"
+        return self.sensitivities.taken()
 
     def extremes(self) -> Floats:
         """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so

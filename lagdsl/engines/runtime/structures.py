@@ -58,6 +58,8 @@ class Status(IntEnum):
     NO_FORCES = 22
     BAD_DELAY = 23
     LONG_PAST = 24
+    GRAZING = 25
+    NOT_SMOOTH = 26
 
 
 class InitialFault(IntEnum):
@@ -235,7 +237,7 @@ class Results(Structure):
         *_all(c_int, "any"),
         *_all(c_double, "last after"),
         *_all(c_int, "bare"),
-        *_all(c_void_p, "extremes"),
+        *_all(c_void_p, "companion extremes"),
     ]
 
 
@@ -259,6 +261,33 @@ class Along(Structure):
 
     _fields_ = [
         *_all(c_void_p, "model tangents workspace memory"),
+    ]
+
+
+class SensitivityDirections(Structure):
+    """lag_sensitivity_directions."""
+
+    _fields_ = [
+        *_all(c_size_t, "count"),
+        *_all(c_void_p, "p u start"),
+    ]
+
+
+class SensitivityRows(Structure):
+    """lag_sensitivity_rows."""
+
+    _fields_ = [
+        *_all(c_void_p, "rows times"),
+    ]
+
+
+class SensitivityFault(Structure):
+    """lag_columns_fault."""
+
+    _fields_ = [
+        *_all(c_double, "t"),
+        *_all(c_size_t, "guard one_sided"),
+        *_all(c_double, "first"),
     ]
 
 

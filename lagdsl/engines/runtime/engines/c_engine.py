@@ -92,12 +92,19 @@ class CEngine:
 
     def along(self) -> NativeModel:
         """A tape: that takes less time than compiling."""
-        known = self._parts.get("along")
+        return self._taped("tangents")
+
+    def along_parameters(self) -> NativeModel:
+        """A tape, too."""
+        return self._taped("parameter_tangents")
+
+    def _taped(self, part: str) -> NativeModel:
+        known = self._parts.get(f"tape of {part}")
         if known is None:
             from lagdsl.engines.backends.tape.emit import tape
             from lagdsl.engines.runtime.engines.tape_model import load_tape
 
-            known = self._parts["along"] = load_tape(tape(self._program, parts=("tangents",)), "tangents")
+            known = self._parts[f"tape of {part}"] = load_tape(tape(self._program, parts=(part,)), part)
         return known
 
     # ---- one state ---------------------------------------------------------------------------------------------------

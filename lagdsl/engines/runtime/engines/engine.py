@@ -46,6 +46,10 @@ class Engine(Protocol):
         where there are none."""
         ...
 
+    def along_parameters(self) -> NativeModel | None:
+        """The same along parameters."""
+        ...
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

@@ -71,6 +71,9 @@ class NumpyEngine:
     def along(self) -> None:
         """There are none."""
 
+    def along_parameters(self) -> None:
+        """There are none."""
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

@@ -30,6 +30,9 @@ class TapeEngine(CEngine):
     def along(self) -> NativeModel:
         return self._part("tangents")
 
+    def along_parameters(self) -> NativeModel:
+        return self._part("parameter_tangents")
+
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
         return tape(self._program, parts=(part,) if part in PARTS else ())

@@ -29,7 +29,9 @@ typedef enum lag_status {
     LAG_MOMENTUM_UNREACHABLE = 21,    /* no rates have the momenta or the energy that an impulse leaves */
     LAG_NO_FORCES = 22,  /* no forces, or impulses, satisfy the law of friction, or sliding leaves them undetermined: wedging */
     LAG_BAD_DELAY = 23,    /* a delay is not positive and finite */
-    LAG_LONG_PAST = 24     /* the past of delayed values takes more pieces than the run keeps */
+    LAG_LONG_PAST = 24,    /* the past of delayed values takes more pieces than the run keeps */
+    LAG_GRAZING = 25,      /* a guard touches its border: the time of the instant has no derivative */
+    LAG_NOT_SMOOTH = 26    /* neighbours of the motion end in other modes: what happens has no derivative */
 } lag_status;
 
 #endif

@@ -179,12 +179,29 @@ static void put(size_t count, size_t lanes, size_t width, const double *from, si
     }
 }
 
+/* The directions: of single variables, or, where `given` is not null, those of its columns. */
+typedef struct directions {
+    lag_range x;
+    const double *given; /* (variables, x.count) */
+} directions;
+
+/* Directions k and following, into lanes that are zero. */
+static void set_directions(const directions *of, size_t k, size_t lanes, size_t width, size_t count, double *to)
+{
+    for (size_t lane = 0; lane < width && of->given == NULL; ++lane) {
+        to[(of->x.first + k + lane) * lanes + lane] = 1.0;
+    }
+    for (size_t i = 0; i < count && of->given != NULL; ++i) {
+        memcpy(to + i * lanes, of->given + i * of->x.count + k, width * sizeof *to);
+    }
+}
+
 /* Columns of the Jacobian at the motion in `to`, with `by` factored. */
 static lag_status differentiate(
     const lag_model *model,
     const functions *f,
     const lag_arguments *at,
-    lag_range x,
+    const directions *of,
     solver *by,
     const places *to,
     double *rates,
@@ -192,18 +209,13 @@ static lag_status differentiate(
 {
     const size_t n = model->nq;
     const size_t lanes = f->lanes;
+    const lag_range x = of->x;
     lag_status status = LAG_OK;
     lag_fill(lanes * variables(model), 0.0, to->lanes.x);
-    lag_fill(n * x.count, 0.0, rates);
     for (size_t k = 0; k < x.count && status == LAG_OK; k += lanes) {
         const size_t width = x.count - k < lanes ? x.count - k : lanes;
-        for (size_t lane = 0; lane < width; ++lane) {
-            const size_t variable = x.first + k + lane;
-            to->lanes.x[variable * lanes + lane] = 1.0;
-            if (variable >= n && variable < 2 * n) {
-                rates[(variable - n) * x.count + k + lane] = 1.0;
-            }
-        }
+        set_directions(of, k, lanes, width, variables(model), to->lanes.x);
+        put(n, lanes, width, to->lanes.x + n * lanes, x.count, k, rates);
         status = solve(model, f, at, by, width, to);
         put(n, lanes, width, to->lanes.dqdd, x.count, k, rates + n * x.count);
         if (status == LAG_OK && model->nz > 0) {
@@ -214,7 +226,7 @@ static lag_status differentiate(
             status = f->output(at, to->lanes.y);
             put(model->ny, lanes, width, to->lanes.y, x.count, k, outputs);
         }
-        for (size_t lane = 0; lane < width; ++lane) {
+        for (size_t lane = 0; lane < width && of->given == NULL; ++lane) {
             to->lanes.x[(x.first + k + lane) * lanes + lane] = 0.0;
         }
     }
@@ -271,7 +283,7 @@ static lag_status along_many(
     const lag_model *model,
     const lag_tangents *tangents,
     const lag_arguments *at,
-    lag_range x,
+    const directions *of,
     const places *to,
     double *rates,
     double *outputs,
@@ -296,14 +308,14 @@ static lag_status along_many(
     if (status == LAG_OK && tangents->motion == NULL) {
         status = tangents->primal(&here);
     }
-    return status == LAG_OK ? differentiate(model, &f, &here, x, &by, to, rates, outputs) : status;
+    return status == LAG_OK ? differentiate(model, &f, &here, of, &by, to, rates, outputs) : status;
 }
 
 /* With those of the model itself. */
 static lag_status along_one(
     const lag_model *model,
     const lag_arguments *at,
-    lag_range x,
+    const directions *of,
     const places *to,
     double *rates,
     double *outputs,
@@ -313,7 +325,40 @@ static lag_status along_one(
     const lag_arguments here = along(model, at, f.lanes, to);
     solver by;
     const lag_status status = solve_by_dense(model, at, to, &by, coordinate);
-    return status == LAG_OK ? differentiate(model, &f, &here, x, &by, to, rates, outputs) : status;
+    return status == LAG_OK ? differentiate(model, &f, &here, of, &by, to, rates, outputs) : status;
+}
+
+static lag_status find(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_arguments *at,
+    const directions *of,
+    double *memory,
+    double *rates,
+    double *outputs,
+    size_t *coordinate)
+{
+    const size_t count = (2 * model->nq + model->nz) * of->x.count;
+    const size_t output_count = outputs == NULL ? 0 : model->ny * of->x.count;
+    places to;
+    lag_status status = LAG_MISSING;
+    place(model, lanes_of(tangents), memory, &to);
+    if (lanes_of(tangents) > 1) {
+        status = along_many(model, tangents, at, of, &to, rates, outputs, coordinate);
+        if (status == LAG_OK && lag_finite(count, rates) && lag_finite(output_count, outputs)) {
+            return LAG_OK;
+        }
+        status = status == LAG_OK ? LAG_MISSING : status;
+    }
+    if (status == LAG_MISSING) {
+        status = along_one(model, at, of, &to, rates, outputs, coordinate);
+    }
+    if (status == LAG_OK) {
+        return lag_finite(count, rates) && lag_finite(output_count, outputs) ? LAG_OK : LAG_NOT_FINITE;
+    }
+    lag_fill(count, (double)NAN, rates);
+    lag_fill(output_count, (double)NAN, outputs);
+    return status;
 }
 
 lag_status lag_jacobian(
@@ -326,25 +371,21 @@ lag_status lag_jacobian(
     double *outputs,
     size_t *coordinate)
 {
-    const size_t count = (2 * model->nq + model->nz) * x.count;
-    const size_t output_count = outputs == NULL ? 0 : model->ny * x.count;
-    places to;
-    lag_status status = LAG_MISSING;
-    place(model, lanes_of(tangents), memory, &to);
-    if (lanes_of(tangents) > 1) {
-        status = along_many(model, tangents, at, x, &to, rates, outputs, coordinate);
-        if (status == LAG_OK && lag_finite(count, rates) && lag_finite(output_count, outputs)) {
-            return LAG_OK;
-        }
-        status = status == LAG_OK ? LAG_MISSING : status;
-    }
-    if (status == LAG_MISSING) {
-        status = along_one(model, at, x, &to, rates, outputs, coordinate);
-    }
-    if (status == LAG_OK) {
-        return lag_finite(count, rates) && lag_finite(output_count, outputs) ? LAG_OK : LAG_NOT_FINITE;
-    }
-    lag_fill(count, (double)NAN, rates);
-    lag_fill(output_count, (double)NAN, outputs);
-    return status;
+    const directions of = {x, NULL};
+    return find(model, tangents, at, &of, memory, rates, outputs, coordinate);
+}
+
+lag_status lag_jacobian_along(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_arguments *at,
+    size_t count,
+    const double *given,
+    double *memory,
+    double *rates,
+    double *outputs,
+    size_t *coordinate)
+{
+    const directions of = {{0, count}, given};
+    return find(model, tangents, at, &of, memory, rates, outputs, coordinate);
 }

@@ -1,6 +1,6 @@
 /*
  * Derivatives of the motion, exact: M dqdd - J'dlam = -dr and J dqdd = -ds with the directional derivatives of the residuals
- * at the accelerations that solve them, for many directions at once.
+ * at the accelerations that solve them, for many directions at once: those of single variables, or any.
  */
 #ifndef LAG_JACOBIAN_H
 #define LAG_JACOBIAN_H
@@ -27,6 +27,21 @@ lag_status lag_jacobian(
     const lag_tangents *tangents,
     const lag_arguments *at,
     lag_range x,
+    double *memory,
+    double *rates,
+    double *outputs,
+    size_t *coordinate);
+
+/*
+ * The same along `count` directions of q, qd, z, u, p in a row: directions (2 nq + nz + nu + np, count), rates (2 nq + nz, count), outputs
+ * (ny, count).
+ */
+lag_status lag_jacobian_along(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_arguments *at,
+    size_t count,
+    const double *directions,
     double *memory,
     double *rates,
     double *outputs,

@@ -160,11 +160,7 @@ static lag_status form_mass(lag_projection *projection)
     return projection->motion->model->mass_matrix(&projection->motion->at, projection->step.mass);
 }
 
-/*
- * The change that makes the residuals vanish in the first order. Coordinates without inertia that other rows hold (charges, by the sums
- * of currents) may be free as far as positions go: then as little changes as can.
- */
-static lag_status smallest(lag_projection *projection, int every)
+lag_status lag_projection_smallest(lag_projection *projection, int every)
 {
     const lag_model *model = projection->motion->model;
     const size_t n = model->nq;
@@ -217,7 +213,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
             return LAG_OK;
         }
         before = size;
-        if (smallest(projection, 0) != LAG_OK) {
+        if (lag_projection_smallest(projection, 0) != LAG_OK) {
             return LAG_PROJECTION_FAILED;
         }
         *moved = 1;
@@ -284,7 +280,7 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
         return LAG_OK;
     }
     projection->step.formed = 0;
-    if (smallest(projection, 1) != LAG_OK || !satisfies(projection, size)) {
+    if (lag_projection_smallest(projection, 1) != LAG_OK || !satisfies(projection, size)) {
         return LAG_PROJECTION_FAILED;
     }
     *moved = 1;

@@ -82,4 +82,11 @@ double lag_projection_pace(const lag_projection *projection, size_t row);
  */
 double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row);
 
+/*
+ * step.change: the change of least inertia that makes the residuals phi vanish in the first order, with the Jacobian at hand; of all rows, or of those of
+ * position level. Coordinates without inertia that other rows hold (charges, by the sums of currents) may be free as far as positions go: then as little
+ * changes as can.
+ */
+lag_status lag_projection_smallest(lag_projection *projection, int every);
+
 #endif

@@ -16,9 +16,7 @@
 /* Stages whose states are of the fifth order, as places of the step. */
 static const unsigned char PASSES[LAG_DOP853_SLOPES] = {[6] = 1, [9] = 2, [10] = 3};
 
-static const double SAFETY = 0.8;
 static const double BETA = 0.04; /* weight of the error before, in the step control */
-static const double SHRINK = 0.333;
 static const double GROW = 3.0; /* more would harm the dense output of the step that follows a transient */
 static const double AFTER_TROUBLE = 0.25;
 
@@ -33,6 +31,15 @@ static lag_attempt_arrays place(const lag_stepper *s)
     at.slope = s->work;
     at.stage = at.slope + LAG_DOP853_SLOPES * size;
     at.x_new = at.stage + size;
+    return at;
+}
+
+lag_attempt_arrays lag_dop853_last(const lag_stepper *s)
+{
+    lag_attempt_arrays at = place(s);
+    at.x = s->x_before;
+    at.t[0] = s->t_before;
+    lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
     return at;
 }
 
@@ -69,7 +76,7 @@ void lag_attempt_begin(lag_stepper *s, double limit)
 int lag_attempt_shorten(lag_stepper *s)
 {
     lag_attempt *attempt = &s->attempt;
-    const double part = isfinite(attempt->error) ? fmax(SHRINK, SAFETY * pow(attempt->error, -1.0 / 8.0)) : AFTER_TROUBLE;
+    const double part = isfinite(attempt->error) ? fmax(LAG_DOP853_SHRINK, LAG_DOP853_SAFETY * pow(attempt->error, -1.0 / 8.0)) : AFTER_TROUBLE;
     ++attempt->rejections;
     if (attempt->h <= s->h_least) {
         return 0;
@@ -127,8 +134,8 @@ static double urge_of(const lag_stepper *s, const lag_attempt_arrays *at, double
 static double factor_of(double error, double before)
 {
     const double integral = pow(error, 1.0 / 8.0 - 0.2 * BETA);
-    const double factor = SAFETY / integral * pow(fmax(before, 1e-4), BETA);
-    return fmin(GROW, fmax(SHRINK, error > 0.0 ? factor : GROW));
+    const double factor = LAG_DOP853_SAFETY / integral * pow(fmax(before, 1e-4), BETA);
+    return fmin(GROW, fmax(LAG_DOP853_SHRINK, error > 0.0 ? factor : GROW));
 }
 
 /* The attempt becomes the step. */
@@ -178,14 +185,11 @@ static void begin(lag_stepper *s)
 
 static lag_status prepare_dense(lag_stepper *s)
 {
-    lag_attempt_arrays at = place(s);
+    lag_attempt_arrays at = lag_dop853_last(s);
     if (s->attempt.dense) {
         s->counts.evaluations += LAG_DOP853_SLOPES - LAG_DOP853_END - 1;
         return LAG_OK;
     }
-    at.t[0] = s->t_before;
-    at.x = s->x_before;
-    lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
         if (!lag_attempt_stage(&at, i, rates_of_stage, s)) {
             return s->trouble.status;

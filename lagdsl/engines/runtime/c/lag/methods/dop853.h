@@ -12,6 +12,10 @@ enum { LAG_DOP853_STAGES = 12, LAG_DOP853_END = 12, LAG_DOP853_SLOPES = 16, LAG_
 /* Terms of the dense output. */
 enum { LAG_DOP853_TERMS = 3 + LAG_DOP853_DENSE };
 
+/* The next step is this part of what the error asks for; one that is tried again is no shorter than this part. */
+static const double LAG_DOP853_SAFETY = 0.8;
+static const double LAG_DOP853_SHRINK = 0.333;
+
 /* The most lanes that there may be; a power of two, as is every number of lanes. */
 enum { LAG_ATTEMPT_LANES = 8 };
 
@@ -37,6 +41,11 @@ typedef struct lag_attempt_arrays {
     double t[LAG_ATTEMPT_LANES];   /* of lane k */
     double h[LAG_ATTEMPT_LANES];   /* of lane k % lanes */
 } lag_attempt_arrays;
+
+struct lag_stepper;
+
+/* Slopes of the last accepted step, and the state before it; they are there until the next attempt. */
+lag_attempt_arrays lag_dop853_last(const struct lag_stepper *s);
 
 /* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
 typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);

@@ -1,0 +1,295 @@
+#include "lag/sensitivities/sensitivities.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+#include "lag/run.h"
+
+size_t lag_columns_variables(const lag_model *model)
+{
+    return lag_motion_size(model) + model->nu + model->np;
+}
+
+size_t lag_sensitivities_width(const lag_model *model)
+{
+    return lag_motion_size(model) + lag_places_of(model).contact + model->ny;
+}
+
+static size_t lanes_for(size_t count)
+{
+    size_t lanes = 1;
+    while (lanes < count && lanes < LAG_ATTEMPT_LANES) {
+        lanes *= 2;
+    }
+    return lanes;
+}
+
+static size_t blocks_for(size_t count)
+{
+    const size_t lanes = lanes_for(count);
+    return (count + lanes - 1) / lanes;
+}
+
+/* Values of the map of an instant. */
+static size_t instant_values(const lag_model *model)
+{
+    return lag_motion_size(model) + model->nw + model->ncontact;
+}
+
+/* Values of any map. */
+static size_t most_values(const lag_model *model)
+{
+    const size_t guards = lag_guard_count(model) + model->ncorner;
+    const size_t times = 2 * model->nclock + model->ndistance;
+    return lag_larger(lag_larger(instant_values(model) + model->ny, lag_motion_size(model) + model->np), lag_larger(guards, times));
+}
+
+/* Room for what is behind an instant, which serves for derivatives of other maps before. */
+static size_t behind_values(const lag_model *model, size_t count)
+{
+    return lag_larger(count * instant_values(model), 2 * most_values(model));
+}
+
+static size_t memory_for(const lag_model *model, size_t count)
+{
+    const size_t n = lag_motion_size(model);
+    const size_t width = lanes_for(count);
+    const size_t all = blocks_for(count) * width;
+    const size_t variables = lag_columns_variables(model);
+    const size_t columns = all * (2 * variables + model->nw + n + 2);
+    const size_t work = 2 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t stages = LAG_RADAU_STAGES * n;
+    const size_t implicit = n * n + stages * stages + 2 * stages;
+    const size_t instant = 3 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
+    return columns + work + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
+}
+
+static void place_instant(lag_columns_instant *instant, const lag_model *model, size_t count, double **memory)
+{
+    const size_t n = lag_motion_size(model);
+    instant->f = lag_take(memory, n);
+    instant->f_after = lag_take(memory, n);
+    instant->x_after = lag_take(memory, n);
+    instant->w_after = lag_take(memory, model->nw);
+    instant->until_after = lag_take(memory, model->ncontact);
+    instant->time = lag_take(memory, count);
+    instant->until = lag_take(memory, model->ncontact * count);
+    instant->behind = lag_take(memory, behind_values(model, count));
+    instant->sizes = lag_take(memory, most_values(model));
+    instant->bend = lag_take(memory, lag_guard_count(model));
+}
+
+static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
+{
+    const size_t n = lag_motion_size(model);
+    const size_t all = columns->blocks * columns->lanes;
+    const size_t variables = lag_columns_variables(model);
+    work->state = lag_take(memory, n);
+    work->state_of_stage = lag_take(memory, n);
+    work->slopes = lag_take(memory, all * n * LAG_DOP853_SLOPES);
+    work->terms = lag_take(memory, all * n * LAG_DOP853_TERMS);
+    work->point = lag_take(memory, columns->lanes * variables);
+    work->rates = lag_take(memory, columns->lanes * n);
+    work->tolerance = lag_take(memory, columns->lanes * n);
+    work->y = lag_take(memory, columns->lanes * model->ny);
+    work->one = lag_take(memory, variables + model->nw);
+    work->u = lag_take(memory, model->nu);
+    work->w = lag_take(memory, model->nw);
+    work->one_rates = lag_take(memory, columns->lanes * (n + model->ny));
+    work->by_state = lag_take(memory, n * (n + model->nu));
+    work->outputs_by_state = lag_take(memory, model->ny * (n + model->nu));
+    work->by_parameter = lag_take(memory, all * n);
+    work->outputs_by_parameter = lag_take(memory, all * model->ny);
+    lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
+    work->collocation.jacobian = lag_take(memory, n * n);
+    work->collocation.right = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->collocation.pivots = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->collocation.matrix = lag_take(memory, LAG_RADAU_STAGES * n * LAG_RADAU_STAGES * n);
+}
+
+void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)
+{
+    const size_t lanes = s->columns.lanes;
+    double *to = blocks + column / lanes * height * lanes + column % lanes;
+    for (size_t i = 0; i < count; ++i) {
+        to[i * lanes] = from[i];
+    }
+}
+
+void lag_columns_get(const lag_sensitivities *s, size_t column, size_t count, const double *blocks, size_t height, double *to)
+{
+    const size_t lanes = s->columns.lanes;
+    const double *from = blocks + column / lanes * height * lanes + column % lanes;
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = from[i * lanes];
+    }
+}
+
+size_t lag_sensitivities_size(const lag_model *model, size_t count)
+{
+    return lag_padded(sizeof(lag_sensitivities)) + memory_for(model, count) * sizeof(double);
+}
+
+void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault)
+{
+    *fault = s->fault;
+}
+
+static lag_status row(lag_run *run, size_t number, double t, const double *x);
+static lag_status back(lag_run *run, double t);
+static void note(lag_companion *companion, size_t number);
+
+lag_sensitivities *lag_sensitivities_of(const lag_run *run)
+{
+    return (lag_sensitivities *)(void *)lag_run_companion(run);
+}
+
+lag_sensitivities *lag_sensitivities_place(
+    void *block, const lag_model *model, const lag_sensitivity_directions *of, const lag_sensitivity_rows *rows, const lag_along *along)
+{
+    lag_sensitivities *s = block;
+    double *memory = (double *)(void *)((char *)block + lag_padded(sizeof(lag_sensitivities)));
+    const size_t n = lag_motion_size(model);
+    const size_t count = of->count;
+    const size_t variables = lag_columns_variables(model);
+    lag_columns *columns = &s->columns;
+    s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note};
+    s->of = *of;
+    s->results = *rows;
+    s->along = (lag_sensitivity_functions){along[0], along[1], {0, 0}};
+    columns->lanes = lanes_for(count);
+    columns->blocks = blocks_for(count);
+    const size_t all = columns->blocks * columns->lanes;
+    columns->x = lag_take(&memory, all * variables);
+    columns->w = lag_take(&memory, all * model->nw);
+    columns->before = lag_take(&memory, all * n);
+    columns->extent = lag_take(&memory, all);
+    columns->p = lag_take(&memory, count * variables);
+    columns->of_parameters = lag_take(&memory, count);
+    columns->t = columns->t_before = columns->t_dense = (double)NAN;
+    columns->rejected = (double)INFINITY;
+    place_work(&s->work, model, columns, &memory);
+    place_instant(&s->instant, model, count, &memory);
+    s->instant.pending = 0;
+    s->fault = (lag_columns_fault){.t = (double)INFINITY, .first = (double)INFINITY};
+    s->scales = lag_take(&memory, model->np);
+    s->chosen = lag_take_flags(&memory, n);
+    lag_differences_place(&s->differences, model, most_values(model), memory);
+    for (size_t k = 0; k < count; ++k) { /* directions of inputs and parameters stay */
+        memcpy(s->work.one, s->of.u + k * model->nu, model->nu * sizeof(double));
+        memcpy(s->work.one + model->nu, s->of.p + k * model->np, model->np * sizeof(double));
+        lag_columns_put(s, k, model->nu + model->np, s->work.one, columns->x + n * columns->lanes, variables);
+    }
+    return s;
+}
+
+void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
+{
+    const size_t first = lag_motion_size(model) + model->nu;
+    const size_t variables = lag_columns_variables(model);
+    double *one = s->work.one;
+    s->columns.moving = 0;
+    s->along.prepared[0] = s->along.prepared[1] = 0;
+    for (size_t k = 0; k < s->of.count; ++k) {
+        lag_columns_get(s, k, variables, s->columns.x, variables, one);
+        if (lag_any(model->np, one + first)) {
+            s->columns.of_parameters[s->columns.moving++] = (double)k;
+        }
+    }
+    lag_fill(s->columns.moving * variables, 0.0, s->columns.p);
+    for (size_t k = 0; k < s->columns.moving; ++k) {
+        lag_columns_get(s, (size_t)s->columns.of_parameters[k], variables, s->columns.x, variables, one);
+        for (size_t i = first; i < variables; ++i) {
+            s->columns.p[i * s->columns.moving + k] = one[i];
+        }
+    }
+}
+
+/* ---- rows ---- */
+
+lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *directions)
+{
+    const lag_model *model = run->motion.model;
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = s->columns.lanes;
+    const size_t variables = lag_columns_variables(model);
+    double *one = s->work.one;
+    lag_status status = LAG_OK;
+    for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nc > 0; ++lane) {
+        double *w = one + variables;
+        lag_columns_get(s, lane, variables, directions, 0, one);
+        lag_columns_get(s, block * lanes + lane, model->nw, s->columns.w, model->nw, w);
+        if (lag_any(variables + model->nw, one)) {
+            status = lag_projection_tangent(&run->projection, t, x, w, lag_columns_step(s, run, w), one);
+        }
+        for (size_t i = 0; i < n; ++i) {
+            directions[i * lanes + lane] = one[i];
+        }
+    }
+    return status;
+}
+
+/* The columns of the block at time t into `point`, whose directions of inputs and parameters are set. */
+static lag_status columns_at(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *point)
+{
+    const lag_model *model = run->motion.model;
+    const size_t height = lag_columns_variables(model) * s->columns.lanes;
+    memcpy(point, s->columns.x + block * height, height * sizeof(double));
+    if (t == s->columns.t) {
+        return LAG_OK;
+    }
+    const lag_status status = lag_columns_dense(s, run, block, t, point);
+    return status == LAG_OK ? lag_columns_project(s, run, block, t, x, point) : status;
+}
+
+static lag_status row(lag_run *run, size_t number, double t, const double *x)
+{
+    lag_sensitivities *s = lag_sensitivities_of(run);
+    const lag_model *model = run->motion.model;
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = s->columns.lanes;
+    const size_t variables = lag_places_of(model).contact;
+    const size_t width = lag_sensitivities_width(model);
+    double *first = s->results.rows + number * s->of.count * width;
+    lag_status status = LAG_OK;
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        status = columns_at(s, run, block, t, x, s->work.point);
+        if (status == LAG_OK && model->ny > 0 && block == 0) {
+            status = lag_columns_look(s, run, t, x, 1);
+        }
+        if (status == LAG_OK && model->ny > 0) {
+            status = lag_columns_rates(s, run, block, t, x, s->work.point, s->work.rates, s->work.y);
+        }
+        for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
+            double *to = first + (block * lanes + lane) * width;
+            lag_columns_get(s, lane, n, s->work.point, n, to);
+            lag_columns_get(s, block * lanes + lane, variables, s->columns.w, model->nw, to + n);
+            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + variables);
+        }
+    }
+    return status;
+}
+
+static void note(lag_companion *companion, size_t number)
+{
+    const lag_sensitivities *s = (const lag_sensitivities *)(const void *)companion;
+    memcpy(s->results.times + number * s->of.count, s->instant.time, s->of.count * sizeof(double));
+}
+
+static lag_status back(lag_run *run, double t)
+{
+    lag_sensitivities *s = lag_sensitivities_of(run);
+    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
+    lag_status status = LAG_OK;
+    if (t == s->columns.t) {
+        return LAG_OK;
+    }
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        status = columns_at(s, run, block, t, run->stepper.x, s->work.point);
+        memcpy(s->columns.x + block * height, s->work.point, height * sizeof(double));
+    }
+    s->columns.t = t;
+    return status;
+}

@@ -1,0 +1,195 @@
+/* Rates and outputs along the columns at a state. */
+#include <string.h>
+
+#include "lag/equations/jacobian.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+#include "lag/run.h"
+#include "lag/sensitivities/sensitivities.h"
+
+/* The rates and outputs of the run at x, into `to` (2 nq + nz + ny). */
+static lag_status evaluate(lag_run *run, double t, const double *x, int outputs, double *to)
+{
+    const lag_model *model = run->motion.model;
+    const lag_status status = run->motion.ode.rates(&run->motion, t, x, to);
+    return status == LAG_OK && outputs ? model->output(&run->motion.at, to + lag_motion_size(model)) : status;
+}
+
+double lag_columns_step(lag_sensitivities *s, lag_run *run, const double *w)
+{
+    const lag_displacement along = {0.0, NULL, w, NULL, NULL, NULL};
+    s->differences.run = run;
+    const double extent = lag_differences_extent(&s->differences, &along);
+    return extent > 0.0 ? lag_differences_step() / extent : 0.0;
+}
+
+/* Adds the sixth-order differences along the discretes of a column, which stand behind its direction in work.one, to the rates and outputs in `lane`. */
+static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane, double t, const double *x, double *rates, double *y)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    const size_t n = lag_motion_size(model);
+    const size_t height = n + (y != NULL ? model->ny : 0);
+    const double *w = s->work.one + lag_columns_variables(model);
+    double *sum = s->differences.sixth;
+    const double h = lag_columns_step(s, run, w);
+    lag_status status = LAG_OK;
+    memcpy(s->work.w, motion->w, model->nw * sizeof(double));
+    lag_fill(height, 0.0, sum);
+    for (int k = -LAG_POINTS; k <= LAG_POINTS && status == LAG_OK; k += k == -1 ? 2 : 1) {
+        lag_axpy(model->nw, k * h, w, motion->w);
+        status = evaluate(run, t, x, y != NULL, s->differences.value[0][0]);
+        lag_axpy(height, (k > 0 ? lag_sixth[k - 1] : -lag_sixth[-k - 1]) / h, s->differences.value[0][0], sum);
+        memcpy(motion->w, s->work.w, model->nw * sizeof(double));
+    }
+    for (size_t i = 0; i < height; ++i) {
+        double *to = i < n ? rates + i * s->columns.lanes : y + (i - n) * s->columns.lanes;
+        to[lane] += sum[i];
+    }
+    return status;
+}
+
+/* ---- by functions of several directions ---- */
+
+/* The state of the motion for the functions of `along`, prepared for its parameters. */
+static lag_arguments here(const lag_along *along, int *prepared, const lag_motion *motion)
+{
+    lag_arguments at = motion->at;
+    at.context = along->model->context;
+    at.workspace = along->workspace;
+    at.kept = NULL;
+    *prepared = *prepared || along->model->prepare(&at) == LAG_OK;
+    return at;
+}
+
+/* True if the Jacobian by the state and the inputs serves all columns: there are more of these. */
+static int takes_jacobian(const lag_sensitivities *s, const lag_model *model)
+{
+    return s->along.states.tangents != NULL && lag_motion_size(model) + model->nu <= s->of.count;
+}
+
+/* to (height, lanes) = matrix (height, width) of (width, lanes) */
+static void multiply(size_t height, size_t width, size_t lanes, const double *matrix, const double *of, double *to)
+{
+    lag_fill(height * lanes, 0.0, to);
+    for (size_t i = 0; i < height; ++i) {
+        for (size_t j = 0; j < width; ++j) {
+            const double entry = matrix[i * width + j];
+            for (size_t lane = 0; lane < lanes; ++lane) {
+                to[i * lanes + lane] += entry * of[j * lanes + lane];
+            }
+        }
+    }
+}
+
+/* Rates along q, qd, z and u. */
+static lag_status along_states(lag_sensitivities *s, lag_motion *motion, const double *directions, double *rates, double *y)
+{
+    const lag_model *model = motion->model;
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = s->columns.lanes;
+    if (takes_jacobian(s, model)) {
+        multiply(n, n + model->nu, lanes, s->work.by_state, directions, rates);
+        multiply(y != NULL ? model->ny : 0, n + model->nu, lanes, s->work.outputs_by_state, directions, y);
+        return LAG_OK;
+    }
+    const lag_along *along = &s->along.states;
+    const lag_arguments at = here(along, &s->along.prepared[0], motion);
+    return lag_jacobian_along(along->model, along->tangents, &at, lanes, directions, along->memory, rates, y, &motion->coordinate);
+}
+
+/* Rates along the parameters of all columns that have some. */
+static lag_status look_at_parameters(lag_sensitivities *s, lag_motion *motion, int outputs)
+{
+    const lag_along *along = &s->along.parameters;
+    if (s->columns.moving == 0) {
+        return LAG_OK;
+    }
+    const lag_arguments at = here(along, &s->along.prepared[1], motion);
+    return lag_jacobian_along(along->model, along->tangents, &at, s->columns.moving, s->columns.p, along->memory, s->work.by_parameter,
+        outputs ? s->work.outputs_by_parameter : NULL, &motion->coordinate);
+}
+
+/* Adds them to those of a block. */
+static void add_parameters(const lag_sensitivities *s, const lag_model *model, size_t block, double *rates, double *y)
+{
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = s->columns.lanes;
+    const size_t moving = s->columns.moving;
+    for (size_t k = 0; k < moving; ++k) {
+        const size_t column = (size_t)s->columns.of_parameters[k];
+        const size_t lane = column % lanes;
+        if (column / lanes != block) {
+            continue;
+        }
+        for (size_t i = 0; i < n; ++i) {
+            rates[i * lanes + lane] += s->work.by_parameter[i * moving + k];
+        }
+        for (size_t i = 0; i < model->ny && y != NULL; ++i) {
+            y[i * lanes + lane] += s->work.outputs_by_parameter[i * moving + k];
+        }
+    }
+}
+
+/* ---- all ---- */
+
+lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const double *x, int outputs)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    if (model->nload > 0) { /* derivatives at fixed loads are not those of the motion */
+        return lag_loads_along_look(&s->work.loads, motion, t, x);
+    }
+    lag_motion_set_state(motion, t, x);
+    const lag_status status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
+    if (status != LAG_OK || !takes_jacobian(s, model)) {
+        return status;
+    }
+    const lag_along *along = &s->along.states;
+    const lag_arguments at = here(along, &s->along.prepared[0], motion);
+    const lag_range variables = {0, lag_motion_size(model) + model->nu};
+    return lag_jacobian(along->model, along->tangents, &at, variables, along->memory, s->work.by_state, outputs ? s->work.outputs_by_state : NULL,
+        &motion->coordinate);
+}
+
+/* Rates in models with loads. */
+static lag_status with_loads(lag_sensitivities *s, const lag_motion *motion, const double *directions, double *rates, double *y)
+{
+    const lag_model *model = motion->model;
+    const size_t n = lag_motion_size(model);
+    double *found = s->work.one_rates;
+    lag_status status = LAG_OK;
+    for (size_t lane = 0; lane < s->columns.lanes && status == LAG_OK; ++lane) {
+        lag_columns_get(s, lane, lag_columns_variables(model), directions, 0, s->work.one);
+        status = lag_loads_along_rates(&s->work.loads, motion, s->work.one, found, y != NULL ? found + n : NULL);
+        lag_columns_put(s, lane, n, found, rates, 0);
+        lag_columns_put(s, lane, y != NULL ? model->ny : 0, found + n, y, 0);
+    }
+    return status;
+}
+
+lag_status lag_columns_rates(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, const double *directions,
+    double *rates, double *y)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    const size_t lanes = s->columns.lanes;
+    double *w = s->work.one + lag_columns_variables(model);
+    lag_status status = LAG_OK;
+    if (model->nload > 0) {
+        status = with_loads(s, motion, directions, rates, y);
+    } else if (s->along.states.tangents != NULL) {
+        status = along_states(s, motion, directions, rates, y);
+        add_parameters(s, model, block, rates, y);
+    } else {
+        status = lag_jacobian_along(model, NULL, &motion->at, lanes, directions, motion->memory, rates, y, &motion->coordinate);
+    }
+    for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nw > 0; ++lane) {
+        lag_columns_get(s, block * lanes + lane, model->nw, s->columns.w, model->nw, w);
+        if (lag_any(model->nw, w)) {
+            status = add_discretes(s, run, lane, t, x, rates, y);
+            lag_motion_set_state(motion, t, x);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,79 @@
+"""Forward sensitivities of a run of the C runtime: columns of derivatives beside its rows and its notes."""
+
+from __future__ import annotations
+
+from ctypes import byref
+
+import numpy as np
+
+from lagdsl.engines.runtime.engines.buffers import Buffers, aligned, place_of
+from lagdsl.engines.runtime.engines.engine import Floats
+from lagdsl.engines.runtime.engines.native_model import NativeModel
+from lagdsl.engines.runtime.library import runtime_library
+from lagdsl.engines.runtime.structures import Along, SensitivityDirections, SensitivityFault, SensitivityRows, Status
+from lagdsl.foundation.record import record
+
+
+@record(kw_only=True)
+class Directions:
+    """Quantities that a motion is differentiated by, `count` of them: directions of the parameters (count, np), of
+    constant shifts of the inputs (count, nu) and of the start values (count, 2 nq + nz). `by_state` and `by_parameter`
+    have the functions of several directions, None: one is followed after the other."""
+
+    p: Floats
+    u: Floats
+    start: Floats
+    by_state: NativeModel | None
+    by_parameter: NativeModel | None
+
+
+class _Functions:
+    """The functions of several directions of a model as C reads them; all zero without a model that has some."""
+
+    def __init__(self, model: NativeModel | None) -> None:
+        self.told, self._held = Along(), (model, None if model is None else Buffers(model))
+        if model is not None and model.part and self._held[1] is not None:
+            self.told.model, self.told.tangents = model.address, model.part_address
+            self.told.workspace = self._held[1].workspace.ctypes.data
+            self.told.memory = self._held[1].memory.ctypes.data
+
+
+class RunSensitivities:
+    """The lag_sensitivities of one run at `address`, with buffers as long as those of its results."""
+
+    def __init__(self, model: NativeModel, of: Directions, most_rows: int, most_notes: int) -> None:
+        library, count = runtime_library(), len(of.p)
+        self._rows = np.zeros((most_rows, count, int(library.sensitivities_width(model.model))))
+        self._times = np.zeros((most_notes, count))
+        self._taken: list[tuple[Floats, Floats]] = []
+        block = aligned(int(library.sensitivities_size(model.model, count)) // 8 + 1)
+        arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in (of.p, of.u, of.start)]
+        directions = SensitivityDirections(count, *map(place_of, arrays))
+        functions = [_Functions(each) for each in (of.by_state, of.by_parameter)]
+        rows = SensitivityRows(place_of(self._rows), place_of(self._times))
+        told = (Along * 2)(*(each.told for each in functions))
+        place = library.sensitivities_place
+        self.address = int(place(place_of(block), model.model, byref(directions), byref(rows), byref(told)))
+        self._held = model, block, arrays, functions
+
+    def start(self, run: int, t: float, chosen: int | None, starts: Floats) -> Status:
+        """Columns at the start at time t of the run at the address `run`, found from the values `starts` with those
+        that `chosen` flags as written."""
+        values = np.ascontiguousarray(starts)
+        return Status(runtime_library().sensitivities_start(self.address, run, t, chosen, place_of(values)))
+
+    def take(self, rows: int, notes: int) -> None:
+        """So many entries of the buffers."""
+        self._taken.append((self._rows[:rows].copy(), self._times[:notes].copy()))
+
+    def taken(self) -> tuple[Floats, Floats]:
+        """Derivatives of all rows so far (rows, count, width) and of the times of all notes (notes, count)."""
+        rows, times = zip(*self._taken, strict=True)
+        return np.concatenate(rows), np.concatenate(times)
+
+    @property
+    def fault(self) -> SensitivityFault:
+        """Why there are no more of them, and how many instants have several."""
+        told = SensitivityFault()
+        runtime_library().sensitivities_tell(self.address, byref(told))
+        return told
