@@ -171,6 +171,7 @@ class Model(Stepped):
         solver: str = "auto",
         step: float | None = None,
         control: Control | Sequence[Control] = (),
+        tangents: Sequence[str] = (),
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
@@ -179,9 +180,10 @@ class Model(Stepped):
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
-        length `step`. Controllers, `lagdsl.control("2 ms", f)`, set inputs on the way. `progress` is called with the
-        part of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first step,
-        SimulationFailed with the motion so far after it; KeyError, ValueError.
+        length `step`. Controllers, `lagdsl.control("2 ms", f)`, set inputs on the way. `tangents` are parameters,
+        starts (`theta.start`) and inputs by which `motion.derivative("theta", "l")` tells derivatives. `progress` is
+        called with the part of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first
+        step, SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
         from lagdsl.interfaces.api.trajectory import Trajectory
         from lagdsl.motion.simulate.failure import SimulationFailed
@@ -203,6 +205,7 @@ class Model(Stepped):
                 solver=solver,
                 step=step,
                 control=controllers,
+                tangents=tangents,
                 read=self._input_value,
                 progress=watched(progress, "simulation"),
                 sink=sink,

@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING, Literal, Self, TypeAlias, overload
 
 import numpy as np
 
+from lagdsl.foundation.diagnostics import refused
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.display import Display
 from lagdsl.language.settings.arrays import family
 from lagdsl.motion.signals.moved import MovedRow
 from lagdsl.motion.signals.parquet import attributes
+from lagdsl.motion.signals.sensitivities import Sensitivities
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -124,12 +127,21 @@ class Event:
     - `reinit`: the state or rate that was set
     - `terminate`: the message
 
+    `derivatives` are those of its time by what `tangents` named.
+
     At one instant, clocks and relations, which cause the event, come first; relations that change by it are not listed.
     """
 
     time: float
     name: str
     kind: str
+    derivatives: Mapping[str, float] = field(default_factory=dict, compare=False)
+
+    def time_derivative(self, by: str) -> float:
+        """Of its time [s] by a quantity that `tangents` named, in SI units. Raises UnknownName."""
+        if by not in self.derivatives:
+            raise unknown_among("quantity of `tangents`", by, list(self.derivatives))
+        return self.derivatives[by]
 
     def __repr__(self) -> str:
         return f"<Event {self.time:.9g} s: {self.name} {self.kind}>"
@@ -169,6 +181,7 @@ class Trajectory:
     statistics: Statistics
     events: tuple[Event, ...] = ()
     finer: Callable[[bool], Trajectory | None] | None = field(default=None, compare=False)
+    sensitivities: Sensitivities | None = None
 
     def __reduce__(self) -> tuple[partial[Trajectory], tuple[()]]:
         """Without `finer`, which holds the model and its compiled functions."""
@@ -188,6 +201,14 @@ class Trajectory:
     @property
     def names(self) -> tuple[str, ...]:
         return tuple(column.name for column in self.columns)
+
+    def derivative(self, of: str, by: str) -> Floats:
+        """(rows,): of the column `of`, at a fixed time, by a quantity that `tangents` named, in SI units: by the
+        equations of motion, constraints, start values and events. Raises UnknownName, and CallRefused for a motion
+        without tangents."""
+        if self.sensitivities is None:
+            raise refused("E0884", text="`simulate(tangents=[...])`")
+        return self.sensitivities.derivative(of, by)
 
     @property
     def found(self) -> dict[str, float]:

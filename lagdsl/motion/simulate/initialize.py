@@ -27,14 +27,15 @@ from lagdsl.motion.simulate.placed import placed, start_values
 
 @record(kw_only=True)
 class InitialState:
-    """x = (q, qd, z), with `count` coordinates, at time t, SI units; `moved` tells which starts were changed, `freedom`
-    counts the rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant`
-    flags the rows that depend on others near this state; `p` are the independent parameters, those that were found
-    with them."""
+    """x = (q, qd, z), with `count` coordinates, at time t, SI units, found from `starts`; `moved` tells which of them
+    were changed, `freedom` counts the rates that the constraints leave free here, `loops` names the joints at which
+    loops are cut, `redundant` flags the rows that depend on others near this state; `p` are the independent
+    parameters, those that were found with them."""
 
     model: str
     t: float
     x: Floats
+    starts: Floats
     count: int
     p: Floats
     freedom: int
@@ -113,6 +114,7 @@ def find_start(
         model=flat.name,
         t=t,
         x=found.x,
+        starts=found.starts,
         count=len(flat.coordinates),
         p=found.p,
         freedom=found.freedom,

@@ -106,6 +106,8 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.BAD_STATE_DATA
             | Status.BAD_CLOCK
             | Status.BAD_DELAY
+            | Status.GRAZING
+            | Status.NOT_SMOOTH
         ):
             raise AssertionError(f"the runtime ended a run with {status.name}")
         case _:

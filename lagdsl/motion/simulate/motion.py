@@ -24,6 +24,7 @@ from lagdsl.language.flat.spans import place as where
 from lagdsl.motion.signals.inputs import Signals
 from lagdsl.motion.signals.trajectory import Statistics, Trajectory
 from lagdsl.motion.simulate.control import Controls
+from lagdsl.motion.simulate.derivatives import report_no_derivative, tell_one_sided
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.initialize import InitialState
 from lagdsl.motion.simulate.messages import Course, report_fault
@@ -55,6 +56,7 @@ class Asked:
     step: float | None
     max_steps: int
     controls: Controls | None = None
+    tangents: tuple[str, ...] = ()
 
 
 @record(kw_only=True)
@@ -98,6 +100,7 @@ class Motion:
         found = self._check_outputs(found)
         self._tell_rounded(found)
         self._tell_doubted()
+        tell_one_sided(self._run, self._task.sink)
         return found
 
     def _stops(self) -> list[tuple[float, list[int]]]:
@@ -191,7 +194,11 @@ class Motion:
         course = Course(asked.flat, asked.engine.layout, run, self._last, asked.max_steps)
         fault = run.explain(status)
         sink = Sink()
-        name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
+        name: str | None
+        if status in (Status.GRAZING, Status.NOT_SMOOTH):
+            name = report_no_derivative(asked.flat, run, status, asked.tangents, sink)
+        else:
+            name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
         values = state_values(asked.flat, fault.x)
         raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
 
@@ -229,7 +236,7 @@ class Motion:
             notes=(*self._notes, *self._changes()) if report.changes else tuple(self._notes),
         )
         task, asked = self._task, self._asked
-        return trajectory(asked.flat, asked.engine.layout, run, task.initial.moved, statistics, finer)
+        return trajectory(asked.flat, asked.engine.layout, run, task.initial.moved, statistics, finer, asked.tangents)
 
     def _changes(self) -> list[str]:
         """Changes of the method, where the runtime chooses it."""

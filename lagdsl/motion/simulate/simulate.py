@@ -20,6 +20,7 @@ from lagdsl.motion.signals.inputs import Signal, report_missing, signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.commands import Commands
 from lagdsl.motion.simulate.control import Control, Controls
+from lagdsl.motion.simulate.derivatives import check_differentiable, differentiate
 from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
@@ -52,6 +53,7 @@ def simulate(
     step: float | None = None,
     max_steps: int = MOST_STEPS,
     control: Sequence[Control] = (),
+    tangents: Sequence[str] = (),
     read: Callable[[str, object], float] = _number,
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
@@ -61,9 +63,10 @@ def simulate(
 
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
     further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. The controllers of
-    `control` set inputs on the way; `read` makes a number of a value that they give an input by name. `progress` is
-    called with the part of the time that is done. An error before the first step raises CompilationFailed (warnings go
-    to `sink`), a failure on the way SimulationFailed, a bad option ValueError.
+    `control` set inputs on the way; `read` makes a number of a value that they give an input by name.
+    `tangents` names what the motion is differentiated by. `progress` is called with the part of the time that is done.
+    An error before the first step raises CompilationFailed (warnings go to `sink`), a failure on the way
+    SimulationFailed, a bad option ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
@@ -71,6 +74,8 @@ def simulate(
     relative = experiment.tolerance if tolerance is None else float(tolerance)
     wanted = experiment.interval if interval is None else float(interval)
     check_options(t0, end, relative, solver, step)
+    if tangents:
+        check_differentiable(flat, solver, bool(control))
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"):
@@ -96,6 +101,7 @@ def simulate(
             step=step,
             max_steps=max_steps,
             controls=controls,
+            tangents=tuple(tangents),
         )
         return _shown(asked, (t0, end), wanted, progress, own)
 
@@ -189,6 +195,8 @@ def _motion(
     u = inputs if isinstance(inputs, np.ndarray) else given.at(t0)
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()
+    if asked.tangents:
+        differentiate(flat, engine, run, initial, bool(asked.start), asked.tangents)
     task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
     found, turns = Motion(task).trajectory(), run.results.turns(run.size)
     run.leave()

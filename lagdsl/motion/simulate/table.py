@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
@@ -12,6 +15,7 @@ from lagdsl.language.flat.listing import discrete_outputs
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.moved import MovedRow
+from lagdsl.motion.signals.sensitivities import Sensitivities
 from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantRecord, Statistics, Trajectory
 
 
@@ -22,6 +26,7 @@ def trajectory(
     moved: tuple[MovedRow, ...],
     statistics: Statistics,
     finer: Callable[[bool], Trajectory | None] | None = None,
+    tangents: Sequence[str] = (),
 ) -> Trajectory:
     """All rows so far."""
     places = _columns_of_rows(flat)
@@ -29,6 +34,7 @@ def trajectory(
     ends = run.results.extremes()
     if isinstance(places, list):
         ends = ends[:, [place - 1 for place in places[1:]]]
+    derivatives = sensitivities_of(flat, run, tangents) if tangents else None
     return Trajectory(
         model=flat.name,
         columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
@@ -38,14 +44,25 @@ def trajectory(
         invariants=_invariants(flat, run) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
-        events=events_of(flat, layout, run.results.notes),
+        events=_differentiated(events_of(flat, layout, run.results.notes), derivatives),
         finer=finer,
+        sensitivities=derivatives,
     )
 
 
 def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str, int]]) -> tuple[Event, ...]:
     """The notes of a run with the names of what something happened to."""
     return tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in notes)
+
+
+def _differentiated(events: tuple[Event, ...], derivatives: Sensitivities | None) -> tuple[Event, ...]:
+    if derivatives is None:
+        return events
+    times = derivatives.times.tolist()
+    return tuple(
+        replace(event, derivatives=dict(zip(derivatives.names, each, strict=True)))
+        for event, each in zip(events, times, strict=True)
+    )
 
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
@@ -121,3 +138,16 @@ def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
     """The same, as one piece where it is one."""
     places = places_of_columns(flat)
     return slice(len(places)) if places == list(range(len(places))) else places
+
+
+def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensitivities:
+    """Derivatives of all rows so far."""
+    rows, times = run.results.derivatives()
+    heads = [head[0] for head in heads_of(flat)]
+    table = np.zeros((len(rows), len(names), len(heads)))
+    for column, place in enumerate(places_of_columns(flat)):
+        if place:  # time does not change
+            table[:, :, column] = rows[:, :, place - 1]
+    places = {name: column for column, name in enumerate(heads)}
+    others = {other: places[name] for name, each in other_names(flat).items() for other in each if name in places}
+    return Sensitivities(names=tuple(names), table=table, times=times, places=places | others)

@@ -262,6 +262,30 @@ ROWS: dict[str, Row] = {
         "loses digits there",
         "keep it smaller, with `mod` or by counting in larger parts",
     ),
+    "E0880": error(
+        "`{name}` is fixed when the model is compiled: a motion has no derivative by it",
+        None,
+        "differentiate by parameters that may change between runs; `lag check` lists them",
+    ),
+    "E0881": error(
+        "the motion has no derivatives behind t = {time} s: `{name}` touches its border and does not pass it",
+        "its instant has no derivative",
+        "stop before it, or change a start value or a parameter so that it passes clearly",
+    ),
+    "E0882": error(
+        "the motion has no derivative by `{name}` behind t = {time} s: its neighbours go on in other modes there",
+        None,
+        "stop before it, or change a start value or a parameter so that the order of events is clear",
+    ),
+    "W0883": warning(
+        "at t = {time} s several modes end at one instant ({count} such instants): derivatives behind it hold on one "
+        "side only",
+    ),
+    "E0884": error(
+        "derivatives of a motion need {text}",
+        None,
+        "change that, or simulate without `tangents`",
+    ),
     "E0885": error(
         "input `{name}` cannot be {value}{when}: it takes {allowed}",
         "declared here",

@@ -1,0 +1,95 @@
+"""From the names of quantities to the directions that a run is differentiated along, and back to words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NoReturn
+
+import numpy as np
+
+from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.library import FIXED_METHODS
+from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.run_sensitivities import Directions
+from lagdsl.engines.runtime.structures import Status
+from lagdsl.foundation.diagnostics import Sink, refused
+from lagdsl.foundation.diagnostics.unknown import unknown_among
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.spans import place as where
+from lagdsl.motion.simulate.initialize import InitialState, places_of
+from lagdsl.motion.simulate.state_words import time_text
+
+_START = ".start"
+
+
+def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Directions:
+    """Unit directions of the quantities `names`: parameters, starts as `theta.start`, inputs. Raises UnknownName, and
+    CallRefused for what has no derivatives."""
+    layout = engine.layout
+    parameters, inputs = ([slot.name for slot in slots] for slots in (layout.parameters, layout.inputs))
+    starts = [f"{name}{_START}" for name in places_of(flat)]
+    p, u, start = (np.zeros((len(names), len(each))) for each in (parameters, inputs, starts))
+    for k, name in enumerate(names):
+        for known, to in ((parameters, p), (inputs, u), (starts, start)):
+            if name in known:
+                to[k, known.index(name)] = 1.0
+                break
+        else:
+            _refuse(flat, name, [*parameters, *starts, *inputs])
+    by_parameter = engine.along_parameters() if p.any() else None
+    return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
+
+
+def check_differentiable(flat: FlatModel, solver: str, controlled: bool) -> None:
+    """Raises CallRefused (E0884) for a motion of which derivatives are not known."""
+    if solver in FIXED_METHODS:
+        raise refused("E0884", text="a solver that chooses its steps: auto, dop853 or radau")
+    if flat.events.delays:
+        raise refused("E0884", text="a model without delayed values")
+    if controlled:
+        raise refused("E0884", text="a motion without controllers of the caller")
+
+
+def _refuse(flat: FlatModel, name: str, known: list[str]) -> NoReturn:
+    if any(each.name == name and each.structural for each in flat.parameters):
+        raise refused("E0880", name=name)
+    raise unknown_among("quantity of `tangents`", name, known)
+
+
+def differentiate(
+    flat: FlatModel, engine: Engine, run: Run, initial: InitialState, given: bool, names: Sequence[str]
+) -> None:
+    """Lets the run, whose start was found, be differentiated by the quantities `names`; `given`: start values were.
+    Raises as `directions_of`, and CompilationFailed (E0882) where the start has no derivatives."""
+    status = run.differentiate(initial.t, initial.starts, given, directions_of(flat, engine, names))
+    if status is not Status.OK:
+        raise refused("E0882", name=names[0], time=time_text(initial.t))
+
+
+def tell_one_sided(run: Run, sink: Sink) -> None:
+    """W0883 where several guards left their modes at one instant."""
+    sensitivities = run.results.sensitivities
+    if sensitivities is not None and sensitivities.fault.one_sided:
+        fault = sensitivities.fault
+        sink.report("W0883", None, count=fault.one_sided, time=time_text(fault.first))
+
+
+def report_no_derivative(flat: FlatModel, run: Run, status: Status, names: Sequence[str], sink: Sink) -> str:
+    """E0881 or E0882: why the motion has no derivatives from now on. Returns the name at fault."""
+    assert run.results.sensitivities is not None, "internal error: nobody asked for derivatives"
+    fault = run.results.sensitivities.fault
+    if status is Status.GRAZING:
+        which, relations = int(fault.guard), flat.events.relations
+        contacts, frictions = flat.events.contacts, flat.events.frictions
+        if which < len(relations):
+            name, span = relations[which].name, where(relations[which])
+        elif which < len(relations) + len(contacts):
+            name, span = contacts[which - len(relations)].name, where(contacts[which - len(relations)])
+        else:
+            friction = frictions[which - len(relations) - len(contacts)]
+            name, span = friction.name, where(friction)
+        sink.report("E0881", span, name=name, time=time_text(fault.t))
+        return name
+    name = names[int(fault.guard)]
+    sink.report("E0882", None, name=name, time=time_text(fault.t))
+    return name
