@@ -1,4 +1,4 @@
-"""Object files of the runtime that an installation brings for its own platform: its first FMU compiles the model only.
+"""Object files of the runtime that an installation brings for all platforms: its first FMU compiles the model only.
 
 They are named by flags and texts, not by the version of the package ziglang: any version links them. Another text, such
 as that of an edited runtime, has another name, and the folder of compiled models keeps its object. The build hook
@@ -7,12 +7,14 @@ as that of an edited runtime, has another name, and the folder of compiled model
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from lagdsl.engines.runtime.building.linking import zig_program
 from lagdsl.engines.runtime.building.platforms import Platform
 from lagdsl.exchange.fmi.package.compile_objects import (
     Job,
+    c_files,
     compile_missing,
     files_read,
     included,
@@ -20,7 +22,14 @@ from lagdsl.exchange.fmi.package.compile_objects import (
     work_folder,
 )
 from lagdsl.exchange.fmi.package.toolchain import Toolchain, toolchain
-from lagdsl.foundation.resources import c_folder, fmi_folder, fmi_objects_folder, sources_in
+from lagdsl.foundation.resources import (
+    c_folder,
+    compiled_runtime,
+    fmi_folder,
+    fmi_objects_folder,
+    sources_in,
+    units_in,
+)
 
 
 def installed_object(tool: Toolchain, path: str, sources: Mapping[str, str]) -> Path | None:
@@ -32,24 +41,20 @@ def installed_object(tool: Toolchain, path: str, sources: Mapping[str, str]) -> 
     return found if found.exists() else None
 
 
-def make_installed_objects(folder: Path, platform: Platform) -> list[Path]:
+def make_installed_objects(folder: Path, platforms: Sequence[Platform]) -> list[Path]:
     """Objects of all C files that every model shares, in `folder`, which loses those of older texts; nothing where the
     package ziglang is missing.
 
     Raises CompilationFailed: E0905, E0906, E0911, E0913.
     """
-    tool = toolchain(platform)
-    if not tool.by_zig:
+    if zig_program() is None:
         return []
     folder.mkdir(parents=True, exist_ok=True)
-    sources = {
-        path: file.read_text(encoding="utf-8")
-        for top in (c_folder(), fmi_folder())
-        for path, file in sources_in(top).items()
-    }
+    sources = _shared_sources()
     jobs = [
         Job(tool, path, folder / object_name(flags, path, sources))
-        for path in sources
+        for tool in map(toolchain, platforms)
+        for path in c_files(sources)
         if _whole(path, sources) and (flags := tool.target_flags(path)) is not None
     ]
     with work_folder(folder) as work:
@@ -60,7 +65,24 @@ def make_installed_objects(folder: Path, platform: Platform) -> list[Path]:
     return made
 
 
+def installed_runtime(platform: Platform) -> dict[str, bytes]:
+    """Objects of the whole runtime for a platform, by file names; none where the installation does not have all."""
+    tool = toolchain(platform)
+    sources = _shared_sources()
+    runtime = c_files({path: text for path, text in sources.items() if (c_folder() / path).is_file()})
+    found = {path: installed_object(tool, path, sources) for path in runtime}
+    return (
+        {f"{Path(path).stem}.o": file.read_bytes() for path, file in found.items() if file is not None}
+        if all(found.values())
+        else {}
+    )
+
+
+def _shared_sources() -> dict[str, str]:
+    files = {**compiled_runtime(), **units_in(c_folder()), **sources_in(fmi_folder()), **units_in(fmi_folder())}
+    return {path: file.read_text(encoding="utf-8") for path, file in files.items()}
+
+
 def _whole(path: str, sources: Mapping[str, str]) -> bool:
     """True for a C file of which everything is here: headers of the standard come with the package fmpy."""
-    read = files_read(path, sources) if path.endswith(".c") else []
-    return bool(read) and all(name in sources for each in read for name in included(sources[each]))
+    return all(name in sources for each in files_read(path, sources) for name in included(sources[each]))
