@@ -21,7 +21,7 @@ from lagdsl.exchange.fmi.package.compile_objects import (
     object_name,
     work_folder,
 )
-from lagdsl.exchange.fmi.package.toolchain import Toolchain, toolchain
+from lagdsl.exchange.fmi.package.toolchain import Toolchain, target_flags, toolchain
 from lagdsl.foundation.resources import (
     c_folder,
     compiled_runtime,
@@ -34,10 +34,19 @@ from lagdsl.foundation.resources import (
 
 def installed_object(tool: Toolchain, path: str, sources: Mapping[str, str]) -> Path | None:
     """The object of the C file `path` if the installation brings it."""
-    flags = tool.target_flags(path)
-    if flags is None:
-        return None
-    found = fmi_objects_folder() / object_name(flags, path, sources)
+    return _brought(tool.platform, path, sources) if tool.by_zig else None
+
+
+def installed_runtime(platform: Platform) -> dict[str, Path]:
+    """Objects of the whole runtime for a platform, by names of files; none where the installation lacks one."""
+    sources = _texts({**compiled_runtime(), **units_in(c_folder())})
+    found = {f"{Path(path).stem}.o": _brought(platform, path, sources) for path in c_files(sources)}
+    there = {name: file for name, file in found.items() if file is not None}
+    return there if len(there) == len(found) else {}
+
+
+def _brought(platform: Platform, path: str, sources: Mapping[str, str]) -> Path | None:
+    found = fmi_objects_folder() / object_name(target_flags(platform, path), path, sources)
     return found if found.exists() else None
 
 
@@ -50,12 +59,13 @@ def make_installed_objects(folder: Path, platforms: Sequence[Platform]) -> list[
     if zig_program() is None:
         return []
     folder.mkdir(parents=True, exist_ok=True)
-    sources = _shared_sources()
+    shells = {**sources_in(fmi_folder()), **units_in(fmi_folder())}
+    sources = _texts({**compiled_runtime(), **units_in(c_folder()), **shells})
     jobs = [
-        Job(tool, path, folder / object_name(flags, path, sources))
+        Job(tool, path, folder / object_name(target_flags(tool.platform, path), path, sources))
         for tool in map(toolchain, platforms)
         for path in c_files(sources)
-        if _whole(path, sources) and (flags := tool.target_flags(path)) is not None
+        if _whole(path, sources)
     ]
     with work_folder(folder) as work:
         compile_missing(jobs, sources, work)
@@ -65,21 +75,7 @@ def make_installed_objects(folder: Path, platforms: Sequence[Platform]) -> list[
     return made
 
 
-def installed_runtime(platform: Platform) -> dict[str, bytes]:
-    """Objects of the whole runtime for a platform, by file names; none where the installation does not have all."""
-    tool = toolchain(platform)
-    sources = _shared_sources()
-    runtime = c_files({path: text for path, text in sources.items() if (c_folder() / path).is_file()})
-    found = {path: installed_object(tool, path, sources) for path in runtime}
-    return (
-        {f"{Path(path).stem}.o": file.read_bytes() for path, file in found.items() if file is not None}
-        if all(found.values())
-        else {}
-    )
-
-
-def _shared_sources() -> dict[str, str]:
-    files = {**compiled_runtime(), **units_in(c_folder()), **sources_in(fmi_folder()), **units_in(fmi_folder())}
+def _texts(files: Mapping[str, Path]) -> dict[str, str]:
     return {path: file.read_text(encoding="utf-8") for path, file in files.items()}
 
 

@@ -67,14 +67,8 @@ class Toolchain:
         """All that the object of the C file `source` depends on beside texts."""
         return (*self.command, self.identity, *self._flags(source))
 
-    def target_flags(self, source: str) -> tuple[str, ...] | None:
-        """The same on every machine: for any version of the package ziglang. None of another compiler."""
-        return ("zig", self.platform.target, *self._flags(source)) if self.by_zig else None
-
     def _flags(self, source: str) -> tuple[str, ...]:
-        flags = SHARED if source.startswith(_SHARED_FILES) else COMPILE
-        light = _LIGHT if self.by_zig and source in _LIGHT_UNITS else ()
-        return (*flags, *light, _HIDING[self.platform.system])
+        return _flags_of(self.platform, source, by_zig=self.by_zig)
 
     def _run(self, folder: Path, arguments: list[str]) -> None:
         command = [*self.command, *arguments]
@@ -87,6 +81,17 @@ class Toolchain:
         if done.returncode != 0:
             said = done.stderr.strip()[:_LONGEST_NOTE] or f"it left with status {done.returncode}"
             raise failure("E0906", notes=(said,), platform=self.platform.name, compiler=Path(self.command[0]).name)
+
+
+def target_flags(platform: Platform, source: str) -> tuple[str, ...]:
+    """All that the object of the C file `source` by ziglang depends on beside texts."""
+    return ("zig", platform.target, *_flags_of(platform, source, by_zig=True))
+
+
+def _flags_of(platform: Platform, source: str, *, by_zig: bool) -> tuple[str, ...]:
+    flags = SHARED if source.startswith(_SHARED_FILES) else COMPILE
+    light = _LIGHT if by_zig and source in _LIGHT_UNITS else ()
+    return (*flags, *light, _HIDING[platform.system])
 
 
 def toolchain(platform: Platform) -> Toolchain:
