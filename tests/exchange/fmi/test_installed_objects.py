@@ -87,7 +87,8 @@ def test_other_flags_are_compiled(compiled, monkeypatch):
 
 @pytest.mark.skipif(machine_compiler() is None, reason="no compiler but ziglang")
 def test_another_compiler_neither_makes_nor_takes_them(compiled, monkeypatch, tmp_path):
-    monkeypatch.setattr(toolchain, "zig_program", lambda: None)
+    for module in (toolchain, installed_objects):
+        monkeypatch.setattr(module, "zig_program", lambda: None)
     assert installed_objects.make_installed_objects(tmp_path / "none", [HERE]) == []
     libraries()
     assert set(compiled) >= {"lag/part/twice.c", "lag/part/other.c"}
