@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 _NONE = -1
 
@@ -39,12 +39,16 @@ def _augment(begin: int, equations: Sequence[Sequence[int]], chosen: list[int], 
             if owner[unknown] != _NONE:
                 waiting.append(owner[unknown])
                 continue
-            while unknown != _NONE:
-                equation = came[unknown]
-                before = chosen[equation]
-                chosen[equation], owner[unknown] = unknown, equation
-                unknown = before if equation != begin else _NONE
+            _exchange(unknown, came, chosen, owner)
             return
+
+
+def _exchange(end: int, came: Mapping[int, int], chosen: list[int], owner: list[int]) -> None:
+    """Each equation of the path to the free unknown takes the one after it."""
+    unknown = end
+    while unknown != _NONE:
+        equation = came[unknown]
+        chosen[equation], owner[unknown], unknown = unknown, equation, chosen[equation]
 
 
 def components(successors: Sequence[Sequence[int]]) -> list[list[int]]:
