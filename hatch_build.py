@@ -53,7 +53,7 @@ class RuntimeLibraryHook(BuildHookInterface[Any]):
         kept = objects if name is None and objects.is_dir() else None
         library = build_library(Path(self._made.name), name, kept)
         build_data["force_include"][str(library)] = f"lagdsl/engines/runtime/lib/{file_name}"
-        own = name is None and fmi_objects_folder().is_dir()
+        own = fmi_objects_folder().is_dir()  # those of an editable install, for any platform
         for path in _make_objects(fmi_objects_folder() if own else Path(self._made.name) / "objects"):
             build_data["force_include"][str(path)] = f"lagdsl/exchange/fmi/lib/{path.name}"
 
@@ -72,5 +72,5 @@ def _machine() -> str:
 
 
 def _make_objects(folder: Path) -> list[Path]:
-    """None for a machine that is no platform of FMUs."""
-    return make_installed_objects(folder, platform_of(_machine())) if _machine() in PLATFORMS else []
+    """For all platforms; none for a machine that is no platform of FMUs."""
+    return make_installed_objects(folder, list(map(platform_of, PLATFORMS))) if _machine() in PLATFORMS else []

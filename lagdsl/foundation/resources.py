@@ -72,6 +72,16 @@ def sources_in(folder: Path) -> dict[str, Path]:
     return {file.relative_to(folder).as_posix(): file for file in sorted(files)}
 
 
+def compiled_runtime() -> dict[str, Path]:
+    """`sources_in` of the runtime without the interpreter of tapes: a model that is compiled needs none."""
+    return {path: file for path, file in sources_in(c_folder()).items() if "/tape" not in path}
+
+
+def units_in(folder: Path) -> dict[str, Path]:
+    """Translation units of the runtime or of FMUs, each of many of these files, by the paths `units/NAME.c`."""
+    return {file.relative_to(folder).as_posix(): file for file in sorted((folder / "units").glob("*.c"))}
+
+
 def license_file() -> Path:
     """The license of lagdsl, which what it generates with parts of it carries along."""
     inside = _PACKAGE / "_data" / "LICENSE"

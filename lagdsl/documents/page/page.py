@@ -65,7 +65,7 @@ def page(
     made_tape = tape(compiled.program, start_of(compiled.flat, t, x))
     first = len(made.motion.columns) - len(made.prepared.living.scene.columns) - len(made.prepared.own.outputs)
     pointed, arrow_tape = arrows(flat, compiled, wishes.start, (t, x), first, source)
-    return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape)
+    return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape, compiled)
 
 
 def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None) -> dict[str, Json]:
@@ -101,22 +101,29 @@ def _columns(motion: Trajectory) -> bytes:
     return np.ascontiguousarray(np.clip(table, -largest, largest), dtype="<f4").tobytes()
 
 
-def _derivation(flat: FlatModel) -> str:
+def _derivation(flat: FlatModel, compilation: Compilation | None) -> str:
     from lagdsl.derivation.textbook.recipe import recipe
     from lagdsl.documents.report.derivation import document
     from lagdsl.documents.report.html import sections
 
     try:
-        return sections(document(recipe(flat), units=True, drawn=True).blocks, _LETTERS_OF_A_LINE)
+        whole = document(recipe(flat), units=True, drawn=True, compilation=compilation)
+        return sections(whole.blocks, _LETTERS_OF_A_LINE)
     except CompilationFailed as failure:
         return "".join(f"<p>{escape(d.message)}</p>" for d in failure.diagnostics)
 
 
 def html_of(
-    flat: FlatModel, head: Json, motions: Sequence[Trajectory], model_tape: bytes, arrow_tape: bytes = b""
+    flat: FlatModel,
+    head: Json,
+    motions: Sequence[Trajectory],
+    model_tape: bytes,
+    arrow_tape: bytes = b"",
+    compilation: Compilation | None = None,
 ) -> str:
-    """The page from its head, its motions one after the other, and the tape that it integrates, if it does."""
-    derivation, motion = _derivation(flat), b"".join(_columns(each) for each in motions)
+    """The page from its head, its motions one after the other, and the tape that it integrates, if it does.
+    `compilation` is that of the model if there is one."""
+    derivation, motion = _derivation(flat, compilation), b"".join(_columns(each) for each in motions)
     folder = page_folder() / "dist"
     loader = (folder / "loader.js").read_text(encoding="utf-8").strip()
     style = (folder / "page.css").read_text(encoding="utf-8").strip()

@@ -15,6 +15,7 @@ from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import SourceFile
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import Compilation
 from lagdsl.motion.signals.inputs import Signal
 from lagdsl.motion.signals.trajectory import Trajectory
 
@@ -95,9 +96,9 @@ def sweep_page(
     head = head_of_recording(first, replace(wishes, inputs=own.inputs), source)
     compiled = prepared.compilation
     if len({_identity(setting.inputs) for setting in settings}) > 1:  # sliders of inputs are those of one run
-        return page_of_runs(flat, head, runs)
+        return page_of_runs(flat, head, runs, compilation=compiled)
     made_tape = tape(compiled.program, start_of(compiled.flat, first.span[0], starts_of(first)))
-    return page_of_runs(flat, head, runs, made_tape)
+    return page_of_runs(flat, head, runs, made_tape, compiled)
 
 
 def _identity(inputs: Mapping[str, Signal]) -> tuple[tuple[str, float], ...]:
@@ -105,8 +106,15 @@ def _identity(inputs: Mapping[str, Signal]) -> tuple[tuple[str, float], ...]:
     return tuple((name, each if isinstance(each, (int, float)) else id(each)) for name, each in inputs.items())
 
 
-def page_of_runs(flat: FlatModel, head: dict[str, Json], runs: Sequence[Run], model_tape: bytes = b"") -> str:
-    """`head` is that of the first run; without a tape nothing is integrated anew."""
+def page_of_runs(
+    flat: FlatModel,
+    head: dict[str, Json],
+    runs: Sequence[Run],
+    model_tape: bytes = b"",
+    compilation: Compilation | None = None,
+) -> str:
+    """`head` is that of the first run; without a tape nothing is integrated anew. `compilation` is that of the model if
+    there is one."""
     told: list[Json] = [
         {
             "label": run.label,
@@ -120,4 +128,5 @@ def page_of_runs(flat: FlatModel, head: dict[str, Json], runs: Sequence[Run], mo
         }
         for run in runs
     ]
-    return html_of(flat, {**head, "live": bool(model_tape), "runs": told}, [run.motion for run in runs], model_tape)
+    whole = {**head, "live": bool(model_tape), "runs": told}
+    return html_of(flat, whole, [run.motion for run in runs], model_tape, compilation=compilation)

@@ -28,6 +28,7 @@ from lagdsl.language.flat.model import (
     RotateQuaternion,
     SetAxes,
 )
+from lagdsl.motion.pipeline import Compilation, compile_flat
 
 _MOST = 16
 _LARGEST_MATRIX = 8
@@ -116,16 +117,17 @@ def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...
     return tuple(lines)
 
 
-def at_the_start(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+def at_the_start(
+    familiar: Familiar, letter: Callable[[str], Box], compilation: Compilation | None = None
+) -> list[Block]:
     """M and f in numbers, where they fit a page; nothing where the model does not compile."""
     from lagdsl.engines.runtime.engines.selection import engine_of
-    from lagdsl.motion.pipeline import compile_flat
 
     count = len(familiar.flat.coordinates)
     if count > _LARGEST_MATRIX:
         return []
     try:
-        made = compile_flat(familiar.flat, Sink())
+        made = compilation or compile_flat(familiar.flat, Sink())
     except CompilationFailed:
         return []
     if made is None:

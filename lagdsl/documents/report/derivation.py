@@ -42,6 +42,7 @@ from lagdsl.documents.report.sections.system import system
 from lagdsl.documents.report.typeset import Typesetter
 from lagdsl.foundation.units.dimension import MASS
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import Compilation
 
 Format: TypeAlias = Literal["text", "markdown", "latex", "html"]
 
@@ -80,15 +81,18 @@ def render(recipe: Recipe, to: Format, *, units: bool = False) -> str:
     return FORMATS[to](document(recipe, units=units, drawn=to != "text"))
 
 
-def document(recipe: Recipe, *, units: bool = False, drawn: bool = False) -> Document:
-    """`drawn`: with the drawing of the system."""
+def document(
+    recipe: Recipe, *, units: bool = False, drawn: bool = False, compilation: Compilation | None = None
+) -> Document:
+    """`drawn`: with the drawing of the system. `compilation` is that of the model if there is one: what the document
+    says of the start of the motion is computed with it, and without with a compilation of its own."""
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
-        blocks = outline(recipe, drawn=drawn)
+        blocks = outline(recipe, drawn=drawn, compilation=compilation)
     else:
         page = _page(recipe.familiar, derivation, units)
         first, *others = [with_intermediates(page, section) for section in _SECTIONS]
-        picture = system(page) if drawn else []
+        picture = system(page, compilation) if drawn else []
         note = letters_note(page.notation)  # all letters are known when all is set
         blocks = filled([*picture, *first, *note, *(block for section in others for block in section)])
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)

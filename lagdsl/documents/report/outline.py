@@ -44,13 +44,15 @@ from lagdsl.documents.report.sections.system import machine
 from lagdsl.documents.report.unit_text import unit_of
 from lagdsl.language.flat.model import Constraint, FlatModel
 from lagdsl.language.flat.quantity import Item
+from lagdsl.motion.pipeline import Compilation
 
 _MOST = 12
 _SHORT_ONES = "the short equations in symbols, "
 
 
-def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
-    """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole."""
+def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | None = None) -> tuple[Block, ...]:
+    """Chapters instead of terms; every list is cut, and says so. `drawn`: with a drawing of the whole. `compilation`:
+    that of the model if there is one."""
     familiar, flat, short = recipe.familiar, recipe.flat, recipe.short
     named = () if short is None else (*short.dependent_parameters, *short.definitions)
     rows = tuple(row for each in flat.constraints for row in each.rows)
@@ -66,7 +68,7 @@ def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
             )
         )
     ]
-    blocks = machine(flat, signs) if drawn else []
+    blocks = machine(flat, signs, compilation) if drawn else []
     blocks += _coordinates(flat, signs)
     blocks += kinematics(familiar, letter)
     blocks += energies(familiar, letter)
@@ -78,7 +80,7 @@ def outline(recipe: Recipe, *, drawn: bool = False) -> tuple[Block, ...]:
     blocks += event_list(flat)
     blocks += _equations(flat, letter, signs.of(symbols(flat).time))
     blocks += [] if short is None else in_symbols(flat, short, signs)
-    blocks += at_the_start(familiar, letter)
+    blocks += at_the_start(familiar, letter, compilation)
     return (*opening, *letters_note(signs), *blocks)
 
 

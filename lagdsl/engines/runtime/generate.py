@@ -4,7 +4,7 @@ A tool of development.
 
 The table is `lagdsl/derivation/program/functions.py`. From it come the function pointers of lag_model, the enumeration
 lag_function and the dispatcher lag_evaluate(), and what tapes check and call, each between two marks in a written
-file. The ctypes structures for the headers (`headers.py`) are written after them.
+file. Translation units (`units.py`) and the ctypes structures for the headers (`headers.py`) are written after them.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from lagdsl.algebra.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.derivation.program.functions import FUNCTIONS, SOLVED, SOLVED_DIRECTIONS, Presence, Result, Signature
 from lagdsl.engines.backends.tape.instructions import GROUPS
 from lagdsl.engines.runtime.headers import structures_text
+from lagdsl.engines.runtime.units import unit_texts
 from lagdsl.foundation.resources import c_folder
 
 STRUCTURES = Path(__file__).with_name("structures.py")
@@ -181,5 +182,7 @@ def _with(path: Path, indent: str, section: str) -> str:
 
 if __name__ == "__main__":
     for path, text in texts().items():
+        path.write_text(text, encoding="utf-8")
+    for path, text in unit_texts().items():
         path.write_text(text, encoding="utf-8")
     STRUCTURES.write_text(structures_text(), encoding="utf-8")

@@ -13,8 +13,9 @@ from lagdsl.exchange.fmi.description.fmi3_description import fmi3_description
 from lagdsl.exchange.fmi.description.table import table_source
 from lagdsl.exchange.fmi.description.terminals import terminals
 from lagdsl.exchange.fmi.export_model import ExportModel
+from lagdsl.exchange.fmi.package.compile_objects import c_files
 from lagdsl.exchange.fmi.package.libraries import universal
-from lagdsl.exchange.fmi.package.sources import c_files, is_standard, model_sources
+from lagdsl.exchange.fmi.package.sources import is_standard, model_sources
 from lagdsl.exchange.fmi.variables.variables import Version
 
 _FMI2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}

@@ -33,7 +33,7 @@ def documentation_files(export_model: ExportModel, known: Reference | None, head
 
         picture = png(plot(known.motion))
         files[_ICON[export_model.table.version]] = icon(known.motion)
-    whole = document(recipe(export_model.compilation.flat))
+    whole = document(recipe(export_model.compilation.flat), compilation=export_model.compilation)
     page = replace(whole, blocks=(*tables(export_model.table), *whole.blocks, *_about(export_model, known)))
     return {**files, _INDEX: html(page, picture).encode()}
 

@@ -11,6 +11,7 @@ from lagdsl.engines.runtime.building.platforms import platform_of, this_machine
 from lagdsl.exchange.fmi.package import installed_objects, toolchain
 from lagdsl.exchange.fmi.package.binary import objects_of
 from lagdsl.exchange.fmi.package.toolchain import Toolchain
+from lagdsl.foundation import resources
 
 HERE = platform_of(this_machine())
 # Two files of a runtime, one that reads a header of the standard, which a build does not have.
@@ -34,10 +35,11 @@ def compiled(monkeypatch, tmp_path):
             (tmp_path / top / path).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / top / path).write_text(text)
     monkeypatch.setattr(installed_objects, "c_folder", lambda: tmp_path / "c")
+    monkeypatch.setattr(installed_objects, "compiled_runtime", lambda: resources.sources_in(tmp_path / "c"))
     monkeypatch.setattr(installed_objects, "fmi_folder", lambda: tmp_path / "shells")
     monkeypatch.setattr(installed_objects, "fmi_objects_folder", lambda: tmp_path / "brought")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    made = installed_objects.make_installed_objects(tmp_path / "brought", HERE)
+    made = installed_objects.make_installed_objects(tmp_path / "brought", [HERE])
     assert sorted(made) == sorted((tmp_path / "brought").glob("*.o"))
     assert len(made) == 2
     compile_before, asked = Toolchain.compile, []
@@ -85,14 +87,15 @@ def test_other_flags_are_compiled(compiled, monkeypatch):
 
 @pytest.mark.skipif(machine_compiler() is None, reason="no compiler but ziglang")
 def test_another_compiler_neither_makes_nor_takes_them(compiled, monkeypatch, tmp_path):
-    monkeypatch.setattr(toolchain, "zig_program", lambda: None)
-    assert installed_objects.make_installed_objects(tmp_path / "none", HERE) == []
+    for module in (toolchain, installed_objects):
+        monkeypatch.setattr(module, "zig_program", lambda: None)
+    assert installed_objects.make_installed_objects(tmp_path / "none", [HERE]) == []
     libraries()
     assert set(compiled) >= {"lag/part/twice.c", "lag/part/other.c"}
 
 
 def test_a_build_removes_objects_of_older_texts(compiled, tmp_path):
     (tmp_path / "c/lag/part/other.c").unlink()
-    made = installed_objects.make_installed_objects(tmp_path / "brought", HERE)
+    made = installed_objects.make_installed_objects(tmp_path / "brought", [HERE])
     assert list((tmp_path / "brought").glob("*.o")) == made
     assert compiled == []

@@ -21,6 +21,7 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.motion.pipeline import Compilation
 
 _WIDTH = 420.0
 _BESIDE, _ABOVE = 62.0, 26.0
@@ -52,10 +53,11 @@ class _Sheet:
         self.arrows.append(([self.project(point) for point in points], role, label, number))
 
 
-def figure(drawn: DrawnModel) -> Figure | None:
-    """None for a model without a mass that a coordinate moves, and where its start is not known."""
+def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure | None:
+    """None for a model without a mass that a coordinate moves, and where its start is not known. `compilation` is that
+    of the model if there is one."""
     flat = drawn.flat
-    found = pose(flat)
+    found = pose(flat, compilation)
     if found is None:
         return None
     places = [place for each in found.carriers if (place := found.vector(each)) is not None]

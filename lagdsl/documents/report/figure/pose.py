@@ -12,7 +12,7 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.model import FlatModel
-from lagdsl.motion.pipeline import compile_flat
+from lagdsl.motion.pipeline import Compilation, compile_flat
 
 _STEP = 1e-4
 
@@ -43,8 +43,10 @@ class Pose:
         return None if behind is None or ahead is None else (ahead - behind) / (2 * _STEP)
 
 
-def pose(flat: FlatModel) -> Pose | None:
-    """At the start values, with constraints at the nearest consistent ones; None where there is no start."""
+def pose(flat: FlatModel, compilation: Compilation | None = None) -> Pose | None:
+    """At the start values, with constraints at the nearest consistent ones; None where there is no start.
+
+    The latter are found with `compilation`, of a model with the same coordinates and constraints, if there is one."""
     own = Evaluator(flat, Values())
     try:
         values = {item.name: own.scalar(item.start) for item in flat.coordinates}
@@ -52,7 +54,7 @@ def pose(flat: FlatModel) -> Pose | None:
     except NotEvaluable:
         return None
     if flat.constraints or flat.initial_equations:
-        found = _consistent(flat)
+        found = _consistent(flat, compilation)
         if found is None:
             return None
         values |= found
@@ -62,18 +64,18 @@ def pose(flat: FlatModel) -> Pose | None:
     return Pose(flat, values, (*(mass.position for mass in flat.masses), *bodies))
 
 
-def _consistent(flat: FlatModel) -> dict[str, float] | None:
+def _consistent(flat: FlatModel, compilation: Compilation | None) -> dict[str, float] | None:
     from lagdsl.engines.runtime.engines.selection import engine_of
     from lagdsl.motion.simulate.initialize import initial_state
 
     try:
-        made = compile_flat(flat, Sink())
+        made = compilation or compile_flat(flat, Sink())
         if made is None:
             return None
-        start = initial_state(flat, engine_of(made.program))
+        start = initial_state(made.flat, engine_of(made.program))
     except CompilationFailed:
         return None
-    return dict(zip((item.name for item in flat.coordinates), start.q.tolist(), strict=True))
+    return dict(zip((item.name for item in made.flat.coordinates), start.q.tolist(), strict=True))
 
 
 def _mass_center(frame: str, com: tuple[fx.FlatExpression, ...]) -> fx.FlatExpression:

@@ -8,6 +8,7 @@ from lagdsl.documents.report.figure.drawn_model import derived, outlined
 from lagdsl.documents.report.notation import Notation
 from lagdsl.documents.report.page import Page
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.pipeline import Compilation
 
 _LEGEND = (
     "The start of the motion. Each coordinate has a color and its positive sense, from its zero. In this color are the "
@@ -20,13 +21,13 @@ _LEGEND_OF_A_MACHINE = (
 )
 
 
-def system(page: Page) -> list[Block]:
+def system(page: Page, compilation: Compilation | None) -> list[Block]:
     """Nothing for a model that has no mass in space, or no start."""
-    found = figure(derived(page))
+    found = figure(derived(page), compilation)
     return [] if found is None else [Heading("The system"), Drawing(found, text(_LEGEND))]
 
 
-def machine(flat: FlatModel, notation: Notation) -> list[Block]:
+def machine(flat: FlatModel, notation: Notation, compilation: Compilation | None) -> list[Block]:
     """The same of a machine that is told by chapters."""
-    found = figure(outlined(flat, notation))
+    found = figure(outlined(flat, notation), compilation)
     return [] if found is None else [Heading("The system"), Drawing(found, text(_LEGEND_OF_A_MACHINE))]

@@ -14,7 +14,7 @@ from lagdsl.engines.backends.c.source import header, source, symbol
 from lagdsl.engines.backends.identifier import identifier
 from lagdsl.engines.backends.reserved import C_NAMES
 from lagdsl.engines.backends.start import Start
-from lagdsl.foundation.resources import c_folder, sources_in
+from lagdsl.foundation.resources import c_folder, compiled_runtime
 
 PARTS: dict[str, Callable[[Program, str], str]] = {
     "states": states_source,
@@ -103,10 +103,8 @@ def started_sources(program: Program, start: Start | None, parts: Sequence[str] 
 
 
 def runtime_sources() -> dict[str, str]:
-    """The runtime's own files, in the folder `lag`. A model that is compiled needs no interpreter of tapes."""
-    return {
-        path: file.read_text(encoding="utf-8") for path, file in sources_in(c_folder()).items() if "/tape" not in path
-    }
+    """The runtime's own files, in the folder `lag`."""
+    return {path: file.read_text(encoding="utf-8") for path, file in compiled_runtime().items()}
 
 
 _NUMBERS = ("x", "nominal", "minimum", "maximum", "parameter_nominal", "parameter_minimum", "parameter_maximum")

@@ -11,7 +11,7 @@ from pathlib import Path
 from lagdsl.engines.runtime.building.cache import cache_folder
 from lagdsl.engines.runtime.building.platforms import Platform, this_machine
 from lagdsl.engines.runtime.engines.cores import cores
-from lagdsl.exchange.fmi.package.compile_objects import Job, compile_missing, object_name, work_folder
+from lagdsl.exchange.fmi.package.compile_objects import Job, c_files, compile_missing, object_name, work_folder
 from lagdsl.exchange.fmi.package.installed_objects import installed_object
 from lagdsl.exchange.fmi.package.libraries import without_timestamps
 from lagdsl.exchange.fmi.package.toolchain import Toolchain, toolchain
@@ -78,8 +78,7 @@ def objects_of(
     jobs = [
         Job(tool, path, installed_object(tool, path, sources) or kept / object_name(tool.flags(path), path, sources))
         for tool in tools
-        for path in sorted(sources)
-        if path.endswith(".c")
+        for path in c_files(sources)
     ]
     with work_folder(kept) as folder:
         compile_missing(jobs, sources, folder, progress)

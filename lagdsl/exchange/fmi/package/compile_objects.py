@@ -76,6 +76,13 @@ def object_name(flags: Iterable[str], path: str, sources: Mapping[str, str]) -> 
     return f"{digest.hexdigest()[:40]}.o"
 
 
+def c_files(sources: Mapping[str, str]) -> tuple[str, ...]:
+    """Files to compile, in a fixed order: those that no other one includes."""
+    files = [path for path in sources if path.endswith(".c")]
+    parts = {name for path in files for name in included(sources[path])}
+    return tuple(sorted(path for path in files if path not in parts))
+
+
 def files_read(path: str, sources: Mapping[str, str]) -> list[str]:
     """Names of a C file and of all among `sources` that it includes."""
     names = [path]

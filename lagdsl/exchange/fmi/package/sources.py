@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Mapping
 from pathlib import Path
 
 from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.c.emit import started_sources
 from lagdsl.engines.backends.start import Start
 from lagdsl.engines.runtime.building.compiler import failure
-from lagdsl.foundation.resources import fmi_folder, sources_in
+from lagdsl.engines.runtime.units import ALONE, SESSIONS
+from lagdsl.exchange.fmi.package.compile_objects import included
+from lagdsl.foundation.resources import c_folder, fmi_folder, sources_in, units_in
 
 _HEADERS = {
     2: ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
@@ -20,16 +21,15 @@ _BOTH = (2, 3)
 
 
 def model_sources(program: Program, start: Start, version: int) -> dict[str, str]:
-    """All but the table of the variables: the model, the runtime, the shell of this version of FMI with its headers.
+    """All but the table of the variables: the model, the runtime, the shell of this version of FMI with its headers,
+    and the units in which they are compiled.
 
     Raises CompilationFailed (E0904) without the package that brings the headers of the standard.
     """
-    return {**started_sources(program, start), **_shell(version), **_standard_headers(version)}
-
-
-def c_files(sources: Mapping[str, str]) -> tuple[str, ...]:
-    """Files to compile, in a fixed order."""
-    return tuple(sorted(path for path in sources if path.endswith(".c")))
+    units = _units(version)
+    whole = {**started_sources(program, start), **_shell(version), **units, **_standard_headers(version)}
+    unread = {ALONE, *included(_text(units_in(c_folder())[SESSIONS]))}
+    return {path: text for path, text in whole.items() if not (path.endswith(".c") and path in unread)}
 
 
 def is_standard(path: str) -> bool:
@@ -48,7 +48,18 @@ def require_fmpy() -> Path:
 def _shell(version: int) -> dict[str, str]:
     others = tuple(f"lag/fmi{other}/" for other in _BOTH if other != version)
     files = sources_in(fmi_folder()).items()
-    return {path: file.read_text(encoding="utf-8") for path, file in files if not path.startswith(others)}
+    return {path: _text(file) for path, file in files if not path.startswith(others)}
+
+
+def _units(version: int) -> dict[str, str]:
+    """Without those of other versions, and without sessions, which no FMU has."""
+    left = {SESSIONS, *(f"units/fmi{other}.c" for other in _BOTH if other != version)}
+    files = {**units_in(c_folder()), **units_in(fmi_folder())}
+    return {path: _text(file) for path, file in files.items() if path not in left}
+
+
+def _text(file: Path) -> str:
+    return file.read_text(encoding="utf-8")
 
 
 def _standard_headers(version: int) -> dict[str, str]:

@@ -16,7 +16,10 @@ _LONGEST_NOTE = 2000
 COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
 # Files of the runtime and of the shells are the same for all models: an installation brings them, compiled with these.
 SHARED = COMPILE
-_SHARED_FILES = "lag/"
+_SHARED_FILES = ("lag/", "units/")
+# Units that do little in a step take half the time in this way, and runs as much as before. `zig cc` reads -O1 as -O2.
+_LIGHT = ("-Xclang", "-O1", "-mllvm", "-inline-threshold=25")
+_LIGHT_UNITS = ("units/events.c", "units/starts.c")
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
@@ -64,12 +67,8 @@ class Toolchain:
         """All that the object of the C file `source` depends on beside texts."""
         return (*self.command, self.identity, *self._flags(source))
 
-    def target_flags(self, source: str) -> tuple[str, ...] | None:
-        """The same on every machine: for any version of the package ziglang. None of another compiler."""
-        return ("zig", self.platform.target, *self._flags(source)) if self.by_zig else None
-
     def _flags(self, source: str) -> tuple[str, ...]:
-        return (*(SHARED if source.startswith(_SHARED_FILES) else COMPILE), _HIDING[self.platform.system])
+        return _flags_of(self.platform, source, by_zig=self.by_zig)
 
     def _run(self, folder: Path, arguments: list[str]) -> None:
         command = [*self.command, *arguments]
@@ -82,6 +81,17 @@ class Toolchain:
         if done.returncode != 0:
             said = done.stderr.strip()[:_LONGEST_NOTE] or f"it left with status {done.returncode}"
             raise failure("E0906", notes=(said,), platform=self.platform.name, compiler=Path(self.command[0]).name)
+
+
+def target_flags(platform: Platform, source: str) -> tuple[str, ...]:
+    """All that the object of the C file `source` by ziglang depends on beside texts."""
+    return ("zig", platform.target, *_flags_of(platform, source, by_zig=True))
+
+
+def _flags_of(platform: Platform, source: str, *, by_zig: bool) -> tuple[str, ...]:
+    flags = SHARED if source.startswith(_SHARED_FILES) else COMPILE
+    light = _LIGHT if by_zig and source in _LIGHT_UNITS else ()
+    return (*flags, *light, _HIDING[platform.system])
 
 
 def toolchain(platform: Platform) -> Toolchain:

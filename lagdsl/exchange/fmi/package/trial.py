@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+import platform
 import signal
 import subprocess
 import sys
 from collections.abc import Sequence
+from importlib.metadata import version
 from pathlib import Path
 
+from lagdsl.engines.runtime.building.cache import cache_folder
 from lagdsl.engines.runtime.building.compiler import failure
 
 # By its path, and without its folder among those that are searched: it imports FMPy only, wherever it is run.
@@ -20,7 +24,24 @@ _PATIENCE = 300.0  # seconds
 
 def try_out(fmu: Path, kinds: Sequence[str]) -> None:
     """Raises CompilationFailed: E0907 where the validator of fmpy has objections, E0908 where the start or the first
-    steps of one of `kinds` fail."""
+    steps of one of `kinds` fail. A file of the same bytes that came through here is not tried again."""
+    passed = cache_folder() / f"{_name(fmu, kinds)}.tried"
+    if passed.exists():
+        return
+    _try_out(fmu, kinds)
+    passed.touch()
+
+
+def _name(fmu: Path, kinds: Sequence[str]) -> str:
+    """The file, who tries it, and where: the folder may be shared by machines."""
+    here = (platform.system(), platform.release(), platform.version(), platform.machine(), platform.node())
+    digest = hashlib.sha256(fmu.read_bytes())
+    for part in (*kinds, version("fmpy"), sys.version, _SCRIPT.read_text(encoding="utf-8"), *here):
+        digest.update(part.encode() + b"\0")
+    return digest.hexdigest()[:40]
+
+
+def _try_out(fmu: Path, kinds: Sequence[str]) -> None:
     command = [sys.executable, "-P", "-W", "ignore", str(_SCRIPT), str(fmu), *kinds]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=_PATIENCE, check=False)

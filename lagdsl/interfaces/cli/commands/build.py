@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from shutil import copyfile
 from typing import TYPE_CHECKING
 
 import click
@@ -15,7 +16,7 @@ from lagdsl.interfaces.cli.command import Command
 from lagdsl.interfaces.cli.groups import PATH, group
 from lagdsl.interfaces.cli.model_file import ModelFile, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.interfaces.cli.options import takes_derivation
-from lagdsl.interfaces.cli.output import Unwritable, write_text
+from lagdsl.interfaces.cli.output import Unwritable, draft_of, write_text
 from lagdsl.interfaces.cli.progress import progress
 from lagdsl.language.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.language.flat.listing import frame_names, point_names
@@ -115,13 +116,35 @@ def command(
     with progress("write"):
         artifact = backend.emit(program)
     for name, text in artifact.files.items():
-        path = folder / name
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise Unwritable(path.parent, error) from error
+        path = _made_room(folder / name)
         write_text(text, path)
         click.echo(path)
+    if target == "c":
+        _write_runtime(folder)
+
+
+def _write_runtime(folder: Path) -> None:
+    """The runtime as objects for this machine, if the installation brings them: after its sources, so that they are
+    newer."""
+    from lagdsl.engines.runtime.building.platforms import PLATFORMS, platform_of, this_machine
+    from lagdsl.exchange.fmi.package.installed_objects import installed_runtime
+
+    own = this_machine()
+    objects = installed_runtime(platform_of(own)) if own in PLATFORMS else {}
+    for name, file in objects.items():
+        path = _made_room(folder / "lib" / own / name)
+        with draft_of(path) as draft:
+            copyfile(file, draft)
+        click.echo(path)
+
+
+def _made_room(path: Path) -> Path:
+    """The same path; its folder is there. Leaves with status 2 where it cannot be made."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Unwritable(path.parent, error) from error
+    return path
 
 
 def _backend(target: str, compilation: Compilation, batch: bool, sink: Sink) -> Backend | None:

@@ -35,7 +35,7 @@ static lag_arguments state(const lag_model *model, const lag_batch *batch, size_
     return at;
 }
 
-static lag_status prepare(const lag_model *model, const lag_batch *batch, const lag_arguments *at, size_t i)
+static lag_status prepare_one(const lag_model *model, const lag_batch *batch, const lag_arguments *at, size_t i)
 {
     if (i > 0 && batch->p.stride == 0) {
         return LAG_OK;
@@ -48,7 +48,7 @@ lag_status lag_batch_evaluate(
 {
     for (size_t i = 0; i < batch->count; ++i) {
         const lag_arguments at = state(model, batch, i);
-        lag_status status = prepare(model, batch, &at, i);
+        lag_status status = prepare_one(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_evaluate(model, which, &at, results + i * width);
         }
@@ -71,7 +71,7 @@ static lag_status solve_singly(
     lag_status first = LAG_OK;
     for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
         const lag_arguments at = state(model, batch, i);
-        lag_status status = prepare(model, batch, &at, i);
+        lag_status status = prepare_one(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_forward_dynamics(model, &at, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
         }
@@ -311,7 +311,7 @@ lag_status lag_batch_jacobian(
     for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
         const lag_arguments at = state(model, batch, i);
         double *own = outputs == NULL ? NULL : outputs + i * model->ny * x.count;
-        lag_status status = prepare(model, batch, &at, i);
+        lag_status status = prepare_one(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_jacobian(model, tangents, &at, x, batch->memory, rates + i * width, own, coordinate);
         }

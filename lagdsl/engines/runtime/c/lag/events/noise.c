@@ -142,7 +142,7 @@ static void change_inputs(lag_noise *noise, unsigned k, double sign)
 }
 
 /* The same after change k, or after the opposite one, into `values`. */
-static lag_status change(lag_noise *noise, double t, const double *x, unsigned k, double sign, double *values)
+static lag_status change_at(lag_noise *noise, double t, const double *x, unsigned k, double sign, double *values)
 {
     lag_motion *motion = noise->motion;
     lag_inputs *const inputs = motion->inputs;
@@ -174,7 +174,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
         noise->sigma[i] = least_of(noise, i);
     }
     for (unsigned k = 0; k < CHANGES; ++k) {
-        if (change(noise, t, x, k, 1.0, noise->other) != LAG_OK || change(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
+        if (change_at(noise, t, x, k, 1.0, noise->other) != LAG_OK || change_at(noise, t, x, k, -1.0, noise->opposite) != LAG_OK) {
             continue;
         }
         for (size_t i = 0; i < all_of(model); ++i) { /* a jump that is near lies on one side */
@@ -270,7 +270,7 @@ typedef struct lag_line {
 } lag_line;
 
 /* The indicator at noise->point, with accelerations and multipliers as they are; not a number where there is none. */
-static double indicator(const lag_line *line, double t)
+static double noise_indicator(const lag_line *line, double t)
 {
     lag_motion *motion = line->noise->motion;
     lag_motion_set_state(motion, t, line->noise->point);
@@ -282,7 +282,7 @@ static double along_one(void *context, double by)
     const lag_line *line = context;
     double *point = line->noise->point + line->j;
     *point = line->x[line->j] + by;
-    const double g = indicator(line, line->t);
+    const double g = noise_indicator(line, line->t);
     *point = line->x[line->j];
     return g;
 }
@@ -294,7 +294,7 @@ static double along_time(void *context, double by)
     for (size_t j = 2 * model->nq; j < lag_motion_size(model); ++j) {
         line->noise->point[j] = line->x[j] + by * line->rate[j];
     }
-    return indicator(line, line->t + by);
+    return noise_indicator(line, line->t + by);
 }
 
 int lag_noise_differentiate(

@@ -38,7 +38,7 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_im
 }
 
 /* The indicator at the point, with accelerations and multipliers as they are; not a number where there is none. */
-static double indicator(lag_refraction *r, double t, size_t which)
+static double indicator_at(lag_refraction *r, double t, size_t which)
 {
     lag_motion_set_state(r->motion, t, r->point);
     const lag_status status = r->motion->model->indicator(&r->motion->at, r->g);
@@ -146,12 +146,12 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
     int turned = 1;
     memcpy(r->truth, truth, model->nindicator * sizeof(double));
     memcpy(r->point, x, lag_motion_size(model) * sizeof(double));
-    (void)indicator(r, t, which);
+    (void)indicator_at(r, t, which);
     memcpy(r->own, r->g, model->nindicator * sizeof(double));
     truth[which] = 1.0 - truth[which];
     for (size_t k = 0; k < model->nindicator && turned; ++k) {
         turned = 0;
-        (void)indicator(r, t, which);
+        (void)indicator_at(r, t, which);
         for (size_t i = 0; i < model->nindicator; ++i) {
             const double holds = r->g[i] > 0.0 || (r->g[i] == 0.0 && model->strict[i] == 0);
             const int jumps = fabs(r->g[i] - r->own[i]) > ALONG * (fabs(r->g[i]) + fabs(r->own[i]));

@@ -97,7 +97,7 @@ static void forget_chosen(lag_pivoted_cholesky *c, size_t i)
     c->count[i] = (double)left;
 }
 
-static void mark(lag_pivoted_cholesky *c, size_t i, double value)
+static void mark_row(lag_pivoted_cholesky *c, size_t i, double value)
 {
     for (size_t k = 0; k < (size_t)c->count[i]; ++k) {
         c->mark[lag_pivoted_cholesky_beside(c, i, k)] = value;
@@ -111,7 +111,7 @@ static void update(lag_pivoted_cholesky *c, size_t pivot, size_t number)
     const double own = *lag_pivoted_cholesky_entry(c, pivot, i);
     const int some_lack = c->count[i] < (double)(c->n - 1);
     if (some_lack) {
-        mark(c, i, 1.0);
+        mark_row(c, i, 1.0);
     }
     for (size_t k = number + 1; k < (size_t)c->count[pivot]; ++k) {
         const size_t other = lag_pivoted_cholesky_beside(c, pivot, k);
@@ -123,7 +123,7 @@ static void update(lag_pivoted_cholesky *c, size_t pivot, size_t number)
         }
     }
     if (some_lack) {
-        mark(c, i, 0.0);
+        mark_row(c, i, 0.0);
     }
 }
 

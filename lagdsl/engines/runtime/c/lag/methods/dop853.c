@@ -49,7 +49,7 @@ static double *place_dense(const lag_stepper *s)
     return s->work + (LAG_DOP853_SLOPES + 2) * s->ode->size;
 }
 
-static size_t memory(size_t size)
+static size_t memory_of_dop853(size_t size)
 {
     return (LAG_DOP853_SLOPES + 2 + LAG_DOP853_TERMS) * size;
 }
@@ -155,7 +155,7 @@ static void accept(lag_stepper *s, const lag_attempt_arrays *at)
     lag_stepper_accept(s, attempt->t_new, at->x_new, end_slope);
 }
 
-static lag_status step(lag_stepper *s, double limit)
+static lag_status step_dop853(lag_stepper *s, double limit)
 {
     lag_attempt *attempt = &s->attempt;
     lag_attempt_arrays at = place(s);
@@ -178,12 +178,12 @@ static lag_status step(lag_stepper *s, double limit)
     return LAG_OK;
 }
 
-static void begin(lag_stepper *s)
+static void begin_dop853(lag_stepper *s)
 {
     (void)s;
 }
 
-static lag_status prepare_dense(lag_stepper *s)
+static lag_status prepare_dense_dop853(lag_stepper *s)
 {
     lag_attempt_arrays at = lag_dop853_last(s);
     if (s->attempt.dense) {
@@ -199,7 +199,7 @@ static lag_status prepare_dense(lag_stepper *s)
     return LAG_OK;
 }
 
-static void dense(const lag_stepper *s, double t, double *x)
+static void dense_dop853(const lag_stepper *s, double t, double *x)
 {
     const double *terms = place_dense(s);
     const size_t size = s->ode->size;
@@ -222,9 +222,9 @@ const lag_method lag_dop853 = {
     .implicit = 0,
     .factor = 1e-2,
     .error_order = 7,
-    .memory = memory,
-    .begin = begin,
-    .step = step,
-    .prepare_dense = prepare_dense,
-    .dense = dense,
+    .memory = memory_of_dop853,
+    .begin = begin_dop853,
+    .step = step_dop853,
+    .prepare_dense = prepare_dense_dop853,
+    .dense = dense_dop853,
 };

@@ -26,7 +26,7 @@ static const double STEADY[2] = {0.8, 1.2};
 static const double BELOW = 0.8;
 static const double RECEDE = 1.03;
 
-static void begin(lag_stepper *s)
+static void begin_radau(lag_stepper *s)
 {
     size_t level = 0;
     while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
@@ -36,7 +36,7 @@ static void begin(lag_stepper *s)
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
-static void dense(const lag_stepper *s, double t, double *x)
+static void dense_radau(const lag_stepper *s, double t, double *x)
 {
     const lag_radau_places at = lag_radau_place(s);
     const size_t n = s->ode->size;
@@ -62,7 +62,7 @@ static void predict(const lag_stepper *s, const lag_radau_places *at, double h)
         return;
     }
     for (size_t k = 0; k < at->table->stages; ++k) {
-        dense(s, s->t + at->table->node[k] * h, at->point);
+        dense_radau(s, s->t + at->table->node[k] * h, at->point);
         for (size_t i = 0; i < n; ++i) {
             at->z[k * n + i] = at->point[i] - s->x[i];
         }
@@ -257,7 +257,7 @@ static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_
     }
 }
 
-static lag_status step(lag_stepper *s, double limit)
+static lag_status step_radau(lag_stepper *s, double limit)
 {
     for (int rejected = 0;; rejected = 1) {
         const lag_radau_places at = lag_radau_place(s);
@@ -288,7 +288,7 @@ static lag_status step(lag_stepper *s, double limit)
     }
 }
 
-static lag_status prepare_dense(lag_stepper *s)
+static lag_status prepare_dense_radau(lag_stepper *s)
 {
     (void)s;
     return LAG_OK;
@@ -298,8 +298,8 @@ static lag_status prepare_dense(lag_stepper *s)
 #define RADAU(NAME, LEAST, MOST)                                                                                              \
     {                                                                                                                         \
         .name = NAME, .order = 2 * (LEAST)-1, .highest_order = 2 * (MOST)-1, .dense_order = (LEAST), .implicit = 1,            \
-        .factor = 1e-1, .error_order = (LEAST), .memory = lag_radau_memory, .begin = begin, .step = step,                      \
-        .prepare_dense = prepare_dense, .dense = dense                                                                        \
+        .factor = 1e-1, .error_order = (LEAST), .memory = lag_radau_memory, .begin = begin_radau, .step = step_radau,          \
+        .prepare_dense = prepare_dense_radau, .dense = dense_radau                                                            \
     }
 
 const lag_method lag_radau = RADAU("radau", 3, 7);

@@ -27,12 +27,12 @@ static places place(const lag_stepper *s)
     return at;
 }
 
-static size_t memory(size_t size)
+static size_t memory_of_fixed(size_t size)
 {
     return 3 + 2 * size + lag_fixed_memory(size);
 }
 
-static void begin(lag_stepper *s)
+static void begin_fixed(lag_stepper *s)
 {
     const places at = place(s);
     *at.start = s->t;
@@ -51,7 +51,7 @@ static lag_status rates(void *context, double t, const double *x, double *xd)
     return lag_stepper_rates(s, t, x, xd);
 }
 
-static lag_status jacobian(void *context, double t, const double *x, double *matrix)
+static lag_status jacobian_fixed(void *context, double t, const double *x, double *matrix)
 {
     lag_stepper *s = context;
     ++s->counts.jacobians;
@@ -64,10 +64,10 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     return status;
 }
 
-static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
+static lag_status step_fixed(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
-    const lag_ode ode = {s->ode->size, s, rates, jacobian};
+    const lag_ode ode = {s->ode->size, s, rates, jacobian_fixed};
     double end = *at.start + *at.first + *at.count * s->fixed.length;
     if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;
@@ -86,14 +86,14 @@ static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
     return LAG_OK;
 }
 
-static lag_status prepare_dense(lag_stepper *s)
+static lag_status prepare_dense_fixed(lag_stepper *s)
 {
     (void)s;
     return LAG_OK;
 }
 
 /* Cubic Hermite interpolation. */
-static void dense(const lag_stepper *s, double t, double *x)
+static void dense_fixed(const lag_stepper *s, double t, double *x)
 {
     const places at = place(s);
     const double h = s->t - s->t_before;
@@ -109,7 +109,7 @@ static void dense(const lag_stepper *s, double t, double *x)
 #define METHOD(NAME, ORDER, IMPLICIT)                                                                                                \
     static lag_status step_##NAME(lag_stepper *s, double limit)                                                                      \
     {                                                                                                                                \
-        return step(s, limit, lag_##NAME);                                                                                           \
+        return step_fixed(s, limit, lag_##NAME);                                                                                     \
     }                                                                                                                                \
                                                                                                                                      \
     const lag_method lag_steps_##NAME = {                                                                                            \
@@ -120,11 +120,11 @@ static void dense(const lag_stepper *s, double t, double *x)
         .implicit = IMPLICIT,                                                                                                        \
         .factor = 1.0,                                                                                                               \
         .error_order = 0,                                                                                                            \
-        .memory = memory,                                                                                                            \
-        .begin = begin,                                                                                                              \
+        .memory = memory_of_fixed,                                                                                                   \
+        .begin = begin_fixed,                                                                                                        \
         .step = step_##NAME,                                                                                                         \
-        .prepare_dense = prepare_dense,                                                                                              \
-        .dense = dense,                                                                                                              \
+        .prepare_dense = prepare_dense_fixed,                                                                                        \
+        .dense = dense_fixed,                                                                                                        \
     };
 
 METHOD(rk4, 4, 0)

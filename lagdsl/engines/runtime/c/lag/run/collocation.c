@@ -218,12 +218,12 @@ double lag_collocation_fit(lag_singular *s, double t, const double *x, double di
 
 /* ---- as a step that was done, and may be undone: in the work of a stepper nq, the length, then coefficients ---- */
 
-static void begin(lag_stepper *s)
+static void begin_fit(lag_stepper *s)
 {
     (void)s;
 }
 
-static void dense(const lag_stepper *s, double t, double *x)
+static void dense_fit(const lag_stepper *s, double t, double *x)
 {
     const size_t n = (size_t)s->work[0];
     const lag_model sizes = {.nq = n, .nz = s->ode->size - 2 * n};
@@ -231,4 +231,4 @@ static void dense(const lag_stepper *s, double t, double *x)
 }
 
 const lag_method lag_collocation = {
-    .name = "collocation", .order = NODES, .highest_order = NODES, .dense_order = NODES, .factor = 1.0, .begin = begin, .dense = dense};
+    .name = "collocation", .order = NODES, .highest_order = NODES, .dense_order = NODES, .factor = 1.0, .begin = begin_fit, .dense = dense_fit};

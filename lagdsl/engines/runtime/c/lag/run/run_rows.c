@@ -72,7 +72,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
 /* ---- the past ---- */
 
 /* The delayed expressions at time t, into `values` (ndelay). */
-static lag_status sample(lag_run *run, double t, double *values)
+static lag_status sample_row(lag_run *run, double t, double *values)
 {
     const lag_stepper *s = &run->stepper;
     const lag_status status = lag_stepper_dense(&run->stepper, fmin(fmax(t, s->t_before), s->t), run->point);
@@ -98,7 +98,7 @@ lag_status lag_run_keep_past(lag_run *run, double t)
         const double b = a + h * (1.0 + LEAST) < t ? a + h : t;
         const double half = 0.5 * (b - a);
         for (size_t j = 0; j < LAG_DELAY_SAMPLES && status == LAG_OK; ++j) {
-            status = sample(run, j == 0 ? b : a + half * (1.0 + lag_delay_places[j]), pieces->sample + j * pieces->n);
+            status = sample_row(run, j == 0 ? b : a + half * (1.0 + lag_delay_places[j]), pieces->sample + j * pieces->n);
         }
         if (status == LAG_OK && lag_delay_try(pieces, run->accuracy.relative, b) > 1.0 && half > least && a + half > a) {
             h = half;

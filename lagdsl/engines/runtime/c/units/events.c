@@ -1,0 +1,223 @@
+/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/delays/delays.h"
+#include "lag/delays/pieces.h"
+#include "lag/elimination/lu.h"
+#include "lag/equations/discretes.h"
+#include "lag/equations/entries.h"
+#include "lag/evaluate.h"
+#include "lag/event_notice.h"
+#include "lag/events/clock.h"
+#include "lag/events/event_iteration.h"
+#include "lag/events/guards.h"
+#include "lag/events/instant.h"
+#include "lag/events/noise.h"
+#include "lag/events/refraction.h"
+#include "lag/events/timed.h"
+#include "lag/fixed.h"
+#include "lag/initial.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/minimum.h"
+#include "lag/linalg/root.h"
+#include "lag/linalg/slope.h"
+#include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
+#include "lag/methods/radau.h"
+#include "lag/run.h"
+#include "lag/run/conditions.h"
+#include "lag/run/course.h"
+#include "lag/run/extremes.h"
+#include "lag/run/results.h"
+#include "lag/run/scan.h"
+#include "lag/run/singular_crossing.h"
+#include "lag/run/turns.h"
+#include "lag/serialization.h"
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#define MOST_STEPS delays_MOST_STEPS
+#include "lag/delays/delays.c"
+#undef MOST_STEPS
+
+#include "lag/delays/pieces.c"
+
+#define ALIKE clock_ALIKE
+#define PART clock_PART
+#define ROUNDING clock_ROUNDING
+#include "lag/events/clock.c"
+#undef ALIKE
+#undef PART
+#undef ROUNDING
+
+#define cross event_contacts_cross
+#include "lag/events/event_contacts.c"
+#undef cross
+
+#define pass event_iteration_pass
+#include "lag/events/event_iteration.c"
+#undef pass
+
+#include "lag/events/event_notice.c"
+
+#define SHORT event_sides_SHORT
+#define find_sides event_sides_find_sides
+#include "lag/events/event_sides.c"
+#undef SHORT
+#undef find_sides
+
+#define count_of guards_count_of
+#define evaluate guards_evaluate
+#include "lag/events/guards.c"
+#undef count_of
+#undef evaluate
+
+#define ULPS instant_ULPS
+#define remember instant_remember
+#define turn_relation instant_turn_relation
+#include "lag/events/instant.c"
+#undef ULPS
+#undef remember
+#undef turn_relation
+
+#define count_of noise_count_of
+#include "lag/events/noise.c"
+#undef count_of
+
+#define cross refraction_cross
+#define turn_relation refraction_turn_relation
+#include "lag/events/refraction.c"
+#undef cross
+#undef turn_relation
+
+#define MOST_HALVES refraction_balance_MOST_HALVES
+#define MOST_STEPS refraction_balance_MOST_STEPS
+#define NEAR refraction_balance_NEAR
+#include "lag/events/refraction_balance.c"
+#undef MOST_HALVES
+#undef MOST_STEPS
+#undef NEAR
+
+#define HALVES timed_HALVES
+#define ULPS timed_ULPS
+#define evaluate timed_evaluate
+#define value_of timed_value_of
+#include "lag/events/timed.c"
+#undef HALVES
+#undef ULPS
+#undef evaluate
+#undef value_of
+
+#define FIRST collocation_FIRST
+#define HALVINGS collocation_HALVINGS
+#define LEAST collocation_LEAST
+#define NODES collocation_NODES
+#include "lag/run/collocation.c"
+#undef FIRST
+#undef HALVINGS
+#undef LEAST
+#undef NODES
+
+#include "lag/run/conditions.c"
+
+#define ROUNDING course_ROUNDING
+#include "lag/run/course.c"
+#undef ROUNDING
+
+#include "lag/run/extremes.c"
+
+#include "lag/run/output_extremes.c"
+
+#include "lag/run/results.c"
+
+#define PART run_PART
+#define pass run_pass
+#include "lag/run/run.c"
+#undef PART
+#undef pass
+
+#include "lag/run/run_begin.c"
+
+#define BESIDE run_corners_BESIDE
+#define find_sides run_corners_find_sides
+#include "lag/run/run_corners.c"
+#undef BESIDE
+#undef find_sides
+
+#include "lag/run/run_fault.c"
+
+#define step_once run_fixed_step_once
+#include "lag/run/run_fixed.c"
+#undef step_once
+
+#define carry_out run_instants_carry_out
+#include "lag/run/run_instants.c"
+#undef carry_out
+
+#define LEAST run_rows_LEAST
+#include "lag/run/run_rows.c"
+#undef LEAST
+
+#define FIRST run_scan_FIRST
+#define count_of run_scan_count_of
+#define place_of run_scan_place_of
+#define remember run_scan_remember
+#include "lag/run/run_scan.c"
+#undef FIRST
+#undef count_of
+#undef place_of
+#undef remember
+
+#define SHORTER run_steps_SHORTER
+#define ULPS run_steps_ULPS
+#define carry_out run_steps_carry_out
+#define step_once run_steps_step_once
+#include "lag/run/run_steps.c"
+#undef SHORTER
+#undef ULPS
+#undef carry_out
+#undef step_once
+
+#define ALIKE run_zero_crossings_ALIKE
+#define HALVES run_zero_crossings_HALVES
+#define value_of run_zero_crossings_value_of
+#include "lag/run/run_zero_crossings.c"
+#undef ALIKE
+#undef HALVES
+#undef value_of
+
+#define BESIDE singular_crossing_BESIDE
+#define HALVINGS singular_crossing_HALVINGS
+#define NEAR singular_crossing_NEAR
+#define NODES singular_crossing_NODES
+#define SHORTER singular_crossing_SHORTER
+#define SMALL singular_crossing_SMALL
+#define take singular_crossing_take
+#include "lag/run/singular_crossing.c"
+#undef BESIDE
+#undef HALVINGS
+#undef NEAR
+#undef NODES
+#undef SHORTER
+#undef SMALL
+#undef take
+
+#define MOST_HALVES turns_MOST_HALVES
+#define NEAR turns_NEAR
+#define SHORT turns_SHORT
+#define SMALL turns_SMALL
+#define evaluate turns_evaluate
+#define take turns_take
+#include "lag/run/turns.c"
+#undef MOST_HALVES
+#undef NEAR
+#undef SHORT
+#undef SMALL
+#undef evaluate
+#undef take
+
+#define place_of serialization_place_of
+#include "lag/session/serialization.c"
+#undef RECORD
+#undef place_of

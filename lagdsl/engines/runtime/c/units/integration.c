@@ -1,0 +1,287 @@
+/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/columns.h"
+#include "lag/derivatives.h"
+#include "lag/dynamics.h"
+#include "lag/elimination/band.h"
+#include "lag/elimination/complex.h"
+#include "lag/elimination/lu.h"
+#include "lag/equations/correction.h"
+#include "lag/equations/delassus.h"
+#include "lag/equations/discretes.h"
+#include "lag/equations/entries.h"
+#include "lag/equations/feedback.h"
+#include "lag/equations/jacobian.h"
+#include "lag/equations/motion.h"
+#include "lag/equations/projection.h"
+#include "lag/equations/rank.h"
+#include "lag/equations/system_scales.h"
+#include "lag/evaluate.h"
+#include "lag/fixed.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/lemke.h"
+#include "lag/linalg/levenberg_marquardt.h"
+#include "lag/linalg/linalg.h"
+#include "lag/linalg/linear_program.h"
+#include "lag/linalg/minimum.h"
+#include "lag/linalg/nnls.h"
+#include "lag/linalg/pivoted_cholesky.h"
+#include "lag/linalg/root.h"
+#include "lag/linalg/slope.h"
+#include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
+#include "lag/methods/accuracy.h"
+#include "lag/methods/attempts.h"
+#include "lag/methods/dop853.h"
+#include "lag/methods/radau.h"
+#include "lag/methods/stiffness.h"
+#include "lag/stepper.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define least band_least
+#include "lag/elimination/band.c"
+#undef least
+
+#include "lag/elimination/cuthill_mckee.c"
+
+#define swap_rows lu_swap_rows
+#include "lag/elimination/lu.c"
+#undef swap_rows
+
+#include "lag/equations/columns.c"
+
+#include "lag/equations/correction.c"
+
+#define along delassus_along
+#define find_excess delassus_find_excess
+#define form delassus_form
+#define solve_rest delassus_solve_rest
+#include "lag/equations/delassus.c"
+#undef along
+#undef find_excess
+#undef form
+#undef solve_rest
+
+#define form derivatives_form
+#define solve derivatives_solve
+#define solve_with_loads derivatives_solve_with_loads
+#define variables derivatives_variables
+#include "lag/equations/derivatives.c"
+#undef form
+#undef solve
+#undef solve_with_loads
+#undef variables
+
+#include "lag/equations/discretes.c"
+
+#define eliminate dynamics_eliminate
+#define pick dynamics_pick
+#define place dynamics_place
+#define places dynamics_places
+#define solve_rest dynamics_solve_rest
+#define solve_with_loads dynamics_solve_with_loads
+#define solver dynamics_solver
+#include "lag/equations/dynamics.c"
+#undef eliminate
+#undef pick
+#undef place
+#undef places
+#undef solve_rest
+#undef solve_with_loads
+#undef solver
+
+#include "lag/equations/evaluate.c"
+
+#define MOST_STEPS feedback_MOST_STEPS
+#include "lag/equations/feedback.c"
+#undef MOST_STEPS
+
+#define along jacobian_along
+#define pick jacobian_pick
+#define place jacobian_place
+#define places jacobian_places
+#define put jacobian_put
+#define solve jacobian_solve
+#define solver jacobian_solver
+#define variables jacobian_variables
+#include "lag/equations/jacobian.c"
+#undef along
+#undef pick
+#undef place
+#undef places
+#undef put
+#undef solve
+#undef solver
+#undef variables
+
+#define DIFFERENCE motion_DIFFERENCE
+#define rates motion_rates
+#include "lag/equations/motion.c"
+#undef DIFFERENCE
+#undef rates
+
+#define find_components projection_find_components
+#include "lag/equations/projection.c"
+#undef find_components
+
+#define end_of rank_end_of
+#define multiply rank_multiply
+#define scale rank_scale
+#include "lag/equations/rank.c"
+#undef end_of
+#undef multiply
+#undef scale
+
+#define find_excess system_find_excess
+#define least system_least
+#include "lag/equations/system.c"
+#undef find_excess
+#undef least
+
+#define find_components system_scales_find_components
+#include "lag/equations/system_scales.c"
+#undef find_components
+
+#define MOST lemke_MOST
+#define least lemke_least
+#define place lemke_place
+#include "lag/linalg/lemke.c"
+#undef MOST
+#undef least
+#undef place
+
+#define judge levenberg_marquardt_judge
+#include "lag/linalg/levenberg_marquardt.c"
+#undef judge
+
+#define MOST_SWEEPS linalg_MOST_SWEEPS
+#define end_of linalg_end_of
+#define rotate linalg_rotate
+#define swap_rows linalg_swap_rows
+#include "lag/linalg/linalg.c"
+#undef MOST_SWEEPS
+#undef end_of
+#undef rotate
+#undef swap_rows
+
+#include "lag/linalg/linear_program.c"
+
+#define DIFFERENCE minimum_DIFFERENCE
+#define LOWER minimum_LOWER
+#define SAFETY minimum_SAFETY
+#include "lag/linalg/minimum.c"
+#undef DIFFERENCE
+#undef LOWER
+#undef SAFETY
+
+#define scale nnls_scale
+#define solve nnls_solve
+#include "lag/linalg/nnls.c"
+#undef scale
+#undef solve
+
+#define eliminate pivoted_cholesky_eliminate
+#define judge pivoted_cholesky_judge
+#define put pivoted_cholesky_put
+#include "lag/linalg/pivoted_cholesky.c"
+#undef eliminate
+#undef judge
+#undef put
+
+#include "lag/linalg/root.c"
+
+#define MOST_STEPS slope_MOST_STEPS
+#define error_of slope_error_of
+#include "lag/linalg/slope.c"
+#undef MOST_STEPS
+#undef error_of
+
+#define MOST_SWEEPS svd_MOST_SWEEPS
+#define smaller svd_smaller
+#include "lag/linalg/svd.c"
+#undef MOST_SWEEPS
+#undef smaller
+
+#define smaller accuracy_smaller
+#include "lag/methods/accuracy.c"
+#undef smaller
+
+#define GROW dop853_GROW
+#define SAFETY dop853_SAFETY
+#define SHRINK dop853_SHRINK
+#define accept dop853_accept
+#define factor_of dop853_factor_of
+#define place dop853_place
+#include "lag/methods/dop853.c"
+#undef GROW
+#undef SAFETY
+#undef SHRINK
+#undef accept
+#undef factor_of
+#undef place
+
+#include "lag/methods/dop853_tables.c"
+
+#include "lag/methods/leapfrog.c"
+
+#define GROW radau_GROW
+#define LOWER radau_LOWER
+#define SAFETY radau_SAFETY
+#define SHRINK radau_SHRINK
+#define accept radau_accept
+#define error_of radau_error_of
+#define factor_of radau_factor_of
+#include "lag/methods/radau.c"
+#undef GROW
+#undef LOWER
+#undef RADAU
+#undef SAFETY
+#undef SHRINK
+#undef accept
+#undef error_of
+#undef factor_of
+
+#define MOST radau_gmres_MOST
+#define STAGES radau_gmres_STAGES
+#define rotate radau_gmres_rotate
+#include "lag/methods/radau_gmres.c"
+#undef MOST
+#undef STAGES
+#undef rotate
+
+#define STAGES radau_stages_STAGES
+#define iterate radau_stages_iterate
+#define prepare radau_stages_prepare
+#include "lag/methods/radau_stages.c"
+#undef STAGES
+#undef iterate
+#undef prepare
+
+#include "lag/methods/radau_systems.c"
+
+#include "lag/methods/radau_tables.c"
+
+#include "lag/methods/rk4.c"
+
+#include "lag/methods/ros2.c"
+
+#include "lag/methods/stepper.c"
+
+#define place steps_place
+#define places steps_places
+#define rates steps_rates
+#include "lag/methods/steps.c"
+#undef METHOD
+#undef place
+#undef places
+#undef rates
+
+#define iterate stiffness_iterate
+#define multiply stiffness_multiply
+#define prepare stiffness_prepare
+#include "lag/methods/stiffness.c"
+#undef iterate
+#undef multiply
+#undef prepare

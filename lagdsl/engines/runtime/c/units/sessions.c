@@ -1,0 +1,42 @@
+/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/batch.h"
+#include "lag/call.h"
+#include "lag/dynamics.h"
+#include "lag/ensemble.h"
+#include "lag/equations/discretes.h"
+#include "lag/hold.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/vector.h"
+#include "lag/session.h"
+#include "lag/session/motions.h"
+#include "lag/signals.h"
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "lag/session/call.c"
+
+#define crowd ensemble_crowd
+#define end ensemble_end
+#define place ensemble_place
+#include "lag/session/ensemble.c"
+#undef crowd
+#undef end
+#undef place
+
+#define end hold_end
+#include "lag/session/hold.c"
+#undef end
+
+#include "lag/session/motions.c"
+
+#include "lag/session/session.c"
+
+#include "lag/session/signals.c"
+
+#define crowd batch_crowd
+#define place batch_place
+#include "lag/equations/batch.c"
+#undef crowd
+#undef place

@@ -1,0 +1,217 @@
+/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/contacts/contact.h"
+#include "lag/contacts/friction.h"
+#include "lag/contacts/modes.h"
+#include "lag/contacts/modes_problem.h"
+#include "lag/contacts/reserve_program.h"
+#include "lag/equations/discretes.h"
+#include "lag/equations/entries.h"
+#include "lag/equations/rank.h"
+#include "lag/impulses/friction_problem.h"
+#include "lag/impulses/impulse.h"
+#include "lag/impulses/impulse_step.h"
+#include "lag/impulses/inequalities.h"
+#include "lag/impulses/position_maps.h"
+#include "lag/initial.h"
+#include "lag/initial/initial_equations.h"
+#include "lag/initial/initial_equations_rows.h"
+#include "lag/initial/initial_rates.h"
+#include "lag/initial/initial_scaling.h"
+#include "lag/initial/nearest_configuration.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/lemke.h"
+#include "lag/linalg/linalg.h"
+#include "lag/linalg/linear_program.h"
+#include "lag/linalg/nnls.h"
+#include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
+#include "lag/methods/accuracy.h"
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#define size_of accumulation_size_of
+#include "lag/contacts/accumulation.c"
+#undef size_of
+
+#include "lag/contacts/contact.c"
+
+#define NOTHING contact_impacts_NOTHING
+#define add contact_impacts_add
+#define add_frictions contact_impacts_add_frictions
+#define gather contact_impacts_gather
+#define row_of contact_impacts_row_of
+#include "lag/contacts/contact_impacts.c"
+#undef NOTHING
+#undef add
+#undef add_frictions
+#undef gather
+#undef row_of
+
+#define NO_FORCE contact_scale_NO_FORCE
+#define ROUNDING contact_scale_ROUNDING
+#define find_scales contact_scale_find_scales
+#define force_of contact_scale_force_of
+#include "lag/contacts/contact_scale.c"
+#undef NO_FORCE
+#undef ROUNDING
+#undef find_scales
+#undef force_of
+
+#define NO_FORCE friction_NO_FORCE
+#define ROUNDING friction_ROUNDING
+#define row_of friction_row_of
+#include "lag/contacts/friction.c"
+#undef NO_FORCE
+#undef ROUNDING
+#undef row_of
+
+#define BEYOND modes_BEYOND
+#define force_of modes_force_of
+#include "lag/contacts/modes.c"
+#undef BEYOND
+#undef force_of
+
+#define add_frictions modes_problem_add_frictions
+#define find_rows modes_problem_find_rows
+#define limit_of modes_problem_limit_of
+#define solve modes_problem_solve
+#include "lag/contacts/modes_problem.c"
+#undef add_frictions
+#undef find_rows
+#undef limit_of
+#undef solve
+
+#define group_of reserve_group_of
+#include "lag/contacts/reserve.c"
+#undef group_of
+
+#define begin reserve_program_begin
+#define group_of reserve_program_group_of
+#define keep reserve_program_keep
+#define limit_of reserve_program_limit_of
+#define refine reserve_program_refine
+#define size_of reserve_program_size_of
+#define solve reserve_program_solve
+#include "lag/contacts/reserve_program.c"
+#undef begin
+#undef group_of
+#undef keep
+#undef limit_of
+#undef refine
+#undef size_of
+#undef solve
+
+#define MOST_STEPS friction_problem_MOST_STEPS
+#define ROUNDING friction_problem_ROUNDING
+#define begin friction_problem_begin
+#define find_scales friction_problem_find_scales
+#define improve friction_problem_improve
+#define limit_of friction_problem_limit_of
+#define size_of friction_problem_size_of
+#include "lag/impulses/friction_problem.c"
+#undef MOST_STEPS
+#undef ROUNDING
+#undef begin
+#undef find_scales
+#undef improve
+#undef limit_of
+#undef size_of
+
+#include "lag/impulses/impact.c"
+
+#define BEYOND impulse_BEYOND
+#define MOST_STEPS impulse_MOST_STEPS
+#define NOTHING impulse_NOTHING
+#define ROUNDING impulse_ROUNDING
+#define begin impulse_begin
+#define find_sizes impulse_find_sizes
+#include "lag/impulses/impulse.c"
+#undef BEYOND
+#undef MOST_STEPS
+#undef NOTHING
+#undef ROUNDING
+#undef begin
+#undef find_sizes
+
+#include "lag/impulses/impulse_step.c"
+
+#define add inequalities_add
+#include "lag/impulses/inequalities.c"
+#undef add
+
+#include "lag/impulses/position_maps.c"
+
+#define copy initial_copy
+#include "lag/initial/initial.c"
+#undef copy
+
+#define open_parts initial_equations_open_parts
+#define place initial_equations_place
+#include "lag/initial/initial_equations.c"
+#undef open_parts
+#undef place
+
+#include "lag/initial/initial_equations_fault.c"
+
+#include "lag/initial/initial_equations_rates.c"
+
+#include "lag/initial/initial_equations_rows.c"
+
+#define TRIES initial_equations_search_TRIES
+#define descend initial_equations_search_descend
+#include "lag/initial/initial_equations_search.c"
+#undef TRIES
+#undef descend
+
+#define find_parts initial_positions_find_parts
+#define gather initial_positions_gather
+#define open_parts initial_positions_open_parts
+#include "lag/initial/initial_positions.c"
+#undef find_parts
+#undef gather
+#undef open_parts
+
+#define TRIES initial_ranks_TRIES
+#define keep initial_ranks_keep
+#define place initial_ranks_place
+#include "lag/initial/initial_ranks.c"
+#undef TRIES
+#undef keep
+#undef place
+
+#define find_parts initial_rates_find_parts
+#define place initial_rates_place
+#include "lag/initial/initial_rates.c"
+#undef find_parts
+#undef place
+
+#include "lag/initial/initial_rates_branch.c"
+
+#define keep initial_row_sizes_keep
+#include "lag/initial/initial_row_sizes.c"
+#undef keep
+
+#define find_parts initial_scaling_find_parts
+#define find_rows initial_scaling_find_rows
+#define find_sizes initial_scaling_find_sizes
+#include "lag/initial/initial_scaling.c"
+#undef find_parts
+#undef find_rows
+#undef find_sizes
+
+#define gather nearest_along_path_gather
+#include "lag/initial/nearest_along_path.c"
+#undef gather
+
+#define copy nearest_configuration_copy
+#define descend nearest_configuration_descend
+#define improve nearest_configuration_improve
+#define refine nearest_configuration_refine
+#include "lag/initial/nearest_configuration.c"
+#undef copy
+#undef descend
+#undef improve
+#undef refine
