@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,7 @@ class RuntimeLibraryHook(BuildHookInterface[Any]):
         file_name = library_name(_machine().partition("-")[0])
         if version == "editable":
             up_to_date(runtime_library_folder() / file_name)
-            _make_objects(fmi_objects_folder())
+            _make_objects(fmi_objects_folder(), [this_machine()])  # the others are compiled when they are wanted
             return
         self._made = tempfile.TemporaryDirectory(prefix="lagdsl-")
         objects = runtime_library_folder() / "objects"  # of an editable install: what is the same is not compiled again
@@ -54,7 +55,7 @@ class RuntimeLibraryHook(BuildHookInterface[Any]):
         library = build_library(Path(self._made.name), name, kept)
         build_data["force_include"][str(library)] = f"lagdsl/engines/runtime/lib/{file_name}"
         own = fmi_objects_folder().is_dir()  # those of an editable install, for any platform
-        for path in _make_objects(fmi_objects_folder() if own else Path(self._made.name) / "objects"):
+        for path in _make_objects(fmi_objects_folder() if own else Path(self._made.name) / "objects", PLATFORMS):
             build_data["force_include"][str(path)] = f"lagdsl/exchange/fmi/lib/{path.name}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
@@ -71,6 +72,6 @@ def _machine() -> str:
     return _platform() or this_machine()
 
 
-def _make_objects(folder: Path) -> list[Path]:
-    """For all platforms; none for a machine that is no platform of FMUs."""
-    return make_installed_objects(folder, list(map(platform_of, PLATFORMS))) if _machine() in PLATFORMS else []
+def _make_objects(folder: Path, platforms: Iterable[str]) -> list[Path]:
+    """For these platforms; none for a machine that is no platform of FMUs."""
+    return make_installed_objects(folder, list(map(platform_of, platforms))) if _machine() in PLATFORMS else []

@@ -16,10 +16,10 @@ from pathlib import Path
 from lagdsl.foundation.resources import c_folder, fmi_folder
 
 # Files by patterns: what programs in C and in Python call, and no FMU (sessions, calls of one value, many states at
-# once); functions of every stage of a step; those of each step; starts and blows; FMUs.
+# once, derivatives of motions); functions of every stage of a step; those of each step; starts and blows; FMUs.
 SESSIONS = "units/sessions.c"
 _UNITS = {
-    SESSIONS: ("session/[!s]*.c", "session/session.c", "session/signals.c", "equations/batch.c"),
+    SESSIONS: ("session/[!s]*.c", "session/session.c", "session/signals.c", "equations/batch.c", "sensitivities/*.c"),
     "units/integration.c": ("elimination/*.c", "equations/*.c", "linalg/*.c", "methods/*.c"),
     "units/events.c": ("delays/*.c", "events/*.c", "run/*.c", "session/*.c"),
     "units/starts.c": ("contacts/*.c", "impulses/*.c", "initial/*.c"),

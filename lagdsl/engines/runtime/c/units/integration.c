@@ -209,15 +209,11 @@
 #undef smaller
 
 #define GROW dop853_GROW
-#define SAFETY dop853_SAFETY
-#define SHRINK dop853_SHRINK
 #define accept dop853_accept
 #define factor_of dop853_factor_of
 #define place dop853_place
 #include "lag/methods/dop853.c"
 #undef GROW
-#undef SAFETY
-#undef SHRINK
 #undef accept
 #undef factor_of
 #undef place
@@ -229,7 +225,6 @@
 #define GROW radau_GROW
 #define LOWER radau_LOWER
 #define SAFETY radau_SAFETY
-#define SHRINK radau_SHRINK
 #define accept radau_accept
 #define error_of radau_error_of
 #define factor_of radau_factor_of
@@ -238,7 +233,6 @@
 #undef LOWER
 #undef RADAU
 #undef SAFETY
-#undef SHRINK
 #undef accept
 #undef error_of
 #undef factor_of

@@ -2,15 +2,23 @@
 #include "lag/batch.h"
 #include "lag/call.h"
 #include "lag/dynamics.h"
+#include "lag/elimination/lu.h"
 #include "lag/ensemble.h"
 #include "lag/equations/discretes.h"
+#include "lag/equations/jacobian.h"
 #include "lag/hold.h"
+#include "lag/initial.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/vector.h"
+#include "lag/run.h"
+#include "lag/run/scan.h"
+#include "lag/sensitivities/differences.h"
+#include "lag/sensitivities/sensitivities.h"
 #include "lag/session.h"
 #include "lag/session/motions.h"
 #include "lag/signals.h"
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -40,3 +48,19 @@
 #include "lag/equations/batch.c"
 #undef crowd
 #undef place
+
+#include "lag/sensitivities/differences.c"
+
+#include "lag/sensitivities/projection_tangent.c"
+
+#include "lag/sensitivities/sensitivities.c"
+
+#include "lag/sensitivities/sensitivity_instants.c"
+
+#include "lag/sensitivities/sensitivity_loads.c"
+
+#include "lag/sensitivities/sensitivity_rates.c"
+
+#include "lag/sensitivities/sensitivity_start.c"
+
+#include "lag/sensitivities/sensitivity_steps.c"

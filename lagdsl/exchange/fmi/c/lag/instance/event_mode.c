@@ -108,7 +108,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
         run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
-        status = (lag_run_due(run, t) ? lag_run_event_and_ticks : lag_run_event)(run, h, run->half.pending);
+        status = lag_run_instant(run, &(lag_cause){lag_run_due(run, t) ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, run->half.pending});
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
