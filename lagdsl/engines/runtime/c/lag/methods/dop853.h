@@ -71,6 +71,12 @@ LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination 
     }
     return sum;
 }
+
+/* out = base + h * sum of the entries at i. */
+LAG_ATTEMPT_INLINED void lag_wide_combined(size_t i, const double *h, lag_wide sum, const double *base, double *out)
+{
+    lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * sum);
+}
 #else
 #define LAG_ATTEMPT_INLINED static inline
 #endif
@@ -91,19 +97,36 @@ LAG_ATTEMPT_INLINED void lag_combine(
     size_t i = 0;
 #if defined(__GNUC__)
     const lag_wide none = {0.0};
-    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) { /* two sums, whose terms do not wait for each other */
-        lag_wide a = none;
-        lag_wide b = none;
+    for (; i + 4 * LAG_WIDTH <= count; i += 4 * LAG_WIDTH) { /* four sums, whose terms do not wait for each other */
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        lag_wide sum2 = none;
+        lag_wide sum3 = none;
         for (unsigned j = 0; j < c->count; ++j) {
             const double *from = slope + c->slope[j] * count + i;
-            a += c->weight[j] * lag_wide_at(from);
-            b += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+            sum0 += c->weight[j] * lag_wide_at(from);
+            sum1 += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+            sum2 += c->weight[j] * lag_wide_at(from + 2 * LAG_WIDTH);
+            sum3 += c->weight[j] * lag_wide_at(from + 3 * LAG_WIDTH);
         }
-        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * a);
-        lag_wide_to(out + i + LAG_WIDTH, lag_wide_at(base + i + LAG_WIDTH) + lag_wide_at(h + (i + LAG_WIDTH) % LAG_ATTEMPT_LANES) * b);
+        lag_wide_combined(i, h, sum0, base, out);
+        lag_wide_combined(i + LAG_WIDTH, h, sum1, base, out);
+        lag_wide_combined(i + 2 * LAG_WIDTH, h, sum2, base, out);
+        lag_wide_combined(i + 3 * LAG_WIDTH, h, sum3, base, out);
+    }
+    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) {
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        for (unsigned j = 0; j < c->count; ++j) {
+            const double *from = slope + c->slope[j] * count + i;
+            sum0 += c->weight[j] * lag_wide_at(from);
+            sum1 += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+        }
+        lag_wide_combined(i, h, sum0, base, out);
+        lag_wide_combined(i + LAG_WIDTH, h, sum1, base, out);
     }
     for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
-        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * lag_wide_added(count, c, slope, i, none));
+        lag_wide_combined(i, h, lag_wide_added(count, c, slope, i, none), base, out);
     }
 #endif
     for (; i < count; ++i) {
@@ -121,6 +144,16 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
     const size_t count = at->size * at->lanes;
     double *to = terms + 3 * count;
     size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide h = lag_wide_at(at->h + i % LAG_ATTEMPT_LANES);
+        const lag_wide first = lag_wide_at(at->slope + i);
+        const lag_wide change = lag_wide_at(at->x_new + i) - lag_wide_at(at->x + i);
+        lag_wide_to(terms + i, change);
+        lag_wide_to(terms + count + i, h * first - change);
+        lag_wide_to(terms + 2 * count + i, 2.0 * change - h * (lag_wide_at(at->slope + LAG_DOP853_END * count + i) + first));
+    }
+#endif
     for (; i < count; ++i) {
         const double h = at->h[i % LAG_ATTEMPT_LANES];
         const double change = at->x_new[i] - at->x[i];
