@@ -29,6 +29,8 @@ typedef struct lag_states {
         double *pivot);
     /* null where there are no states z */
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);
+    /* null where nothing is watched */
+    lag_status (*monitor)(const lag_arguments *at, double *invariant, double *scale, double *assertion);
 } lag_states;
 
 typedef struct lag_tangents {

@@ -113,7 +113,7 @@ static inline void lag_sincos_far(size_t count, const double *x, double *s, doub
 }
 
 /* s[i], c[i] of x[i], each a vector; the arrays do not overlap. One look at all arguments: looking at lanes takes its time. */
-static inline void lag_lanes_sincos_many(
+static inline __attribute__((always_inline)) void lag_lanes_sincos_many(
     size_t count, const lag_lanes_memory *x, lag_lanes_memory *s, lag_lanes_memory *c)
 {
     lag_lanes_truth near = lag_lanes_of(0.0) == lag_lanes_of(0.0);

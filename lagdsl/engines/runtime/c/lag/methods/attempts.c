@@ -12,22 +12,17 @@
 
 #include "lag/linalg/arena.h"
 
-/* Neither the step nor its dense output reads the slopes between the first one and this. */
-enum { FIRST_READ = 5 };
-
 size_t lag_attempts_memory(size_t size, size_t lanes)
 {
     return (LAG_DOP853_SLOPES + 5 + LAG_DOP853_TERMS) * size * lanes;
 }
 
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory)
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, double *memory)
 {
     const size_t count = size * lanes;
     memset(attempts, 0, sizeof *attempts);
     lag_fill(lag_attempts_memory(size, lanes), 0.0, memory);
     attempts->wide = wide;
-    attempts->rates = rates;
-    attempts->context = context;
     attempts->at.size = size;
     attempts->at.lanes = lanes;
     attempts->at.stage = lag_take(&memory, count);
@@ -43,39 +38,47 @@ static int rates_of_stage(void *context, size_t i, const double *t, const double
 {
     lag_attempts *attempts = context;
     (void)i;
-    attempts->rates(attempts->context, t, x, xd, attempts->sound);
+    attempts->rates(attempts->context, t, x, xd, attempts->fault);
     return 1;
 }
 
-/* Lanes in which a slope from `first` to before `end` is no number lose their flag. */
-LAG_ATTEMPT_INLINED void look(const lag_attempt_arrays *at, size_t first, size_t end, unsigned char *sound)
+/* Lanes in which a slope from `first` to before `end` is no number fail. */
+LAG_ATTEMPT_INLINED void look(const lag_attempt_arrays *at, size_t first, size_t end, double *fault)
 {
     const size_t count = at->size * at->lanes;
-    double sum[LAG_ATTEMPT_LANES] = {0.0};
-    lag_attempt_look((end - first) * count, at->lanes, at->slope + first * count, sum);
-    for (size_t k = 0; k < at->lanes; ++k) {
-        sound[k] = sound[k] && sum[k] == 0.0;
-    }
+    lag_attempt_look((end - first) * count, at->lanes, at->slope + first * count, fault);
 }
 
 /* The dense output of the attempts that are accepted; the last stage stays. */
 LAG_ATTEMPT_INLINED void make_dense(lag_attempts *attempts, const double *t_new)
 {
-    unsigned char sound[LAG_ATTEMPT_LANES];
+    double fault[LAG_ATTEMPT_LANES];
     lag_attempt_arrays at = attempts->at;
     at.stage = attempts->inside;
     for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
         const size_t k = i & (at.lanes - 1);
         at.h[i] = t_new[k] - at.t[k]; /* as who comes afterwards sees it, rounded */
     }
-    memcpy(sound, attempts->sound, sizeof sound);
+    memcpy(fault, attempts->fault, sizeof fault);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
         (void)lag_attempt_stage(&at, i, rates_of_stage, attempts);
     }
-    look(&at, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, attempts->sound);
+    look(&at, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, attempts->fault);
     lag_attempt_dense(&at, attempts->terms);
-    memcpy(attempts->dense, attempts->sound, sizeof sound);
-    memcpy(attempts->sound, sound, sizeof sound);
+    memcpy(attempts->dense_fault, attempts->fault, sizeof fault);
+    memcpy(attempts->fault, fault, sizeof fault);
+}
+
+/* Rates at the ends of the attempts that are accepted, and what else is found there. */
+LAG_ATTEMPT_INLINED void make_ends(lag_attempts *attempts, const double *t_new)
+{
+    const lag_attempt_arrays *at = &attempts->at;
+    (void)rates_of_stage(attempts, LAG_DOP853_END, t_new, at->x_new, at->slope + LAG_DOP853_END * at->size * at->lanes);
+    look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->fault);
+    lag_attempt_urges(at, attempts->urge);
+    if (attempts->ends != NULL) {
+        attempts->ends(attempts->context, t_new, at->x_new);
+    }
 }
 
 LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
@@ -84,8 +87,9 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
     double t_new[LAG_ATTEMPT_LANES];
     int accepted = 0;
     int dense = 0;
+    memset(attempts->fault, 0, sizeof attempts->fault);
     (void)lag_attempt_stages(at, rates_of_stage, attempts);
-    look(at, 1, LAG_DOP853_STAGES, attempts->sound);
+    look(at, 1, LAG_DOP853_STAGES, attempts->fault);
     lag_attempt_errors(at, attempts->error);
     for (size_t k = 0; k < at->lanes; ++k) {
         const int can = s[k] != NULL && attempts->error[k] <= 1.0;
@@ -94,8 +98,7 @@ LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
         dense = dense || (can && s[k]->attempt.dense);
     }
     if (accepted) {
-        (void)rates_of_stage(attempts, LAG_DOP853_END, t_new, at->x_new, at->slope + LAG_DOP853_END * at->size * at->lanes);
-        look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->sound);
+        make_ends(attempts, t_new);
     }
     if (dense) {
         make_dense(attempts, t_new);
@@ -120,7 +123,6 @@ static void enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
         attempts->at.slope[i * lanes + k] = s->f[i];
         attempts->tolerance[i * lanes + k] = s->tolerance[i];
     }
-    attempts->sound[k] = 1;
 }
 
 /* So many arrays of a lane to where its own attempt leaves them. */
@@ -132,23 +134,17 @@ static void deal(const lag_attempts *attempts, size_t arrays, const double *from
     }
 }
 
-/*
- * Of lane k to s, as its own attempt leaves it: the slopes of the end, the last stage, the new state; terms of the dense output, or the slopes
- * that it reads.
- */
+/* Of lane k to s: the new state and the slope there, and the terms of the dense output. */
 static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
     const lag_attempt_arrays *at = &attempts->at;
     const size_t size = at->size;
-    const size_t first = s->attempt.dense ? LAG_DOP853_STAGES - 1 : FIRST_READ;
     double *to = s->work;
-    memcpy(to, s->f, size * sizeof(double));
-    deal(attempts, LAG_DOP853_END + 1 - first, at->slope + first * size * at->lanes, k, to + first * size);
-    to += LAG_DOP853_SLOPES * size;
-    deal(attempts, 1, at->stage, k, to);
-    deal(attempts, 1, at->x_new, k, to + size);
+    deal(attempts, 1, at->slope + LAG_DOP853_END * size * at->lanes, k, to + LAG_DOP853_END * size);
+    to += (LAG_DOP853_SLOPES + 1) * size;
+    deal(attempts, 1, at->x_new, k, to);
     if (s->attempt.dense) {
-        deal(attempts, LAG_DOP853_TERMS, attempts->terms, k, to + 2 * size);
+        deal(attempts, LAG_DOP853_TERMS, attempts->terms, k, to + size);
     }
 }
 
@@ -156,13 +152,14 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;
-    if (!attempts->sound[k]) {
+    if (attempts->fault[k] != 0.0) {
         return 1;
     }
-    attempt->made = 1;
+    attempt->made = attempt->bare = 1;
     attempt->error = attempts->error[k];
+    attempt->urge = attempts->urge[k];
     attempt->evaluations += attempt->error > 1.0 ? LAG_DOP853_STAGES - 1 : LAG_DOP853_STAGES;
-    attempt->dense = attempt->dense && attempts->dense[k];
+    attempt->dense = attempt->dense && attempts->dense_fault[k] == 0.0;
     if (attempt->error <= 1.0) {
         leave(attempts, s, k);
     }

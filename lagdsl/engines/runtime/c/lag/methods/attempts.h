@@ -9,8 +9,10 @@
 #include "lag/methods/dop853.h"
 #include "lag/stepper.h"
 
-/* xd (size, lanes) at t (lanes) and x (size, lanes). A lane in which there is none becomes 0 in `sound`; so will one with what is no number. */
-typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, unsigned char *sound);
+/* xd (size, lanes) at t (lanes) and x (size, lanes). Of a lane in which there is none `fault` becomes no number; so it will of one with what is none. */
+typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, double *fault);
+/* Told of the ends of attempts of which some are accepted, just after the rates there. */
+typedef void lag_ends_in_lanes(void *context, const double *t, const double *x);
 
 typedef struct lag_attempts {
     lag_attempt_arrays at;
@@ -18,14 +20,15 @@ typedef struct lag_attempts {
     double *terms;                  /* (7, size, lanes) of the dense output */
     int wide; /* the processor has registers of 256 bits */
     lag_rates_in_lanes *rates;
+    lag_ends_in_lanes *ends; /* null: nobody asks */
     void *context;
-    double error[LAG_ATTEMPT_LANES];
-    unsigned char sound[LAG_ATTEMPT_LANES], dense[LAG_ATTEMPT_LANES]; /* the attempt, and its further stages as well */
+    double error[LAG_ATTEMPT_LANES], urge[LAG_ATTEMPT_LANES];
+    double fault[LAG_ATTEMPT_LANES], dense_fault[LAG_ATTEMPT_LANES]; /* no number: the attempt failed, or its further stages did */
 } lag_attempts;
 
-/* Doubles for `attempts`, and its layout. */
+/* Doubles for `attempts`, and its layout; the caller sets rates, ends and context. */
 size_t lag_attempts_memory(size_t size, size_t lanes);
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory);
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, double *memory);
 
 /*
  * An attempt for each stepper s[k], k below the number of lanes, that is not null; lag_attempt_begin() was called for it. done[k]: it can go on by

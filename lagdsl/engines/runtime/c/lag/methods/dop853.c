@@ -4,7 +4,7 @@
  *
  * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., sections II.5 (method, page 181),
  * II.6 (dense output), II.10 (error estimate); coefficients as in the authors' program DOP853. Step control: Hairer and Wanner,
- * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43); the measure of stiffness: there, (2.38).
+ * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43).
  */
 #include "lag/methods/dop853.h"
 
@@ -96,7 +96,7 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     lag_fill(LAG_ATTEMPT_LANES, attempt->h, at->h);
     memcpy(at->slope, s->f, at->size * sizeof(double));
     attempt->made = 1;
-    attempt->dense = 0;
+    attempt->bare = attempt->dense = 0;
     attempt->error = (double)INFINITY;
     if (lag_attempt_stages(at, rates_of_stage, s)) {
         lag_attempt_errors(at, &attempt->error);
@@ -104,23 +104,9 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     if (attempt->error <= 1.0 && lag_stepper_rates(s, attempt->t_new, at->x_new, at->slope + LAG_DOP853_END * at->size) != LAG_OK) {
         attempt->error = (double)INFINITY;
     }
-}
-
-/* h |lambda|, from the last stage and the new state, both at the end of the step. */
-static double urge_of(const lag_stepper *s, const lag_attempt_arrays *at, double h)
-{
-    const size_t size = s->ode->size;
-    const double *end = at->slope + LAG_DOP853_END * size;
-    const double *last = at->slope + (LAG_DOP853_STAGES - 1) * size;
-    double change = 0.0;
-    double distance = 0.0;
-    for (size_t i = 0; i < size; ++i) {
-        const double by = (end[i] - last[i]) / s->tolerance[i];
-        const double of = (at->x_new[i] - at->stage[i]) / s->tolerance[i];
-        change += by * by;
-        distance += of * of;
+    if (attempt->error <= 1.0) {
+        lag_attempt_urges(at, &attempt->urge);
     }
-    return distance > 0.0 ? h * sqrt(change / distance) : 0.0;
 }
 
 /* Factor for the next step after this error; `before`: the error of the last accepted step. */
@@ -140,7 +126,7 @@ static void accept(lag_stepper *s, const lag_attempt_arrays *at)
     const double proposed = fmin(attempt->next, s->h_most);
     const double factor = factor_of(attempt->error, s->last.error > 0.0 ? s->last.error : 1e-4);
     const double next = h * (attempt->rejections > 0 ? fmin(factor, 1.0) : factor);
-    s->last.urge = urge_of(s, at, h);
+    s->last.urge = attempt->urge;
     s->h = h < proposed && attempt->rejections == 0 ? fmax(next, proposed) : next;
     s->last.error = fmax(attempt->error, 1e-4);
     s->last.h = h;
@@ -185,6 +171,13 @@ static lag_status prepare_dense(lag_stepper *s)
     }
     at.t[0] = s->t_before;
     at.x = s->x_before;
+    if (s->attempt.bare) {
+        memcpy(at.slope, s->f_before, at.size * sizeof(double));
+        lag_fill(LAG_ATTEMPT_LANES, s->attempt.h, at.h);
+        if (!lag_attempt_stages(&at, rates_of_stage, s)) {
+            return s->trouble.status;
+        }
+    }
     lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
         if (!lag_attempt_stage(&at, i, rates_of_stage, s)) {

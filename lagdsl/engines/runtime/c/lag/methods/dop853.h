@@ -63,6 +63,8 @@ LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
     *(lag_wide *)(void *)x = value;
 }
 
+typedef unsigned long long lag_wide_bits __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH)));
+
 /* Several entries at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
 {
@@ -190,8 +192,8 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
     }
 }
 
-/* Zero in sum[k] if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
-LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *sum)
+/* fault[k] stays as it is if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
+LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *fault)
 {
     const size_t last = lanes - 1;
     size_t i = 0;
@@ -204,12 +206,28 @@ LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const doub
         b += 0.0 * lag_wide_at(x + i + LAG_WIDTH);
     }
     for (size_t k = 0; k < LAG_WIDTH && fits; ++k) {
-        sum[k] += a[k];
-        sum[(k + LAG_WIDTH) & last] += b[k];
+        fault[k] += a[k];
+        fault[(k + LAG_WIDTH) & last] += b[k];
     }
 #endif
     for (; i < count; ++i) {
-        sum[i & last] += 0.0 * x[i];
+        fault[i & last] += 0.0 * x[i];
+    }
+}
+
+/* The same if x[k] is larger than `least`. */
+LAG_ATTEMPT_INLINED void lag_attempt_compare(size_t lanes, const double *x, double least, double *fault)
+{
+    size_t k = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; k + LAG_WIDTH <= lanes; k += LAG_WIDTH) { /* all bits set are no number */
+        const lag_wide_bits sound = (lag_wide_bits)(lag_wide_at(x + k) > none + least);
+        lag_wide_to(fault + k, (lag_wide)((lag_wide_bits)lag_wide_at(fault + k) | ~sound));
+    }
+#endif
+    for (; k < lanes; ++k) {
+        fault[k] = x[k] > least ? fault[k] : (double)NAN;
     }
 }
 
@@ -251,6 +269,38 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
         const double both = fifth[k] + 0.01 * third[k];
         const double of_both = both > 0.0 ? at->h[k] * fifth[k] / sqrt(both * (double)at->size) : 0.0;
         error[k] = isfinite(both) ? of_both : (double)INFINITY;
+    }
+}
+
+/* h |lambda| of lane k into urge[k], from the last stage and the new state, both at the end of the step: section IV.2, (2.38). */
+LAG_ATTEMPT_INLINED void lag_attempt_urges(const lag_attempt_arrays *at, double *urge)
+{
+    const size_t count = at->size * at->lanes;
+    const size_t last = at->lanes - 1;
+    const double *end = at->slope + LAG_DOP853_END * count;
+    const double *stage = at->slope + (LAG_DOP853_STAGES - 1) * count;
+    double change[LAG_ATTEMPT_LANES] = {0.0};
+    double distance[LAG_ATTEMPT_LANES] = {0.0};
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count && at->lanes >= LAG_WIDTH; i += LAG_WIDTH) {
+        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
+        const lag_wide by = (lag_wide_at(end + i) - lag_wide_at(stage + i)) / tolerance;
+        const lag_wide of = (lag_wide_at(at->x_new + i) - lag_wide_at(at->stage + i)) / tolerance;
+        double *c = change + (i & last);
+        double *d = distance + (i & last);
+        lag_wide_to(c, lag_wide_at(c) + by * by);
+        lag_wide_to(d, lag_wide_at(d) + of * of);
+    }
+#endif
+    for (; i < count; ++i) {
+        const double by = (end[i] - stage[i]) / at->tolerance[i];
+        const double of = (at->x_new[i] - at->stage[i]) / at->tolerance[i];
+        change[i & last] += by * by;
+        distance[i & last] += of * of;
+    }
+    for (size_t k = 0; k < at->lanes; ++k) {
+        urge[k] = distance[k] > 0.0 ? at->h[k] * sqrt(change[k] / distance[k]) : 0.0;
     }
 }
 

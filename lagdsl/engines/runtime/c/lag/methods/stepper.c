@@ -92,7 +92,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 {
     s->method = method;
     s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
-    s->attempt.begun = s->attempt.dense = 0;
+    s->attempt.begun = s->attempt.bare = s->attempt.dense = 0;
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
@@ -133,7 +133,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
-    s->attempt.begun = 0;
+    s->attempt.begun = s->attempt.bare = 0;
     s->method->begin(s);
 }
 

@@ -30,16 +30,48 @@ void lag_conditions_count(lag_conditions *watch)
     (void)invariants(watch, 1);
 }
 
+static void take(size_t count, size_t lanes, const double *from, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = from[i * lanes];
+    }
+}
+
+/* True if all of it is known at this state, and taken. */
+static int is_known(lag_conditions *watch, double t, const double *x)
+{
+    const lag_known_conditions known = watch->known;
+    const lag_model *model = watch->motion->model;
+    const size_t size = lag_motion_size(model);
+    size_t i = 0;
+    if (known.x == NULL || *known.t != t) {
+        return 0;
+    }
+    watch->known.x = NULL;
+    while (i < size && x[i] == known.x[i * known.lanes]) {
+        ++i;
+    }
+    if (i == size) {
+        take(model->ni, known.lanes, known.value, watch->value);
+        take(model->ni, known.lanes, known.scale, watch->scale);
+        take(model->na, known.lanes, known.held, watch->held);
+    }
+    return i == size;
+}
+
+static lag_status evaluate(lag_conditions *watch, double t, const double *x, const double *xd)
+{
+    const lag_status status = lag_motion_know(watch->motion, t, x, xd);
+    return status == LAG_OK ? watch->motion->model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held) : status;
+}
+
 lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd)
 {
     const lag_model *model = watch->motion->model;
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {
         return LAG_OK;
     }
-    lag_status status = lag_motion_know(watch->motion, t, x, xd);
-    if (status == LAG_OK) {
-        status = model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held);
-    }
+    lag_status status = is_known(watch, t, x) ? LAG_OK : evaluate(watch, t, x, xd);
     for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
         status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
     }

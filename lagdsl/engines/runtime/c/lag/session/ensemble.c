@@ -277,6 +277,11 @@ static int step_together(crowd *all)
             }
         }
         lag_attempts_make(&all->attempts, steppers, done);
+        for (size_t k = 0; k < all->lanes; ++k) {
+            if (done[k]) {
+                all->lane[k].run->conditions.known = lag_motions_known(&all->motions, k);
+            }
+        }
     }
     for (size_t k = 0; k < all->lanes; ++k) {
         if (done[k]) {
@@ -313,7 +318,10 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         double *memory = (double *)(void *)bytes;
         lag_motions_place(&all->motions, model, ensemble->states, memory);
         memory += lag_motions_memory(model, ensemble->states);
-        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, lag_motions_rates, &all->motions, memory);
+        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, memory);
+        all->attempts.rates = lag_motions_rates;
+        all->attempts.ends = ensemble->options->invariants.tolerance == NULL ? NULL : lag_motions_monitor;
+        all->attempts.context = &all->motions;
     }
     return all;
 }
