@@ -110,8 +110,16 @@ IN_WIDE static void make_wide(lag_attempts *attempts, lag_stepper *const *s)
     make(attempts, s);
 }
 
-/* Lane k becomes the attempt of s. */
-static void enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
+void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s)
+{
+    if (attempts->wide) {
+        make_wide(attempts, s);
+    } else {
+        make(attempts, s);
+    }
+}
+
+void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
     const size_t lanes = attempts->at.lanes;
     attempts->at.t[k] = s->t;
@@ -148,8 +156,8 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
     }
 }
 
-/* Takes lane k to the attempt of s. Returns 0 where it is to be repeated; what no lane can find is left to an attempt alone. */
-static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
+/* What no lane can find is left to an attempt alone. */
+int lag_attempts_settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;
     if (attempts->fault[k] != 0.0) {
@@ -164,22 +172,4 @@ static int settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
         leave(attempts, s, k);
     }
     return attempt->error <= 1.0 || attempt->h <= s->h_least || !lag_attempt_shorten(s);
-}
-
-void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned char *done)
-{
-    const size_t lanes = attempts->at.lanes;
-    for (size_t k = 0; k < lanes; ++k) {
-        if (s[k] != NULL) {
-            enter(attempts, s[k], k);
-        }
-    }
-    if (attempts->wide) {
-        make_wide(attempts, s);
-    } else {
-        make(attempts, s);
-    }
-    for (size_t k = 0; k < lanes; ++k) {
-        done[k] = s[k] != NULL && settle(attempts, s[k], k);
-    }
 }

@@ -30,11 +30,17 @@ typedef struct lag_attempts {
 size_t lag_attempts_memory(size_t size, size_t lanes);
 void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, double *memory);
 
+/* Lane k becomes the attempt of s, for which lag_attempt_begin() was called. */
+void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k);
+
+/* The attempts of the steppers s[k], k below the number of lanes, that are not null. */
+void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s);
+
 /*
- * An attempt for each stepper s[k], k below the number of lanes, that is not null; lag_attempt_begin() was called for it. done[k]: it can go on by
- * lag_stepper_step() with the same limit; else its attempt has to be repeated, with a shorter step.
+ * Lane k, which was made, to its stepper. 1: it can go on by lag_stepper_step() with the same limit. 0: its attempt has to be repeated,
+ * with a shorter step.
  */
-void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned char *done);
+int lag_attempts_settle(const lag_attempts *attempts, lag_stepper *s, size_t k);
 
 /* For the method: the next attempt of a step to `limit`, which goes on with the one that was begun if that is of the same step. */
 void lag_attempt_begin(lag_stepper *s, double limit);

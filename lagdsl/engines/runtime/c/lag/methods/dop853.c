@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 #include "lag/methods/attempts.h"
 
 /* Stages whose states are of the fifth order, as places of the step. */
@@ -113,8 +114,8 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
 static double factor_of(double error, double before)
 {
     const double integral = pow(error, 1.0 / 8.0 - 0.2 * BETA);
-    const double factor = SAFETY / integral * pow(fmax(before, 1e-4), BETA);
-    return fmin(GROW, fmax(SHRINK, error > 0.0 ? factor : GROW));
+    const double factor = SAFETY / integral * pow(lag_higher(before, 1e-4), BETA);
+    return lag_lower(GROW, lag_higher(SHRINK, error > 0.0 ? factor : GROW));
 }
 
 /* The attempt becomes the step. */
@@ -123,12 +124,12 @@ static void accept(lag_stepper *s, const lag_attempt_arrays *at)
     const lag_attempt *attempt = &s->attempt;
     double *end_slope = at->slope + LAG_DOP853_END * at->size;
     const double h = attempt->h;
-    const double proposed = fmin(attempt->next, s->h_most);
+    const double proposed = lag_lower(attempt->next, s->h_most);
     const double factor = factor_of(attempt->error, s->last.error > 0.0 ? s->last.error : 1e-4);
-    const double next = h * (attempt->rejections > 0 ? fmin(factor, 1.0) : factor);
+    const double next = h * (attempt->rejections > 0 ? lag_lower(factor, 1.0) : factor);
     s->last.urge = attempt->urge;
-    s->h = h < proposed && attempt->rejections == 0 ? fmax(next, proposed) : next;
-    s->last.error = fmax(attempt->error, 1e-4);
+    s->h = h < proposed && attempt->rejections == 0 ? lag_higher(next, proposed) : next;
+    s->last.error = lag_higher(attempt->error, 1e-4);
     s->last.h = h;
     lag_stepper_pass(s, LAG_PASSED_END, attempt->t_new);
     lag_stepper_accept(s, attempt->t_new, at->x_new, end_slope);

@@ -244,8 +244,15 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     const lag_wide none = {0.0};
     for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
         const lag_wide tolerance = lag_wide_at(at->tolerance + i);
-        const lag_wide e5 = lag_wide_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
-        const lag_wide e3 = lag_wide_added(count, step, at->slope, i, lag_wide_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        lag_wide e5 = none;
+        lag_wide e3 = lag_wide_added(count, &lag_dop853_third, at->slope, i, none);
+        for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
+            const lag_wide slope = lag_wide_at(at->slope + step->slope[j] * count + i);
+            e5 += lag_dop853_fifth.weight[j] * slope;
+            e3 += step->weight[j] * slope;
+        }
+        e5 /= tolerance;
+        e3 /= tolerance;
         if (at->lanes >= LAG_WIDTH) {
             double *f = fifth + (i & last);
             double *t = third + (i & last);
@@ -310,7 +317,13 @@ LAG_ATTEMPT_INLINED int lag_attempt_stage(const lag_attempt_arrays *at, size_t i
     const size_t count = at->size * at->lanes;
     double t[LAG_ATTEMPT_LANES];
     lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
-    for (size_t k = 0; k < at->lanes; ++k) {
+    size_t k = 0;
+#if defined(__GNUC__)
+    for (; k + LAG_WIDTH <= at->lanes; k += LAG_WIDTH) {
+        lag_wide_to(t + k, lag_wide_at(at->t + k) + lag_dop853_stages[i].node * lag_wide_at(at->h + k));
+    }
+#endif
+    for (; k < at->lanes; ++k) {
         t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
     }
     return rates(context, i, t, at->stage, at->slope + i * count);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/finite.h"
+#include "lag/linalg/order.h"
 
 size_t lag_stepper_memory(size_t size)
 {
@@ -153,7 +154,7 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
 double lag_stepper_length(const lag_stepper *s, double h, double limit)
 {
     const double rest = limit - s->t;
-    const double most = fmin(h, s->h_most);
+    const double most = lag_lower(h, s->h_most);
     return most * LAG_STRETCH >= rest ? rest : most;
 }
 

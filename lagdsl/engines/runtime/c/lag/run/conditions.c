@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "lag/linalg/order.h"
 #include "lag/run.h"
 
 size_t lag_conditions_memory(const lag_model *model)
@@ -9,25 +10,27 @@ size_t lag_conditions_memory(const lag_model *model)
     return 2 * model->ni + model->na;
 }
 
-/* True if all invariants are within their tolerances; with `count`, also records their departures and scales. */
-static int invariants(lag_conditions *watch, int count)
+/* The scale of invariant i, with the present state. */
+static double size_of(const lag_conditions *watch, size_t i)
+{
+    return lag_higher(lag_higher(fabs(watch->start[i]), watch->scale[i]), watch->size[i]);
+}
+
+static int invariants_hold(const lag_conditions *watch)
 {
     int within = 1;
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
-        const double drift = fabs(watch->value[i] - watch->start[i]);
-        const double size = fmax(watch->size[i], fmax(fabs(watch->start[i]), watch->scale[i]));
-        within = within && drift <= watch->tolerance[i] * size;
-        if (count) {
-            watch->size[i] = size;
-            watch->drift[i] = fmax(watch->drift[i], drift);
-        }
+        within = within && fabs(watch->value[i] - watch->start[i]) <= watch->tolerance[i] * size_of(watch, i);
     }
     return within;
 }
 
 void lag_conditions_count(lag_conditions *watch)
 {
-    (void)invariants(watch, 1);
+    for (size_t i = 0; i < watch->motion->model->ni; ++i) {
+        watch->size[i] = size_of(watch, i);
+        watch->drift[i] = lag_higher(fabs(watch->value[i] - watch->start[i]), watch->drift[i]);
+    }
 }
 
 static void take(size_t count, size_t lanes, const double *from, double *to)
@@ -80,10 +83,10 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
     }
     watch->begun = 1;
     if (status == LAG_OK) {
-        status = invariants(watch, 0) ? LAG_OK : LAG_VIOLATED;
+        status = invariants_hold(watch) ? LAG_OK : LAG_VIOLATED;
     }
     if (status == LAG_OK) {
-        (void)invariants(watch, 1);
+        lag_conditions_count(watch);
     }
     return status;
 }

@@ -51,6 +51,7 @@ typedef struct crowd {
     lane *lane;
     lag_motions motions;
     lag_attempts attempts;
+    lag_stepper *stepper[LAG_ATTEMPT_LANES]; /* that an attempt was made for; null: none */
 } crowd;
 
 /* Doubles of a lane beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
@@ -257,34 +258,37 @@ static lag_stepper *bring(crowd *all, size_t k)
     }
 }
 
-/* Steps of the lanes that have one before them: attempts at them together, each step by itself. Returns 0 where there are none. */
+/* Lane k from the attempt that was made for it, if there is one, to the next one, which enters: all of that while its run is at hand. */
+static void advance(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    if (all->stepper[k] != NULL && lag_attempts_settle(&all->attempts, all->stepper[k], k)) {
+        own->run->conditions.known = lag_motions_known(&all->motions, k);
+        step(all, k);
+    }
+    lag_stepper *s = all->stepper[k] = bring(all, k);
+    if (s != NULL) {
+        lag_attempt_begin(s, lag_run_limit(own->run, own->goal));
+        s->attempt.dense = lag_run_looks_inside(own->run, s->attempt.t_new);
+        lag_attempts_enter(&all->attempts, s, k);
+    }
+}
+
+/* A step, or an attempt at it, of each lane that has one before it. Returns 0 where there are none. */
 static int step_together(crowd *all)
 {
-    lag_stepper *steppers[LAG_ATTEMPT_LANES] = {NULL};
-    unsigned char done[LAG_ATTEMPT_LANES];
     size_t count = 0;
     for (size_t k = 0; k < all->lanes; ++k) {
-        steppers[k] = bring(all, k);
-        done[k] = steppers[k] != NULL;
-        count += done[k];
+        advance(all, k);
+        count += all->stepper[k] != NULL;
     }
     if (count > 1 && lag_motions_take(&all->motions) == LAG_OK) {
-        for (size_t k = 0; k < all->lanes; ++k) {
-            if (steppers[k] != NULL) {
-                const lag_run *run = all->lane[k].run;
-                lag_attempt_begin(steppers[k], lag_run_limit(run, all->lane[k].goal));
-                steppers[k]->attempt.dense = lag_run_looks_inside(run, steppers[k]->attempt.t_new);
-            }
-        }
-        lag_attempts_make(&all->attempts, steppers, done);
-        for (size_t k = 0; k < all->lanes; ++k) {
-            if (done[k]) {
-                all->lane[k].run->conditions.known = lag_motions_known(&all->motions, k);
-            }
-        }
+        lag_attempts_make(&all->attempts, all->stepper);
+        return 1;
     }
     for (size_t k = 0; k < all->lanes; ++k) {
-        if (done[k]) {
+        if (all->stepper[k] != NULL) {
+            all->stepper[k] = NULL;
             step(all, k);
         }
     }
@@ -300,6 +304,7 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
     crowd *all = block;
     all->ensemble = ensemble;
     all->lanes = lanes;
+    memset(all->stepper, 0, sizeof all->stepper);
     all->lane = (lane *)(void *)(bytes + lag_padded(sizeof(crowd)));
     bytes += lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane));
     for (size_t k = 0; k < lanes; ++k, bytes += lane_size(ensemble)) {
