@@ -32,7 +32,7 @@ def states_source(program: Program, stem: str) -> str:
         definition(head, made, Results(), LANES, beyond),
         braced("static lag_status model_prepare(const lag_arguments *at)", body),
     ]
-    scratch, members = made.scratch, [".wide = LAG_LANES > 2", ".prepare = model_prepare"]
+    scratch, members = made.scratch, [".width = LAG_LANES", ".prepare = model_prepare"]
     for name in _of_states(program):
         text, made = _function(program, program.function(name), prepared, LANES, beyond)
         texts.append(text)

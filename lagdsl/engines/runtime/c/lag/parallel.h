@@ -15,7 +15,7 @@
 typedef struct lag_states {
     size_t lanes;
     size_t workspace; /* doubles that the functions need; prepare() fills the first ones */
-    int wide;         /* 1: the processor has registers of 256 bits, as whoever made these functions knows */
+    size_t width;     /* doubles in a register of the processor, as far as whoever made these functions knows */
     lag_status (*prepare)(const lag_arguments *at);
     lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
     lag_status (*elimination)(

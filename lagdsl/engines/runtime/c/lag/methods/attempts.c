@@ -1,12 +1,4 @@
-/* The library is one for all processors: wider registers are used where there are some. */
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__AVX__)
-#define LAG_ATTEMPT_WIDTH 4
-#define IN_WIDE __attribute__((target("avx")))
-#else
-#define IN_WIDE
-#endif
-
-#include "lag/methods/attempts.h"
+#include "lag/methods/attempts_make.h"
 
 #include <string.h>
 
@@ -17,12 +9,12 @@ size_t lag_attempts_memory(size_t size, size_t lanes)
     return (LAG_DOP853_SLOPES + 5 + LAG_DOP853_TERMS) * size * lanes;
 }
 
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, double *memory)
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, size_t width, double *memory)
 {
     const size_t count = size * lanes;
     memset(attempts, 0, sizeof *attempts);
     lag_fill(lag_attempts_memory(size, lanes), 0.0, memory);
-    attempts->wide = wide;
+    attempts->width = width;
     attempts->at.size = size;
     attempts->at.lanes = lanes;
     attempts->at.stage = lag_take(&memory, count);
@@ -34,88 +26,20 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int w
     attempts->at.tolerance = attempts->tolerance = lag_take(&memory, count);
 }
 
-static int rates_of_stage(void *context, size_t i, const double *t, const double *x, double *xd)
+static void make(lag_attempts *attempts, lag_stepper *const *s)
 {
-    lag_attempts *attempts = context;
-    (void)i;
-    attempts->rates(attempts->context, t, x, xd, attempts->fault);
-    return 1;
+    lag_attempts_make_inlined(attempts, s);
 }
 
-/* Lanes in which a slope from `first` to before `end` is no number fail. */
-LAG_ATTEMPT_INLINED void look(const lag_attempt_arrays *at, size_t first, size_t end, double *fault)
-{
-    const size_t count = at->size * at->lanes;
-    lag_attempt_look((end - first) * count, at->lanes, at->slope + first * count, fault);
-}
-
-/* The dense output of the attempts that are accepted; the last stage stays. */
-LAG_ATTEMPT_INLINED void make_dense(lag_attempts *attempts, const double *t_new)
-{
-    double fault[LAG_ATTEMPT_LANES];
-    lag_attempt_arrays at = attempts->at;
-    at.stage = attempts->inside;
-    for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
-        const size_t k = i & (at.lanes - 1);
-        at.h[i] = t_new[k] - at.t[k]; /* as who comes afterwards sees it, rounded */
-    }
-    memcpy(fault, attempts->fault, sizeof fault);
-    for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
-        (void)lag_attempt_stage(&at, i, rates_of_stage, attempts);
-    }
-    look(&at, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, attempts->fault);
-    lag_attempt_dense(&at, attempts->terms);
-    memcpy(attempts->dense_fault, attempts->fault, sizeof fault);
-    memcpy(attempts->fault, fault, sizeof fault);
-}
-
-/* Rates at the ends of the attempts that are accepted, and what else is found there. */
-LAG_ATTEMPT_INLINED void make_ends(lag_attempts *attempts, const double *t_new)
-{
-    const lag_attempt_arrays *at = &attempts->at;
-    (void)rates_of_stage(attempts, LAG_DOP853_END, t_new, at->x_new, at->slope + LAG_DOP853_END * at->size * at->lanes);
-    look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->fault);
-    lag_attempt_urges(at, attempts->urge);
-    if (attempts->ends != NULL) {
-        attempts->ends(attempts->context, t_new, at->x_new);
-    }
-}
-
-LAG_ATTEMPT_INLINED void make(lag_attempts *attempts, lag_stepper *const *s)
-{
-    const lag_attempt_arrays *at = &attempts->at;
-    double t_new[LAG_ATTEMPT_LANES];
-    int accepted = 0;
-    int dense = 0;
-    memset(attempts->fault, 0, sizeof attempts->fault);
-    (void)lag_attempt_stages(at, rates_of_stage, attempts);
-    look(at, 1, LAG_DOP853_STAGES, attempts->fault);
-    lag_attempt_errors(at, attempts->error);
-    for (size_t k = 0; k < at->lanes; ++k) {
-        const int can = s[k] != NULL && attempts->error[k] <= 1.0;
-        t_new[k] = can ? s[k]->attempt.t_new : at->t[k];
-        accepted = accepted || can;
-        dense = dense || (can && s[k]->attempt.dense);
-    }
-    if (accepted) {
-        make_ends(attempts, t_new);
-    }
-    if (dense) {
-        make_dense(attempts, t_new);
-    }
-}
-
-IN_WIDE static void make_wide(lag_attempts *attempts, lag_stepper *const *s)
-{
-    make(attempts, s);
-}
-
+/* The library is one for all processors: wider registers are used where there are some. */
 void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s)
 {
-    if (attempts->wide) {
-        make_wide(attempts, s);
-    } else {
-        make(attempts, s);
+    switch (attempts->width) {
+#if LAG_ATTEMPTS_WIDE
+    case 8: lag_attempts_make_widest(attempts, s); break;
+    case 4: lag_attempts_make_wide(attempts, s); break;
+#endif
+    default: make(attempts, s); break;
     }
 }
 

@@ -18,7 +18,7 @@ typedef struct lag_attempts {
     lag_attempt_arrays at;
     double *x, *tolerance, *inside; /* (size, lanes) */
     double *terms;                  /* (7, size, lanes) of the dense output */
-    int wide; /* the processor has registers of 256 bits */
+    size_t width; /* doubles in a register of the processor */
     lag_rates_in_lanes *rates;
     lag_ends_in_lanes *ends; /* null: nobody asks */
     void *context;
@@ -28,7 +28,7 @@ typedef struct lag_attempts {
 
 /* Doubles for `attempts`, and its layout; the caller sets rates, ends and context. */
 size_t lag_attempts_memory(size_t size, size_t lanes);
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, double *memory);
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, size_t width, double *memory);
 
 /* Lane k becomes the attempt of s, for which lag_attempt_begin() was called. */
 void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k);

@@ -323,7 +323,7 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         double *memory = (double *)(void *)bytes;
         lag_motions_place(&all->motions, model, ensemble->states, memory);
         memory += lag_motions_memory(model, ensemble->states);
-        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, memory);
+        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->width, memory);
         all->attempts.rates = lag_motions_rates;
         all->attempts.ends = ensemble->options->invariants.tolerance == NULL ? NULL : lag_motions_monitor;
         all->attempts.context = &all->motions;

@@ -182,9 +182,9 @@ RUN_IN(run_widest, "avx512f,avx512dq")
 #define WIDEST 0
 #endif
 
-int lag_tape_lanes_are_wide(void)
+size_t lag_tape_lanes_width(void)
 {
-    return WIDE;
+    return WIDEST ? 8 : WIDE ? 4 : 2;
 }
 
 void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)

@@ -129,7 +129,7 @@ void lag_tape_parallel(lag_tape *tape)
     tape->states = (lag_states){
         .lanes = LAG_TAPE_LANES,
         .workspace = LAG_TAPE_LANES * tape->row,
-        .wide = lag_tape_lanes_are_wide(),
+        .width = lag_tape_lanes_width(),
         .prepare = prepare,
         .dynamics = lag_tape_has(tape, LAG_DYNAMICS) ? dynamics : NULL,
         .elimination = lag_tape_has(tape, LAG_ELIMINATION) ? elimination : NULL,
