@@ -16,9 +16,13 @@ static size_t place_of(double group)
 
 void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance)
 {
-    for (size_t i = 0; i < accuracy->size; ++i) {
-        double *largest = accuracy->largest + place_of(accuracy->group[i]);
-        *largest = lag_higher(*largest, fabs(x[i]));
+    for (size_t i = 0; i < accuracy->size;) { /* neighbours of one group together: what was written just now is slow to read */
+        const double group = accuracy->group[i];
+        double largest = accuracy->largest[place_of(group)];
+        for (; i < accuracy->size && accuracy->group[i] == group; ++i) {
+            largest = lag_higher(largest, fabs(x[i]));
+        }
+        accuracy->largest[place_of(group)] = largest;
     }
     for (size_t i = 0; i < accuracy->size; ++i) {
         const double floor = FLOOR * accuracy->natural[i];

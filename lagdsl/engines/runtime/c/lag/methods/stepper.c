@@ -6,6 +6,7 @@
 
 #include "lag/linalg/finite.h"
 #include "lag/linalg/order.h"
+#include "lag/linalg/vector.h"
 
 size_t lag_stepper_memory(size_t size)
 {
@@ -165,11 +166,11 @@ double lag_stepper_end(const lag_stepper *s, double h, double limit)
 
 void lag_stepper_accept(lag_stepper *s, double t_new, const double *x_new, const double *f_new)
 {
-    const size_t bytes = s->ode->size * sizeof(double);
-    memcpy(s->x_before, s->x, bytes);
-    memcpy(s->f_before, s->f, bytes);
-    memcpy(s->x, x_new, bytes);
-    memcpy(s->f, f_new, bytes);
+    const size_t size = s->ode->size;
+    lag_copy(size, s->x, s->x_before);
+    lag_copy(size, s->f, s->f_before);
+    lag_copy(size, x_new, s->x);
+    lag_copy(size, f_new, s->f);
     s->t_before = s->t;
     s->t = t_new;
 }

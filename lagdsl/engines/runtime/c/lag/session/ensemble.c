@@ -8,6 +8,7 @@
 #include "lag/session/motions.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /* Rows and notes of a run before they are sorted. */
 enum { ROWS = 16, NOTES = 64 };
@@ -106,7 +107,7 @@ static lag_status keep(void *context, lag_results *results)
         } else if (!again) {
             continue;
         }
-        memcpy(k->rows + (k->kept - 1) * own, row + 1, own * sizeof(double));
+        lag_copy(own, row + 1, k->rows + (k->kept - 1) * own);
     }
     results->row = results->note = 0;
     return LAG_OK;
