@@ -156,10 +156,13 @@ class Ensemble:
 
     def _has_inputs(self, task: Task) -> bool:
         """True if the inputs of the run that are numbers are what the model allows."""
+        numbers = _numbers(task)
+        if not numbers:
+            return True
         items, sink = {item.name: item for item in self._flat.inputs}, Sink()
         return all(
             name in items and bool(np.isfinite(value)) and is_allowed(items[name], np.array([value]), None, sink)
-            for name, value in _numbers(task).items()
+            for name, value in numbers.items()
         )
 
     def _settings(
