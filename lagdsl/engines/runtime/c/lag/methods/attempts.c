@@ -26,20 +26,20 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, size_
     attempts->at.tolerance = attempts->tolerance = lag_take(&memory, count);
 }
 
-static void make(lag_attempts *attempts, lag_stepper *const *s)
+static void make(lag_attempts *groups, size_t count, lag_stepper *const *s)
 {
-    lag_attempts_make_inlined(attempts, s);
+    lag_attempts_make_inlined(groups, count, s);
 }
 
 /* The library is one for all processors: wider registers are used where there are some. */
-void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s)
+void lag_attempts_make(lag_attempts *groups, size_t count, lag_stepper *const *s)
 {
-    switch (attempts->width) {
+    switch (groups->width) {
 #if LAG_ATTEMPTS_WIDE
-    case 8: lag_attempts_make_widest(attempts, s); break;
-    case 4: lag_attempts_make_wide(attempts, s); break;
+    case 8: lag_attempts_make_widest(groups, count, s); break;
+    case 4: lag_attempts_make_wide(groups, count, s); break;
 #endif
-    default: make(attempts, s); break;
+    default: make(groups, count, s); break;
     }
 }
 
@@ -84,14 +84,14 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
 int lag_attempts_settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;
-    if (attempts->fault[k] != 0.0) {
+    if (attempts->step_fault[k] != 0.0) {
         return 1;
     }
     attempt->made = attempt->bare = 1;
     attempt->error = attempts->error[k];
     attempt->urge = attempts->urge[k];
     attempt->evaluations += attempt->error > 1.0 ? LAG_DOP853_STAGES - 1 : LAG_DOP853_STAGES;
-    attempt->dense = attempt->dense && attempts->dense_fault[k] == 0.0;
+    attempt->dense = attempt->dense && attempts->fault[k] == 0.0;
     if (attempt->error <= 1.0) {
         leave(attempts, s, k);
     }

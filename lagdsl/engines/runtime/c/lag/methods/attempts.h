@@ -15,7 +15,8 @@ typedef void lag_rates_in_lanes(void *context, const double *t, const double *x,
 typedef void lag_ends_in_lanes(void *context, const double *t, const double *x);
 
 typedef struct lag_attempts {
-    lag_attempt_arrays at;
+    lag_attempt_arrays at, further; /* of the step, and of what its dense output needs beside */
+    int used, dense;                /* there are attempts; and some that dense output is wanted of */
     double *x, *tolerance, *inside; /* (size, lanes) */
     double *terms;                  /* (7, size, lanes) of the dense output */
     size_t width; /* doubles in a register of the processor */
@@ -23,7 +24,8 @@ typedef struct lag_attempts {
     lag_ends_in_lanes *ends; /* null: nobody asks */
     void *context;
     double error[LAG_ATTEMPT_LANES], urge[LAG_ATTEMPT_LANES];
-    double fault[LAG_ATTEMPT_LANES], dense_fault[LAG_ATTEMPT_LANES]; /* no number: the attempt failed, or its further stages did */
+    double t_new[LAG_ATTEMPT_LANES]; /* ends of those that are accepted */
+    double step_fault[LAG_ATTEMPT_LANES], fault[LAG_ATTEMPT_LANES]; /* no number: the step failed; it or what followed did */
 } lag_attempts;
 
 /* Doubles for `attempts`, and its layout; the caller sets rates, ends and context. */
@@ -33,8 +35,8 @@ void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, size_
 /* Lane k becomes the attempt of s, for which lag_attempt_begin() was called. */
 void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k);
 
-/* The attempts of the steppers s[k], k below the number of lanes, that are not null. */
-void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s);
+/* The attempts of the steppers s (count, lanes) that are not null, of so many groups of lanes. */
+void lag_attempts_make(lag_attempts *groups, size_t count, lag_stepper *const *s);
 
 /*
  * Lane k, which was made, to its stepper. 1: it can go on by lag_stepper_step() with the same limit. 0: its attempt has to be repeated,

@@ -13,6 +13,9 @@
 /* Rows and notes of a run before they are sorted. */
 enum { ROWS = 16, NOTES = 64 };
 
+/* Groups of lanes: as many as make the most lanes, of two lanes at least. */
+enum { GROUPS = LAG_ATTEMPT_LANES / 2 };
+
 /* Bytes of the longest vector: what starts at a multiple of it is read fastest. */
 enum { ALIGNED = 64 };
 
@@ -50,8 +53,9 @@ typedef struct crowd {
     size_t next, end;    /* the next run, and where they end */
     size_t lanes;
     lane *lane;
-    lag_motions motions;
-    lag_attempts attempts;
+    size_t each;         /* lanes of a group */
+    lag_motions motions[GROUPS];
+    lag_attempts attempts[GROUPS];
     lag_stepper *stepper[LAG_ATTEMPT_LANES]; /* that an attempt was made for; null: none */
 } crowd;
 
@@ -66,11 +70,19 @@ static size_t lane_size(const lag_ensemble *ensemble)
     return lag_padded(own_memory(ensemble->model) * sizeof(double)) + lag_padded(lag_run_size(ensemble->model, ensemble->options));
 }
 
-/* Runs that are under way together: those of large models are not, whose matrices would be there several times. */
+/* Runs that are under way together, in groups of lanes: those of large models are not, whose matrices would be there several times. */
 static size_t lanes_of(const lag_ensemble *ensemble)
 {
-    const size_t lanes = lag_motions_can(ensemble->model, ensemble->states) ? ensemble->states->lanes : 1;
-    return lanes * lane_size(ensemble) <= MOST_BYTES ? lanes : 1;
+    const int can = lag_motions_can(ensemble->model, ensemble->states);
+    return can && LAG_ATTEMPT_LANES * lane_size(ensemble) <= MOST_BYTES ? LAG_ATTEMPT_LANES : 1;
+}
+
+/* Doubles of a group. */
+static size_t group_memory(const lag_ensemble *ensemble)
+{
+    const lag_states *states = ensemble->states;
+    const size_t count = lag_motions_memory(ensemble->model, states) + lag_attempts_memory(lag_motion_size(ensemble->model), states->lanes);
+    return (count * sizeof(double) + ALIGNED - 1) / ALIGNED * (ALIGNED / sizeof(double));
 }
 
 size_t lag_ensemble_width(const lag_model *model)
@@ -80,12 +92,8 @@ size_t lag_ensemble_width(const lag_model *model)
 
 size_t lag_ensemble_size(const lag_ensemble *ensemble)
 {
-    const lag_model *model = ensemble->model;
     const size_t lanes = lanes_of(ensemble);
-    size_t together = 0;
-    if (lanes > 1) {
-        together = lag_motions_memory(model, ensemble->states) + lag_attempts_memory(lag_motion_size(model), lanes);
-    }
+    const size_t together = lanes > 1 ? lanes / ensemble->states->lanes * group_memory(ensemble) : 0;
     return lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane)) + lanes * lane_size(ensemble) + ALIGNED + together * sizeof(double);
 }
 
@@ -183,7 +191,7 @@ static void end(crowd *all, size_t k, lag_status status)
         ensemble->failed(ensemble->context, own->number, own->run, (int)status, own->starts, own->x, told);
     }
     own->run = NULL;
-    all->motions.of[k] = NULL;
+    all->motions[k / all->each].of[k % all->each] = NULL;
 }
 
 /* The next run begins in lane k. */
@@ -222,7 +230,7 @@ static void begin(crowd *all, size_t k)
     if (status != LAG_OK || ended) {
         end(all, k, status);
     } else if (all->lanes > 1) {
-        lag_motions_enter(&all->motions, k, &own->run->motion);
+        lag_motions_enter(all->motions + k / all->each, k % all->each, &own->run->motion);
     }
 }
 
@@ -263,16 +271,28 @@ static lag_stepper *bring(crowd *all, size_t k)
 static void advance(crowd *all, size_t k)
 {
     lane *own = all->lane + k;
-    if (all->stepper[k] != NULL && lag_attempts_settle(&all->attempts, all->stepper[k], k)) {
-        own->run->conditions.known = lag_motions_known(&all->motions, k);
+    const size_t group = k / all->each;
+    const size_t place = k % all->each;
+    if (all->stepper[k] != NULL && lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
+        own->run->conditions.known = lag_motions_known(all->motions + group, place);
         step(all, k);
     }
     lag_stepper *s = all->stepper[k] = bring(all, k);
     if (s != NULL) {
         lag_attempt_begin(s, lag_run_limit(own->run, own->goal));
         s->attempt.dense = lag_run_looks_inside(own->run, s->attempt.t_new);
-        lag_attempts_enter(&all->attempts, s, k);
+        lag_attempts_enter(all->attempts + group, s, place);
     }
+}
+
+/* Inputs and discretes of all groups. */
+static lag_status take(crowd *all)
+{
+    lag_status status = LAG_OK;
+    for (size_t g = 0; g < all->lanes / all->each && status == LAG_OK; ++g) {
+        status = lag_motions_take(all->motions + g);
+    }
+    return status;
 }
 
 /* A step, or an attempt at it, of each lane that has one before it. Returns 0 where there are none. */
@@ -283,8 +303,8 @@ static int step_together(crowd *all)
         advance(all, k);
         count += all->stepper[k] != NULL;
     }
-    if (count > 1 && lag_motions_take(&all->motions) == LAG_OK) {
-        lag_attempts_make(&all->attempts, all->stepper);
+    if (count > 1 && take(all) == LAG_OK) {
+        lag_attempts_make(all->attempts, all->lanes / all->each, all->stepper);
         return 1;
     }
     for (size_t k = 0; k < all->lanes; ++k) {
@@ -294,6 +314,21 @@ static int step_together(crowd *all)
         }
     }
     return count > 0;
+}
+
+static void place_groups(crowd *all, double *memory)
+{
+    const lag_ensemble *ensemble = all->ensemble;
+    const lag_model *model = ensemble->model;
+    const lag_states *states = ensemble->states;
+    for (size_t g = 0; g < all->lanes / all->each; ++g, memory += group_memory(ensemble)) {
+        lag_attempts *attempts = all->attempts + g;
+        lag_motions_place(all->motions + g, model, states, memory);
+        lag_attempts_place(attempts, lag_motion_size(model), all->each, states->width, memory + lag_motions_memory(model, states));
+        attempts->rates = lag_motions_rates;
+        attempts->ends = ensemble->options->invariants.tolerance == NULL ? NULL : lag_motions_monitor;
+        attempts->context = all->motions + g;
+    }
 }
 
 /* Lays out the memory of one thread. */
@@ -319,15 +354,9 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         own->block = bytes + lag_padded(own_memory(model) * sizeof(double));
         own->run = NULL;
     }
+    all->each = lanes > 1 ? ensemble->states->lanes : 1;
     if (lanes > 1) {
-        bytes += (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED;
-        double *memory = (double *)(void *)bytes;
-        lag_motions_place(&all->motions, model, ensemble->states, memory);
-        memory += lag_motions_memory(model, ensemble->states);
-        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->width, memory);
-        all->attempts.rates = lag_motions_rates;
-        all->attempts.ends = ensemble->options->invariants.tolerance == NULL ? NULL : lag_motions_monitor;
-        all->attempts.context = &all->motions;
+        place_groups(all, (double *)(void *)(bytes + (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED));
     }
     return all;
 }
