@@ -11,7 +11,7 @@ import numpy as np
 
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
 from lagdsl.engines.runtime.engines.c_engine import CEngine
-from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Stop
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.connected_blocks import Flags

@@ -82,8 +82,8 @@ def _primal(
 
 
 def _of_states(program: Program) -> tuple[str, ...]:
-    """Nobody asks for the equations where elimination solves them, nor for rates of states where there are none, nor for
-    conditions where there are none."""
+    """Nobody asks for the equations where elimination solves them, nor for rates of states and conditions where there
+    are none."""
     equations = "elimination" if program.has("elimination") else "dynamics"
     rates = ("state_derivative",) if program.layout.size(Group.Z) else ()
     return (equations, *rates, *(("monitor",) if program.has("monitor") else ()))
