@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/order.h"
 
 /* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
@@ -69,8 +68,8 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    const double next = lag_lower(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
-    return lag_lower(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
+    const double next = fmin(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
+    return fmin(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
 }
 
 /* True if a clock ticks, or bounces are over. */
@@ -386,6 +385,6 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->iteration.instant.moment = lag_higher(instants->late, ULPS * DBL_EPSILON * lag_higher(fabs(t), h));
+    instants->iteration.instant.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->frictions.step = h;
 }

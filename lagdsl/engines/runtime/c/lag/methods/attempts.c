@@ -80,7 +80,7 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
     }
 }
 
-/* What no lane can find is left to an attempt alone. */
+/* A lane that failed is left to an attempt alone. */
 int lag_attempts_settle(const lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;

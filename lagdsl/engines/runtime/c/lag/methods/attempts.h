@@ -9,7 +9,7 @@
 #include "lag/methods/dop853.h"
 #include "lag/stepper.h"
 
-/* xd (size, lanes) at t (lanes) and x (size, lanes). Of a lane in which there is none `fault` becomes no number; so it will of one with what is none. */
+/* xd (size, lanes) at t (lanes) and x (size, lanes). `fault` of a lane becomes nan where it has no rates; who asks looks for numbers that are nan. */
 typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, double *fault);
 /* Told of the ends of attempts of which some are accepted, just after the rates there. */
 typedef void lag_ends_in_lanes(void *context, const double *t, const double *x);

@@ -4,7 +4,7 @@
 
 #include "lag/equations/motion.h"
 
-/* What is known already at the state x at time t, in lanes: of each array numbers of one state are `lanes` apart. */
+/* Values known already at the state x at time t, in lanes: of each array numbers of one state are `lanes` apart. */
 typedef struct lag_known_conditions {
     size_t lanes;
     const double *t, *x;                 /* x is null where nothing is known */
