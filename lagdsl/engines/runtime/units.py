@@ -27,8 +27,8 @@ _UNITS = {
     "units/fmi2.c": ("fmi2/*.c",),
     "units/fmi3.c": ("fmi3/*.c",),
 }
-# It decides what its headers mean to it.
-ALONE = "lag/methods/attempts.c"
+# They decide what their headers mean to them.
+ALONE = tuple(f"lag/methods/attempts{kind}.c" for kind in ("", "_wide", "_widest"))
 
 _HEAD = "/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */\n"
 _SKIPPED = re.compile(r'/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'', re.DOTALL)
@@ -45,7 +45,7 @@ _DECLARATOR = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*(?:=|$)")
 def unit_texts() -> dict[Path, str]:
     """The units of the runtime and of FMUs, by path."""
     found = {}
-    taken = {ALONE}
+    taken = set(ALONE)
     for name, patterns in _UNITS.items():
         for folder in (c_folder(), fmi_folder()):
             files = {path.relative_to(folder).as_posix(): path for each in patterns for path in _matching(folder, each)}

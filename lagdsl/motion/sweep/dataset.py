@@ -143,14 +143,20 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
     """Results of all runs; missing values are nan."""
     columns: dict[str, Floats] = {}
     units: dict[str, str] = {}
+    names: tuple[str, ...] = ()
+    places: list[Floats] = []
     status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)
     for outcome in outcomes:
         status[outcome.index], message[outcome.index] = outcome.status, outcome.message
         ended[outcome.index] = outcome.ended
-        for i, name in enumerate(outcome.names):
-            if name not in columns:
-                columns[name], units[name] = np.full((runs, rows), np.nan), outcome.units[i]
-            columns[name][outcome.index, : len(outcome.values)] = outcome.values[:, i]
+        if outcome.names != names:
+            names = outcome.names
+            for i, name in enumerate(names):
+                if name not in columns:
+                    columns[name], units[name] = np.full((runs, rows), np.nan), outcome.units[i]
+            places = [columns[name] for name in names]
+        for i, column in enumerate(places):
+            column[outcome.index, : len(outcome.values)] = outcome.values[:, i]
     return Collected(columns=columns, units=units, status=status, message=message, ended=ended)
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import groupby
 
 import numpy as np
 
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
 from lagdsl.engines.runtime.engines.c_engine import CEngine
-from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.engines.runtime.ensemble import Bench, EnsembleSettings, Stop
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.connected_blocks import Flags
@@ -48,7 +49,9 @@ class Ensemble:
         self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
         chosen = [(k, name) for k, each in enumerate(names) for name in asked(flat, each, options.columns)]
         places = places_of_columns(flat)[1:]
-        self._columns = [places[k] - 1 for k, _ in chosen]
+        columns = [places[k] - 1 for k, _ in chosen]
+        whole = columns == list(range(len(heads)))
+        self._columns: list[int] | slice = slice(None) if whole else columns  # a copy of some of them, or all
         self._unknown = UnknownOutputs(flat, engine)
         self._names = tuple(name for _, name in chosen)
         self._units = tuple(heads[k][1] for k, _ in chosen)
@@ -72,7 +75,7 @@ class Ensemble:
         if not known:
             return outcomes
         with self._lock:
-            told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
+            told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known], dtype=np.float64))
             model = self._engine.native
         if told is None:
             return outcomes
@@ -82,10 +85,42 @@ class Ensemble:
         if made is None:
             return []
         well = made.went_well
+        rows, known_outputs = made.rows[:, :, self._columns], self._has_known_outputs(made.rows)
         for row in np.flatnonzero(~well | (made.kept == 0) | self._near(settings, made.rows[:, 0])).tolist():
             index = tasks[known[row]].index
-            outcomes[known[row]] = self._outcome(index, made, row, words, inputs, well=bool(well[row]))
+            message: str | None = None
+            ended: float | None = float(made.ended[row])
+            if well[row]:
+                message = words.wrong(made.p[row])
+                ended = ended if message is None else None
+                if message is None and not known_outputs[row]:
+                    message = self._unknown_output(made.rows[row, : made.kept[row]], made.p[row], partial(inputs, row))
+            elif row in words.told:
+                message, ended = words.told[row]
+            else:
+                continue
+            outcomes[known[row]] = (
+                failed(index, message or "")
+                if ended is None
+                else self._outcome(index, message, ended, rows[row, : made.kept[row]])
+            )
         return outcomes
+
+    def _outcome(self, index: int, message: str | None, ended: float, values: Floats) -> Outcome:
+        return Outcome(
+            index=index,
+            status="ok" if message is None else "failed",
+            ended=ended,
+            message=message or "",
+            names=self._names,
+            units=self._units,
+            values=values,
+        )
+
+    def _has_known_outputs(self, rows: Floats) -> Flags:
+        """True of runs of rows (runs, count, width) whose outputs are numbers in all of them, those that are not kept
+        too."""
+        return np.asarray(np.isfinite(rows[:, :, rows.shape[2] - len(self._flat.outputs) :]).all(axis=(1, 2)))
 
     def _near(self, settings: EnsembleSettings, first: Floats) -> Flags:
         """True of runs (runs,) whose first row (runs, width) is not so far from the start values that the search for
@@ -106,27 +141,28 @@ class Ensemble:
             self._engine.worked(seconds, left)
             return self._engine.native.at_once
 
-    def _parameters(self, task: Task) -> Floats | None:
+    def _parameters(self, task: Task) -> list[float] | None:
         """The vector of parameters; None where they are not what the model allows."""
         try:
-            p = parameters_of(self._flat, self._engine.layout, task.parameters)
+            values = parameters_of(self._flat, self._engine.layout, task.parameters)
         except (ValueError, TypeError):
             return None
         sink = Sink()
-        names = (slot.name for slot in self._engine.layout.parameters)
-        values = dict(zip(names, p.tolist(), strict=True))
         check_limits(self._flat, values, sink)
         if not sink.diagnostics:
             span = (self._flat.experiment.start_time, self._options.stop)
             check_clocks(self._flat, values, span, MOST_STEPS, sink)
-        return None if sink.diagnostics else p
+        return None if sink.diagnostics else list(values.values())
 
     def _has_inputs(self, task: Task) -> bool:
         """True if the inputs of the run that are numbers are what the model allows."""
+        numbers = _numbers(task)
+        if not numbers:
+            return True
         items, sink = {item.name: item for item in self._flat.inputs}, Sink()
         return all(
             name in items and bool(np.isfinite(value)) and is_allowed(items[name], np.array([value]), None, sink)
-            for name, value in _numbers(task).items()
+            for name, value in numbers.items()
         )
 
     def _settings(
@@ -183,8 +219,6 @@ class Ensemble:
     def _unknown_output(self, rows: Floats, p: Floats, u: Callable[[float], Floats]) -> str | None:
         """Words for the first output that is no number; the motion itself goes on."""
         values, sink = rows[:, rows.shape[1] - len(self._flat.outputs) :], Sink()
-        if np.isfinite(values).all():
-            return None
         times = grid(self._flat.experiment.start_time, self._options.stop, self._options.interval)[: len(values)]
         size = 2 * len(self._flat.coordinates) + len(self._flat.states)
         with self._lock:
@@ -194,42 +228,11 @@ class Ensemble:
         self._unknown.report(unknown[1], float(times[unknown[0]]), float(values[unknown]), sink)
         return first_error(sink.diagnostics)
 
-    def _outcome(
-        self,
-        index: int,
-        made: Made,
-        row: int,
-        words: FailureWords,
-        inputs: Callable[[int, float], Floats],
-        *,
-        well: bool,
-    ) -> Outcome | None:
-        """None where nothing is known of a failure."""
-        ended: float | None = float(made.ended[row])
-        if well:
-            message = words.wrong(made.p[row])
-            ended = ended if message is None else None
-            kept = made.rows[row, : made.kept[row]]
-            message = message or self._unknown_output(kept, made.p[row], lambda t: inputs(row, t))
-        elif row in words.told:
-            message, ended = words.told[row]
-        else:
-            return None
-        if ended is None:
-            return failed(index, message or "")
-        return Outcome(
-            index=index,
-            status="ok" if message is None else "failed",
-            ended=ended,
-            message=message or "",
-            names=self._names,
-            units=self._units,
-            values=made.rows[row, : made.kept[row], self._columns].T.copy(),
-        )
-
 
 def _numbers(task: Task) -> dict[str, float]:
     """The inputs of the run that are numbers."""
+    if not task.inputs:
+        return {}
     return {name: float(signal) for name, signal in task.inputs.items() if isinstance(signal, (int, float))}
 
 

@@ -19,7 +19,7 @@ from lagdsl.motion.sweep.run import Interrupted, Options, Outcome, Runner, Swept
 
 # Seconds that the runs of one call of C should take: long beside what Python does about them, short for people who
 # look at the progress. Runs of one call, so that their rows are few.
-_PART, _LARGEST = 0.25, 256
+_PART, _LARGEST = 0.25, 1024
 
 
 class Ensembles:

@@ -101,7 +101,7 @@ class Runner:
         swept, options = self._subjects[task.swept], self._options
         if swept.flat is None or swept.program is None:
             raise ValueError(swept.fault)
-        p = parameters_of(swept.flat, swept.program.layout, task.parameters)
+        p = np.array(list(parameters_of(swept.flat, swept.program.layout, task.parameters).values()), dtype=np.float64)
         if task.swept not in self._engines:
             self._engines[task.swept] = engine_of(swept.program, options.engine)
         return simulate(
@@ -125,9 +125,9 @@ def failed(index: int, message: str) -> Outcome:
     )
 
 
-def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) -> Floats:
-    """The vector of parameters. Raises ValueError for a name that is none of them, and for a value that a parameter may
-    not have."""
+def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) -> dict[str, float]:
+    """The parameters by name, in the order of their vector. Raises ValueError for a name that is none of them, and for
+    a value that a parameter may not have."""
     values = {slot.name: value for slot, value in zip(layout.parameters, layout.defaults, strict=True)}
     for name in chosen:
         if name not in values:
@@ -135,7 +135,7 @@ def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) 
     for parameter in flat.parameters:
         if parameter.name in chosen:
             require_value(parameter, chosen[parameter.name])
-    return np.array(list({**values, **chosen}.values()), dtype=np.float64)
+    return {**values, **chosen}
 
 
 def _outcome(

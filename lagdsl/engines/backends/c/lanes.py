@@ -32,7 +32,7 @@ def states_source(program: Program, stem: str) -> str:
         definition(head, made, Results(), LANES, beyond),
         braced("static lag_status model_prepare(const lag_arguments *at)", body),
     ]
-    scratch, members = made.scratch, [".wide = LAG_LANES > 2", ".prepare = model_prepare"]
+    scratch, members = made.scratch, [".width = LAG_LANES", ".prepare = model_prepare"]
     for name in _of_states(program):
         text, made = _function(program, program.function(name), prepared, LANES, beyond)
         texts.append(text)
@@ -82,9 +82,11 @@ def _primal(
 
 
 def _of_states(program: Program) -> tuple[str, ...]:
-    """Nobody asks for the equations where elimination solves them, nor for rates of states where there are none."""
+    """Nobody asks for the equations where elimination solves them, nor for rates of states and conditions where there
+    are none."""
     equations = "elimination" if program.has("elimination") else "dynamics"
-    return (equations, "state_derivative") if program.layout.size(Group.Z) else (equations,)
+    rates = ("state_derivative",) if program.layout.size(Group.Z) else ()
+    return (equations, *rates, *(("monitor",) if program.has("monitor") else ()))
 
 
 def _prepared(program: Program) -> dict[int, Place]:

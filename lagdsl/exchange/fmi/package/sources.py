@@ -28,7 +28,7 @@ def model_sources(program: Program, start: Start, version: int) -> dict[str, str
     """
     units = _units(version)
     whole = {**started_sources(program, start), **_shell(version), **units, **_standard_headers(version)}
-    unread = {ALONE, *included(_text(units_in(c_folder())[SESSIONS]))}
+    unread = {*ALONE, *included(_text(units_in(c_folder())[SESSIONS]))}
     return {path: text for path, text in whole.items() if not (path.endswith(".c") and path in unread)}
 
 

@@ -104,6 +104,24 @@ LAG_LANES_BINARY(lag_lanes_pow, pow)
 LAG_LANES_BINARY(lag_lanes_atan2, atan2)
 LAG_LANES_BINARY(lag_lanes_mod, lag_mod)
 
+/* True if the condition (all bits or none in each lane) holds in all lanes. */
+static inline int lag_lanes_all(lag_lanes_truth condition)
+{
+#if defined(__clang__) || !defined(__x86_64__)
+    long long all = condition[0];
+    for (size_t lane = 1; lane < LAG_LANES; ++lane) {
+        all &= condition[lane];
+    }
+    return all != 0;
+#elif LAG_LANES == 8
+    return __builtin_ia32_ptestmq512(condition, condition, (unsigned char)-1) == (unsigned char)-1;
+#elif LAG_LANES == 4
+    return __builtin_ia32_movmskpd256((lag_lanes)condition) == 15;
+#else
+    return __builtin_ia32_movmskpd((lag_lanes)condition) == 3;
+#endif
+}
+
 /* In each lane: `value` if the condition (all bits or none) holds, else `otherwise`. */
 static inline lag_lanes lag_lanes_choose(lag_lanes_truth condition, lag_lanes value, lag_lanes otherwise)
 {

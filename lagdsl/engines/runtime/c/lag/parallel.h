@@ -15,7 +15,7 @@
 typedef struct lag_states {
     size_t lanes;
     size_t workspace; /* doubles that the functions need; prepare() fills the first ones */
-    int wide;         /* 1: the processor has registers of 256 bits, as whoever made these functions knows */
+    size_t width;     /* doubles in a register of the processor, as far as whoever made these functions knows */
     lag_status (*prepare)(const lag_arguments *at);
     lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
     lag_status (*elimination)(
@@ -29,6 +29,8 @@ typedef struct lag_states {
         double *pivot);
     /* null where there are no states z */
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);
+    /* null where nothing is watched */
+    lag_status (*monitor)(const lag_arguments *at, double *invariant, double *scale, double *assertion);
 } lag_states;
 
 typedef struct lag_tangents {

@@ -59,6 +59,8 @@ typedef struct lag_attempt {
     double t, first, limit;  /* the step that it is of: where, what was proposed for it, not beyond this */
     double next, h, t_new;   /* what is proposed now; its length and its end */
     double error;            /* at most 1: the attempt can be the step */
+    double urge;             /* of an attempt that can */
+    int bare;                /* its stages are not there: who looks inside finds them again */
     int dense;               /* further stages of its dense output are wanted; when it is made: they are there */
     size_t rejections, evaluations; /* that the stepper has not counted yet */
 } lag_attempt;

@@ -92,63 +92,60 @@ static inline void lag_sincos(double x, double *s, double *c)
 
 #define LAG_AS_LANES_BITS(x) ((lag_lanes_bits)(x))
 
-/* Inlined by order: handing vectors over in memory takes as long as a third of the work. */
-static inline __attribute__((always_inline)) void lag_lanes_sincos(const lag_lanes *x, lag_lanes *s, lag_lanes *c)
+/* Inlined by order: handing vectors over in memory takes as long as a third of the work. True in lanes whose arguments vectors serve. */
+static inline __attribute__((always_inline)) lag_lanes_truth lag_lanes_sincos_near(lag_lanes x, lag_lanes *s, lag_lanes *c)
 {
-    const lag_lanes argument = *x; /* x may be s or c */
-    LAG_SINCOS_BODY(lag_lanes, lag_lanes_bits, argument, LAG_AS_LANES_BITS, lag_lanes_fused, lag_lanes_of);
+    LAG_SINCOS_BODY(lag_lanes, lag_lanes_bits, x, LAG_AS_LANES_BITS, lag_lanes_fused, lag_lanes_of);
     *s = (lag_lanes)sine;
     *c = (lag_lanes)cosine;
-    const lag_lanes_bits near = (lag_lanes_bits)((argument <= LAG_SINCOS_LARGEST) & (argument >= -LAG_SINCOS_LARGEST));
-    unsigned long long of_lane[LAG_LANES];
-    unsigned long long all = ~0ull;
-    memcpy(of_lane, &near, sizeof of_lane);
-    for (size_t lane = 0; lane < LAG_LANES; ++lane) {
-        all &= of_lane[lane];
-    }
-    for (size_t lane = 0; all == 0 && lane < LAG_LANES; ++lane) {
-        if (of_lane[lane] == 0) {
-            (*s)[lane] = sin(argument[lane]);
-            (*c)[lane] = cos(argument[lane]);
+    return lag_lanes_abs(x) <= lag_lanes_of(LAG_SINCOS_LARGEST);
+}
+
+/* Of so many numbers those that vectors do not serve. */
+static inline void lag_sincos_far(size_t count, const double *x, double *s, double *c)
+{
+    for (size_t i = 0; i < count; ++i) {
+        if (!(fabs(x[i]) <= LAG_SINCOS_LARGEST)) {
+            s[i] = sin(x[i]);
+            c[i] = cos(x[i]);
         }
     }
 }
 
-/* s[i], c[i] of x[i], each a vector. */
-static inline void lag_lanes_sincos_many(
+/* s[i], c[i] of x[i], each a vector; the arrays do not overlap. One look at all arguments: looking at lanes takes its time. */
+static inline __attribute__((always_inline)) void lag_lanes_sincos_many(
     size_t count, const lag_lanes_memory *x, lag_lanes_memory *s, lag_lanes_memory *c)
 {
+    lag_lanes_truth near = lag_lanes_of(0.0) == lag_lanes_of(0.0);
     for (size_t i = 0; i < count; ++i) {
-        const lag_lanes argument = x[i];
         lag_lanes sine;
         lag_lanes cosine;
-        lag_lanes_sincos(&argument, &sine, &cosine);
+        near &= lag_lanes_sincos_near(x[i], &sine, &cosine);
         s[i] = sine;
         c[i] = cosine;
     }
+    if (!lag_lanes_all(near)) {
+        lag_sincos_far(count * LAG_LANES, (const double *)x, (double *)s, (double *)c);
+    }
 }
 
+/* Of a vector of numbers. */
 static inline void lag_sincos_block(const double *x, double *s, double *c)
 {
-    lag_lanes argument;
-    lag_lanes sine;
-    lag_lanes cosine;
-    memcpy(&argument, x, sizeof argument);
-    lag_lanes_sincos(&argument, &sine, &cosine);
-    memcpy(s, &sine, sizeof sine);
-    memcpy(c, &cosine, sizeof cosine);
+    lag_lanes_sincos_many(1, (const lag_lanes_memory *)(const void *)x, (lag_lanes_memory *)(void *)s, (lag_lanes_memory *)(void *)c);
 }
 
 /* Of two or more numbers, fewer than a vector holds. */
 static inline void lag_sincos_few(size_t count, const double *x, double *s, double *c)
 {
     lag_lanes argument = lag_lanes_of(x[0]);
-    lag_lanes sine;
-    lag_lanes cosine;
+    lag_lanes_memory sine;
+    lag_lanes_memory cosine;
     for (size_t i = 1; i < count; ++i) {
         argument[i] = x[i];
     }
-    lag_lanes_sincos(&argument, &sine, &cosine);
+    const lag_lanes_memory filled = argument;
+    lag_lanes_sincos_many(1, &filled, &sine, &cosine);
     for (size_t i = 0; i < count; ++i) {
         s[i] = sine[i];
         c[i] = cosine[i];

@@ -18,6 +18,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/minimum.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/root.h"
 #include "lag/linalg/slope.h"
 #include "lag/linalg/svd.h"
@@ -69,9 +70,11 @@
 
 #define count_of guards_count_of
 #define evaluate guards_evaluate
+#define size_of guards_size_of
 #include "lag/events/guards.c"
 #undef count_of
 #undef evaluate
+#undef size_of
 
 #define ULPS instant_ULPS
 #define remember instant_remember
@@ -119,7 +122,13 @@
 #undef LEAST
 #undef NODES
 
+#define evaluate conditions_evaluate
+#define size_of conditions_size_of
+#define take conditions_take
 #include "lag/run/conditions.c"
+#undef evaluate
+#undef size_of
+#undef take
 
 #define ROUNDING course_ROUNDING
 #include "lag/run/course.c"

@@ -25,6 +25,7 @@
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/minimum.h"
 #include "lag/linalg/nnls.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/pivoted_cholesky.h"
 #include "lag/linalg/root.h"
 #include "lag/linalg/slope.h"
@@ -38,6 +39,7 @@
 #include "lag/stepper.h"
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #define least band_least
@@ -199,14 +201,10 @@
 #undef error_of
 
 #define MOST_SWEEPS svd_MOST_SWEEPS
-#define smaller svd_smaller
 #include "lag/linalg/svd.c"
 #undef MOST_SWEEPS
-#undef smaller
 
-#define smaller accuracy_smaller
 #include "lag/methods/accuracy.c"
-#undef smaller
 
 #define GROW dop853_GROW
 #define accept dop853_accept

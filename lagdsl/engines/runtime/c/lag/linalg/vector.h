@@ -24,6 +24,14 @@ static inline int lag_same(size_t count, const double *x, const double *y)
     return i == count;
 }
 
+/* One number after the other: what was written so a moment ago cannot be read in blocks before it has reached the cache. */
+static inline void lag_copy(size_t count, const double *from, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = from[i];
+    }
+}
+
 /* y += factor x */
 static inline void lag_axpy(size_t count, double factor, const double *x, double *y)
 {

@@ -1,31 +1,33 @@
 #include "lag/methods/accuracy.h"
 
 #include <math.h>
+#include <stddef.h>
+
+#include "lag/linalg/order.h"
 
 static const double FLOOR = 1e-4;
 static const double ROUNDING = 1e-15;
 
-/* fmax() and fmin() without what they do for nan: they are called often, and states of accepted steps are numbers. */
-static double larger(double a, double b)
+/* Numbers of groups are small: a signed conversion needs no jump. */
+static size_t place_of(double group)
 {
-    return a > b ? a : b;
-}
-
-static double smaller(double a, double b)
-{
-    return a < b ? a : b;
+    return (size_t)(ptrdiff_t)group;
 }
 
 void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance)
 {
-    for (size_t i = 0; i < accuracy->size; ++i) {
-        double *largest = accuracy->largest + (size_t)accuracy->group[i];
-        *largest = larger(*largest, fabs(x[i]));
+    for (size_t i = 0; i < accuracy->size;) { /* neighbours of one group together: what was written just now is slow to read */
+        const double group = accuracy->group[i];
+        double largest = accuracy->largest[place_of(group)];
+        for (; i < accuracy->size && accuracy->group[i] == group; ++i) {
+            largest = lag_higher(largest, fabs(x[i]));
+        }
+        accuracy->largest[place_of(group)] = largest;
     }
     for (size_t i = 0; i < accuracy->size; ++i) {
         const double floor = FLOOR * accuracy->natural[i];
-        const double scale = smaller(larger(accuracy->largest[(size_t)accuracy->group[i]], floor), larger(accuracy->cap[i], floor));
-        tolerance[i] = larger(accuracy->relative * scale, ROUNDING * larger(accuracy->natural[i], fabs(x[i])));
+        const double scale = lag_lower(lag_higher(accuracy->largest[place_of(accuracy->group[i])], floor), lag_higher(accuracy->cap[i], floor));
+        tolerance[i] = lag_higher(accuracy->relative * scale, ROUNDING * lag_higher(accuracy->natural[i], fabs(x[i])));
     }
 }
 

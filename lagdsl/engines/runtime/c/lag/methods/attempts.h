@@ -9,29 +9,40 @@
 #include "lag/methods/dop853.h"
 #include "lag/stepper.h"
 
-/* xd (size, lanes) at t (lanes) and x (size, lanes). A lane in which there is none becomes 0 in `sound`; so will one with what is no number. */
-typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, unsigned char *sound);
+/* xd (size, lanes) at t (lanes) and x (size, lanes). `fault` of a lane becomes nan where it has no rates; who asks looks for numbers that are nan. */
+typedef void lag_rates_in_lanes(void *context, const double *t, const double *x, double *xd, double *fault);
+/* Told of the ends of attempts of which some are accepted, just after the rates there. */
+typedef void lag_ends_in_lanes(void *context, const double *t, const double *x);
 
 typedef struct lag_attempts {
-    lag_attempt_arrays at;
+    lag_attempt_arrays at, further; /* of the step, and of what its dense output needs beside */
+    int used, dense;                /* there are attempts; and some that dense output is wanted of */
     double *x, *tolerance, *inside; /* (size, lanes) */
     double *terms;                  /* (7, size, lanes) of the dense output */
-    int wide; /* the processor has registers of 256 bits */
+    size_t width; /* doubles in a register of the processor */
     lag_rates_in_lanes *rates;
+    lag_ends_in_lanes *ends; /* null: nobody asks */
     void *context;
-    double error[LAG_ATTEMPT_LANES];
-    unsigned char sound[LAG_ATTEMPT_LANES], dense[LAG_ATTEMPT_LANES]; /* the attempt, and its further stages as well */
+    double error[LAG_ATTEMPT_LANES], urge[LAG_ATTEMPT_LANES];
+    double t_new[LAG_ATTEMPT_LANES]; /* ends of those that are accepted */
+    double step_fault[LAG_ATTEMPT_LANES], fault[LAG_ATTEMPT_LANES]; /* no number: the step failed; it or what followed did */
 } lag_attempts;
 
-/* Doubles for `attempts`, and its layout. */
+/* Doubles for `attempts`, and its layout; the caller sets rates, ends and context. */
 size_t lag_attempts_memory(size_t size, size_t lanes);
-void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, int wide, lag_rates_in_lanes *rates, void *context, double *memory);
+void lag_attempts_place(lag_attempts *attempts, size_t size, size_t lanes, size_t width, double *memory);
+
+/* Lane k becomes the attempt of s, for which lag_attempt_begin() was called. */
+void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k);
+
+/* The attempts of the steppers s (count, lanes) that are not null, of so many groups of lanes. */
+void lag_attempts_make(lag_attempts *groups, size_t count, lag_stepper *const *s);
 
 /*
- * An attempt for each stepper s[k], k below the number of lanes, that is not null; lag_attempt_begin() was called for it. done[k]: it can go on by
- * lag_stepper_step() with the same limit; else its attempt has to be repeated, with a shorter step.
+ * Lane k, which was made, to its stepper. 1: it can go on by lag_stepper_step() with the same limit. 0: its attempt has to be repeated,
+ * with a shorter step.
  */
-void lag_attempts_make(lag_attempts *attempts, lag_stepper *const *s, unsigned char *done);
+int lag_attempts_settle(const lag_attempts *attempts, lag_stepper *s, size_t k);
 
 /* For the method: the next attempt of a step to `limit`, which goes on with the one that was begun if that is of the same step. */
 void lag_attempt_begin(lag_stepper *s, double limit);

@@ -4,13 +4,14 @@
  *
  * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., sections II.5 (method, page 181),
  * II.6 (dense output), II.10 (error estimate); coefficients as in the authors' program DOP853. Step control: Hairer and Wanner,
- * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43); the measure of stiffness: there, (2.38).
+ * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43).
  */
 #include "lag/methods/dop853.h"
 
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 #include "lag/methods/attempts.h"
 
 /* Stages whose states are of the fifth order, as places of the step. */
@@ -103,7 +104,7 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     lag_fill(LAG_ATTEMPT_LANES, attempt->h, at->h);
     memcpy(at->slope, s->f, at->size * sizeof(double));
     attempt->made = 1;
-    attempt->dense = 0;
+    attempt->bare = attempt->dense = 0;
     attempt->error = (double)INFINITY;
     if (lag_attempt_stages(at, rates_of_stage, s)) {
         lag_attempt_errors(at, &attempt->error);
@@ -111,31 +112,17 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     if (attempt->error <= 1.0 && lag_stepper_rates(s, attempt->t_new, at->x_new, at->slope + LAG_DOP853_END * at->size) != LAG_OK) {
         attempt->error = (double)INFINITY;
     }
-}
-
-/* h |lambda|, from the last stage and the new state, both at the end of the step. */
-static double urge_of(const lag_stepper *s, const lag_attempt_arrays *at, double h)
-{
-    const size_t size = s->ode->size;
-    const double *end = at->slope + LAG_DOP853_END * size;
-    const double *last = at->slope + (LAG_DOP853_STAGES - 1) * size;
-    double change = 0.0;
-    double distance = 0.0;
-    for (size_t i = 0; i < size; ++i) {
-        const double by = (end[i] - last[i]) / s->tolerance[i];
-        const double of = (at->x_new[i] - at->stage[i]) / s->tolerance[i];
-        change += by * by;
-        distance += of * of;
+    if (attempt->error <= 1.0) {
+        lag_attempt_urges(at, &attempt->urge);
     }
-    return distance > 0.0 ? h * sqrt(change / distance) : 0.0;
 }
 
 /* Factor for the next step after this error; `before`: the error of the last accepted step. */
 static double factor_of(double error, double before)
 {
     const double integral = pow(error, 1.0 / 8.0 - 0.2 * BETA);
-    const double factor = LAG_DOP853_SAFETY / integral * pow(fmax(before, 1e-4), BETA);
-    return fmin(GROW, fmax(LAG_DOP853_SHRINK, error > 0.0 ? factor : GROW));
+    const double factor = LAG_DOP853_SAFETY / integral * pow(lag_higher(before, 1e-4), BETA);
+    return lag_lower(GROW, lag_higher(LAG_DOP853_SHRINK, error > 0.0 ? factor : GROW));
 }
 
 /* The attempt becomes the step. */
@@ -144,12 +131,12 @@ static void accept(lag_stepper *s, const lag_attempt_arrays *at)
     const lag_attempt *attempt = &s->attempt;
     double *end_slope = at->slope + LAG_DOP853_END * at->size;
     const double h = attempt->h;
-    const double proposed = fmin(attempt->next, s->h_most);
+    const double proposed = lag_lower(attempt->next, s->h_most);
     const double factor = factor_of(attempt->error, s->last.error > 0.0 ? s->last.error : 1e-4);
-    const double next = h * (attempt->rejections > 0 ? fmin(factor, 1.0) : factor);
-    s->last.urge = urge_of(s, at, h);
-    s->h = h < proposed && attempt->rejections == 0 ? fmax(next, proposed) : next;
-    s->last.error = fmax(attempt->error, 1e-4);
+    const double next = h * (attempt->rejections > 0 ? lag_lower(factor, 1.0) : factor);
+    s->last.urge = attempt->urge;
+    s->h = h < proposed && attempt->rejections == 0 ? lag_higher(next, proposed) : next;
+    s->last.error = lag_higher(attempt->error, 1e-4);
     s->last.h = h;
     lag_stepper_pass(s, LAG_PASSED_END, attempt->t_new);
     lag_stepper_accept(s, attempt->t_new, at->x_new, end_slope);
@@ -189,6 +176,14 @@ static lag_status prepare_dense_dop853(lag_stepper *s)
     if (s->attempt.dense) {
         s->counts.evaluations += LAG_DOP853_SLOPES - LAG_DOP853_END - 1;
         return LAG_OK;
+    }
+    if (s->attempt.bare) {
+        memcpy(at.slope, s->f_before, at.size * sizeof(double));
+        lag_fill(LAG_ATTEMPT_LANES, s->attempt.h, at.h);
+        if (!lag_attempt_stages(&at, rates_of_stage, s)) {
+            return s->trouble.status;
+        }
+        lag_fill(LAG_ATTEMPT_LANES, s->t - s->t_before, at.h);
     }
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES; ++i) {
         if (!lag_attempt_stage(&at, i, rates_of_stage, s)) {

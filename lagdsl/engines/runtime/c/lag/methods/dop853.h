@@ -72,6 +72,8 @@ LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
     *(lag_wide *)(void *)x = value;
 }
 
+typedef unsigned long long lag_wide_bits __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH)));
+
 /* Several entries at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
 {
@@ -79,6 +81,12 @@ LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination 
         sum += c->weight[j] * lag_wide_at(slope + c->slope[j] * count + i);
     }
     return sum;
+}
+
+/* out = base + h * sum of the entries at i. */
+LAG_ATTEMPT_INLINED void lag_wide_combined(size_t i, const double *h, lag_wide sum, const double *base, double *out)
+{
+    lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * sum);
 }
 #else
 #define LAG_ATTEMPT_INLINED static inline
@@ -100,19 +108,36 @@ LAG_ATTEMPT_INLINED void lag_combine(
     size_t i = 0;
 #if defined(__GNUC__)
     const lag_wide none = {0.0};
-    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) { /* two sums, whose terms do not wait for each other */
-        lag_wide a = none;
-        lag_wide b = none;
+    for (; i + 4 * LAG_WIDTH <= count; i += 4 * LAG_WIDTH) { /* four sums, whose terms do not wait for each other */
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        lag_wide sum2 = none;
+        lag_wide sum3 = none;
         for (unsigned j = 0; j < c->count; ++j) {
             const double *from = slope + c->slope[j] * count + i;
-            a += c->weight[j] * lag_wide_at(from);
-            b += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+            sum0 += c->weight[j] * lag_wide_at(from);
+            sum1 += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+            sum2 += c->weight[j] * lag_wide_at(from + 2 * LAG_WIDTH);
+            sum3 += c->weight[j] * lag_wide_at(from + 3 * LAG_WIDTH);
         }
-        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * a);
-        lag_wide_to(out + i + LAG_WIDTH, lag_wide_at(base + i + LAG_WIDTH) + lag_wide_at(h + (i + LAG_WIDTH) % LAG_ATTEMPT_LANES) * b);
+        lag_wide_combined(i, h, sum0, base, out);
+        lag_wide_combined(i + LAG_WIDTH, h, sum1, base, out);
+        lag_wide_combined(i + 2 * LAG_WIDTH, h, sum2, base, out);
+        lag_wide_combined(i + 3 * LAG_WIDTH, h, sum3, base, out);
+    }
+    for (; i + 2 * LAG_WIDTH <= count; i += 2 * LAG_WIDTH) {
+        lag_wide sum0 = none;
+        lag_wide sum1 = none;
+        for (unsigned j = 0; j < c->count; ++j) {
+            const double *from = slope + c->slope[j] * count + i;
+            sum0 += c->weight[j] * lag_wide_at(from);
+            sum1 += c->weight[j] * lag_wide_at(from + LAG_WIDTH);
+        }
+        lag_wide_combined(i, h, sum0, base, out);
+        lag_wide_combined(i + LAG_WIDTH, h, sum1, base, out);
     }
     for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
-        lag_wide_to(out + i, lag_wide_at(base + i) + lag_wide_at(h + i % LAG_ATTEMPT_LANES) * lag_wide_added(count, c, slope, i, none));
+        lag_wide_combined(i, h, lag_wide_added(count, c, slope, i, none), base, out);
     }
 #endif
     for (; i < count; ++i) {
@@ -130,6 +155,16 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
     const size_t count = at->size * at->lanes;
     double *to = terms + 3 * count;
     size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide h = lag_wide_at(at->h + i % LAG_ATTEMPT_LANES);
+        const lag_wide first = lag_wide_at(at->slope + i);
+        const lag_wide change = lag_wide_at(at->x_new + i) - lag_wide_at(at->x + i);
+        lag_wide_to(terms + i, change);
+        lag_wide_to(terms + count + i, h * first - change);
+        lag_wide_to(terms + 2 * count + i, 2.0 * change - h * (lag_wide_at(at->slope + LAG_DOP853_END * count + i) + first));
+    }
+#endif
     for (; i < count; ++i) {
         const double h = at->h[i % LAG_ATTEMPT_LANES];
         const double change = at->x_new[i] - at->x[i];
@@ -166,8 +201,8 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
     }
 }
 
-/* Zero in sum[k] if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
-LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *sum)
+/* fault[k] stays as it is if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
+LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *fault)
 {
     const size_t last = lanes - 1;
     size_t i = 0;
@@ -180,12 +215,28 @@ LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const doub
         b += 0.0 * lag_wide_at(x + i + LAG_WIDTH);
     }
     for (size_t k = 0; k < LAG_WIDTH && fits; ++k) {
-        sum[k] += a[k];
-        sum[(k + LAG_WIDTH) & last] += b[k];
+        fault[k] += a[k];
+        fault[(k + LAG_WIDTH) & last] += b[k];
     }
 #endif
     for (; i < count; ++i) {
-        sum[i & last] += 0.0 * x[i];
+        fault[i & last] += 0.0 * x[i];
+    }
+}
+
+/* The same if x[k] is larger than `least`. */
+LAG_ATTEMPT_INLINED void lag_attempt_compare(size_t lanes, const double *x, double least, double *fault)
+{
+    size_t k = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; k + LAG_WIDTH <= lanes; k += LAG_WIDTH) { /* all bits set are no number */
+        const lag_wide_bits sound = (lag_wide_bits)(lag_wide_at(x + k) > none + least);
+        lag_wide_to(fault + k, (lag_wide)((lag_wide_bits)lag_wide_at(fault + k) | ~sound));
+    }
+#endif
+    for (; k < lanes; ++k) {
+        fault[k] = x[k] > least ? fault[k] : (double)NAN;
     }
 }
 
@@ -202,8 +253,15 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     const lag_wide none = {0.0};
     for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
         const lag_wide tolerance = lag_wide_at(at->tolerance + i);
-        const lag_wide e5 = lag_wide_added(count, &lag_dop853_fifth, at->slope, i, none) / tolerance;
-        const lag_wide e3 = lag_wide_added(count, step, at->slope, i, lag_wide_added(count, &lag_dop853_third, at->slope, i, none)) / tolerance;
+        lag_wide e5 = none;
+        lag_wide e3 = lag_wide_added(count, &lag_dop853_third, at->slope, i, none);
+        for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
+            const lag_wide slope = lag_wide_at(at->slope + step->slope[j] * count + i);
+            e5 += lag_dop853_fifth.weight[j] * slope;
+            e3 += step->weight[j] * slope;
+        }
+        e5 /= tolerance;
+        e3 /= tolerance;
         if (at->lanes >= LAG_WIDTH) {
             double *f = fifth + (i & last);
             double *t = third + (i & last);
@@ -230,13 +288,51 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     }
 }
 
+/* h |lambda| of lane k into urge[k], from the last stage and the new state, both at the end of the step: section IV.2, (2.38). */
+LAG_ATTEMPT_INLINED void lag_attempt_urges(const lag_attempt_arrays *at, double *urge)
+{
+    const size_t count = at->size * at->lanes;
+    const size_t last = at->lanes - 1;
+    const double *end = at->slope + LAG_DOP853_END * count;
+    const double *stage = at->slope + (LAG_DOP853_STAGES - 1) * count;
+    double change[LAG_ATTEMPT_LANES] = {0.0};
+    double distance[LAG_ATTEMPT_LANES] = {0.0};
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count && at->lanes >= LAG_WIDTH; i += LAG_WIDTH) {
+        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
+        const lag_wide by = (lag_wide_at(end + i) - lag_wide_at(stage + i)) / tolerance;
+        const lag_wide of = (lag_wide_at(at->x_new + i) - lag_wide_at(at->stage + i)) / tolerance;
+        double *c = change + (i & last);
+        double *d = distance + (i & last);
+        lag_wide_to(c, lag_wide_at(c) + by * by);
+        lag_wide_to(d, lag_wide_at(d) + of * of);
+    }
+#endif
+    for (; i < count; ++i) {
+        const double by = (end[i] - stage[i]) / at->tolerance[i];
+        const double of = (at->x_new[i] - at->stage[i]) / at->tolerance[i];
+        change[i & last] += by * by;
+        distance[i & last] += of * of;
+    }
+    for (size_t k = 0; k < at->lanes; ++k) {
+        urge[k] = distance[k] > 0.0 ? at->h[k] * sqrt(change[k] / distance[k]) : 0.0;
+    }
+}
+
 /* The rates of one stage, of the step or of its dense output. 0: `rates` ended the attempt. */
 LAG_ATTEMPT_INLINED int lag_attempt_stage(const lag_attempt_arrays *at, size_t i, lag_attempt_rates *rates, void *context)
 {
     const size_t count = at->size * at->lanes;
     double t[LAG_ATTEMPT_LANES];
     lag_combine(count, &lag_dop853_stages[i], at->h, at->slope, at->x, at->stage);
-    for (size_t k = 0; k < at->lanes; ++k) {
+    size_t k = 0;
+#if defined(__GNUC__)
+    for (; k + LAG_WIDTH <= at->lanes; k += LAG_WIDTH) {
+        lag_wide_to(t + k, lag_wide_at(at->t + k) + lag_dop853_stages[i].node * lag_wide_at(at->h + k));
+    }
+#endif
+    for (; k < at->lanes; ++k) {
         t[k] = at->t[k] + lag_dop853_stages[i].node * at->h[k];
     }
     return rates(context, i, t, at->stage, at->slope + i * count);

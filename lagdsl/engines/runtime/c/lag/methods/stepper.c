@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "lag/linalg/finite.h"
+#include "lag/linalg/order.h"
+#include "lag/linalg/vector.h"
 
 size_t lag_stepper_memory(size_t size)
 {
@@ -92,7 +94,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
 {
     s->method = method;
     s->last = (lag_last_step){0.0, 0.0, 0.0, 0};
-    s->attempt.begun = s->attempt.dense = 0;
+    s->attempt.begun = s->attempt.bare = s->attempt.dense = 0;
     const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
     if (status != LAG_OK) {
         return status;
@@ -133,7 +135,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
-    s->attempt.begun = 0;
+    s->attempt.begun = s->attempt.bare = 0;
     s->method->begin(s);
 }
 
@@ -153,7 +155,7 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
 double lag_stepper_length(const lag_stepper *s, double h, double limit)
 {
     const double rest = limit - s->t;
-    const double most = fmin(h, s->h_most);
+    const double most = lag_lower(h, s->h_most);
     return most * LAG_STRETCH >= rest ? rest : most;
 }
 
@@ -164,11 +166,11 @@ double lag_stepper_end(const lag_stepper *s, double h, double limit)
 
 void lag_stepper_accept(lag_stepper *s, double t_new, const double *x_new, const double *f_new)
 {
-    const size_t bytes = s->ode->size * sizeof(double);
-    memcpy(s->x_before, s->x, bytes);
-    memcpy(s->f_before, s->f, bytes);
-    memcpy(s->x, x_new, bytes);
-    memcpy(s->f, f_new, bytes);
+    const size_t size = s->ode->size;
+    lag_copy(size, s->x, s->x_before);
+    lag_copy(size, s->f, s->f_before);
+    lag_copy(size, x_new, s->x);
+    lag_copy(size, f_new, s->f);
     s->t_before = s->t;
     s->t = t_new;
 }

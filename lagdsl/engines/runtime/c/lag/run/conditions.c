@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "lag/linalg/order.h"
 #include "lag/run.h"
 
 size_t lag_conditions_memory(const lag_model *model)
@@ -9,25 +10,62 @@ size_t lag_conditions_memory(const lag_model *model)
     return 2 * model->ni + model->na;
 }
 
-/* True if all invariants are within their tolerances; with `count`, also records their departures and scales. */
-static int invariants(lag_conditions *watch, int count)
+/* The scale of invariant i, with the present state. */
+static double size_of(const lag_conditions *watch, size_t i)
+{
+    return lag_higher(lag_higher(fabs(watch->start[i]), watch->scale[i]), watch->size[i]);
+}
+
+static int invariants_hold(const lag_conditions *watch)
 {
     int within = 1;
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
-        const double drift = fabs(watch->value[i] - watch->start[i]);
-        const double size = fmax(watch->size[i], fmax(fabs(watch->start[i]), watch->scale[i]));
-        within = within && drift <= watch->tolerance[i] * size;
-        if (count) {
-            watch->size[i] = size;
-            watch->drift[i] = fmax(watch->drift[i], drift);
-        }
+        within = within && fabs(watch->value[i] - watch->start[i]) <= watch->tolerance[i] * size_of(watch, i);
     }
     return within;
 }
 
 void lag_conditions_count(lag_conditions *watch)
 {
-    (void)invariants(watch, 1);
+    for (size_t i = 0; i < watch->motion->model->ni; ++i) {
+        watch->size[i] = size_of(watch, i);
+        watch->drift[i] = lag_higher(fabs(watch->value[i] - watch->start[i]), watch->drift[i]);
+    }
+}
+
+static void take(size_t count, size_t lanes, const double *from, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = from[i * lanes];
+    }
+}
+
+/* True if all of it is known at this state, and taken. */
+static int is_known(lag_conditions *watch, double t, const double *x)
+{
+    const lag_known_conditions known = watch->known;
+    const lag_model *model = watch->motion->model;
+    const size_t size = lag_motion_size(model);
+    size_t i = 0;
+    if (known.x == NULL || *known.t != t) {
+        return 0;
+    }
+    watch->known.x = NULL;
+    while (i < size && x[i] == known.x[i * known.lanes]) {
+        ++i;
+    }
+    if (i == size) {
+        take(model->ni, known.lanes, known.value, watch->value);
+        take(model->ni, known.lanes, known.scale, watch->scale);
+        take(model->na, known.lanes, known.held, watch->held);
+    }
+    return i == size;
+}
+
+static lag_status evaluate(lag_conditions *watch, double t, const double *x, const double *xd)
+{
+    const lag_status status = lag_motion_know(watch->motion, t, x, xd);
+    return status == LAG_OK ? watch->motion->model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held) : status;
 }
 
 lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd)
@@ -36,10 +74,7 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
     if (model->ni + model->na == 0 || watch->tolerance == NULL) {
         return LAG_OK;
     }
-    lag_status status = lag_motion_know(watch->motion, t, x, xd);
-    if (status == LAG_OK) {
-        status = model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held);
-    }
+    lag_status status = is_known(watch, t, x) ? LAG_OK : evaluate(watch, t, x, xd);
     for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
         status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
     }
@@ -48,10 +83,10 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
     }
     watch->begun = 1;
     if (status == LAG_OK) {
-        status = invariants(watch, 0) ? LAG_OK : LAG_VIOLATED;
+        status = invariants_hold(watch) ? LAG_OK : LAG_VIOLATED;
     }
     if (status == LAG_OK) {
-        (void)invariants(watch, 1);
+        lag_conditions_count(watch);
     }
     return status;
 }

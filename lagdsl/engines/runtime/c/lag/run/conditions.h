@@ -4,8 +4,16 @@
 
 #include "lag/equations/motion.h"
 
+/* Values known already at the state x at time t, in lanes: of each array numbers of one state are `lanes` apart. */
+typedef struct lag_known_conditions {
+    size_t lanes;
+    const double *t, *x;                 /* x is null where nothing is known */
+    const double *value, *scale, *held;  /* (ni) (ni) (na) */
+} lag_known_conditions;
+
 typedef struct lag_conditions {
     lag_motion *motion;
+    lag_known_conditions known;   /* for the next look */
     int begun;
     double *start, *size, *drift; /* (ni) values at the start; largest scales and departures so far */
     const double *tolerance;      /* (ni) allowed departure, as a part of the scale; null: not watched */

@@ -6,6 +6,7 @@
 #include "lag/equations/discretes.h"
 #include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 
 /* Of a row with so many discretes. */
@@ -96,8 +97,8 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
         return status;
     }
     row[0] = t;
-    memcpy(row + 1, x, size * sizeof(double));
-    memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
+    lag_copy(size, x, row + 1);
+    lag_copy(variables, run->motion.w, row + 1 + size);
     (void)lag_run_count_turns(run, t, x); /* where it cannot, outputs are as the model has them */
     observe(run, t, x, results->any && results->after == t, results->bare, row + 1 + size + variables);
     lag_run_unwind(run, row + 1 + size + variables);

@@ -42,6 +42,7 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     const size_t ni = model->ni;
     double *own = lag_take(memory, 3 * ni);
     run->conditions.motion = &run->motion;
+    run->conditions.known = (lag_known_conditions){0};
     run->conditions.begun = invariants->continued;
     run->conditions.start = invariants->start != NULL ? invariants->start : own;
     run->conditions.size = invariants->size != NULL ? invariants->size : own + ni;

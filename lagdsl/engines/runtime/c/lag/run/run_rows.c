@@ -1,6 +1,7 @@
 /* States within the last step: rows of a run at requested times, the past of what is delayed; how far a step goes. */
 #include <math.h>
 
+#include "lag/linalg/order.h"
 #include "lag/run.h"
 
 /* Pieces of the past are at least this part of a step: there may be a corner that nobody told. */
@@ -21,7 +22,7 @@ lag_status lag_run_inside(lag_run *run, double t, double *x)
 double lag_run_limit(const lag_run *run, double stop)
 {
     const double known = run->stepper.t + lag_delays_shortest(&run->motion.delays); /* delayed values are those of steps that are over */
-    return fmin(fmin(stop, known), lag_instants_next(&run->instants));
+    return lag_lower(lag_lower(stop, known), lag_instants_next(&run->instants));
 }
 
 int lag_run_looks_inside(const lag_run *run, double t)

@@ -290,11 +290,11 @@ lag_status lag_run_happening(lag_run *run, double *t)
     const lag_stepper *s = &run->stepper;
     lag_guards *guards = &run->guards;
     const double h = s->t - s->t_before;
-    const double length = run->instants.contacts.length;
-    scan on = {s->t_before, guards->pieces.reach > 0.0 ? guards->pieces.reach : FIRST * h, 0.0, (double)INFINITY};
     if (count_of(run) == 0 || !(h > 0.0)) {
         return LAG_OK;
     }
+    const double length = run->instants.contacts.length;
+    scan on = {s->t_before, guards->pieces.reach > 0.0 ? guards->pieces.reach : FIRST * h, 0.0, (double)INFINITY};
     on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
     on.longest = length > 0.0 ? LAG_SCAN_LONGEST * length : (double)INFINITY;
     on.reach = fmin(fmax(on.reach, on.shortest), on.longest); /* the last step may have been as short as round-off */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
@@ -293,7 +294,7 @@ lag_status lag_run_step(lag_run *run, double stop)
         own = lag_scan_on_constraints(run, run->half.pending, own);
     }
     half->length = s->t - t;
-    half->t = fmin(own, s->t);
+    half->t = lag_lower(own, s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
     }

@@ -8,9 +8,13 @@
 #include "lag/session/motions.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /* Rows and notes of a run before they are sorted. */
 enum { ROWS = 16, NOTES = 64 };
+
+/* Groups of lanes: as many as make the most lanes, of two lanes at least. */
+enum { GROUPS = LAG_ATTEMPT_LANES / 2 };
 
 /* Bytes of the longest vector: what starts at a multiple of it is read fastest. */
 enum { ALIGNED = 64 };
@@ -49,8 +53,10 @@ typedef struct crowd {
     size_t next, end;    /* the next run, and where they end */
     size_t lanes;
     lane *lane;
-    lag_motions motions;
-    lag_attempts attempts;
+    size_t each;         /* lanes of a group */
+    lag_motions motions[GROUPS];
+    lag_attempts attempts[GROUPS];
+    lag_stepper *stepper[LAG_ATTEMPT_LANES]; /* that an attempt was made for; null: none */
 } crowd;
 
 /* Doubles of a lane beside those of the run: rows, sizes of constraints, start values and the start, flags of constraints. */
@@ -64,11 +70,19 @@ static size_t lane_size(const lag_ensemble *ensemble)
     return lag_padded(own_memory(ensemble->model) * sizeof(double)) + lag_padded(lag_run_size(ensemble->model, ensemble->options));
 }
 
-/* Runs that are under way together: those of large models are not, whose matrices would be there several times. */
+/* Runs that are under way together, in groups of lanes: those of large models are not, whose matrices would be there several times. */
 static size_t lanes_of(const lag_ensemble *ensemble)
 {
-    const size_t lanes = lag_motions_can(ensemble->model, ensemble->states) ? ensemble->states->lanes : 1;
-    return lanes * lane_size(ensemble) <= MOST_BYTES ? lanes : 1;
+    const int can = lag_motions_can(ensemble->model, ensemble->states);
+    return can && LAG_ATTEMPT_LANES * lane_size(ensemble) <= MOST_BYTES ? LAG_ATTEMPT_LANES : 1;
+}
+
+/* Doubles of a group. */
+static size_t group_memory(const lag_ensemble *ensemble)
+{
+    const lag_states *states = ensemble->states;
+    const size_t count = lag_motions_memory(ensemble->model, states) + lag_attempts_memory(lag_motion_size(ensemble->model), states->lanes);
+    return (count * sizeof(double) + ALIGNED - 1) / ALIGNED * (ALIGNED / sizeof(double));
 }
 
 size_t lag_ensemble_width(const lag_model *model)
@@ -78,12 +92,8 @@ size_t lag_ensemble_width(const lag_model *model)
 
 size_t lag_ensemble_size(const lag_ensemble *ensemble)
 {
-    const lag_model *model = ensemble->model;
     const size_t lanes = lanes_of(ensemble);
-    size_t together = 0;
-    if (lanes > 1) {
-        together = lag_motions_memory(model, ensemble->states) + lag_attempts_memory(lag_motion_size(model), lanes);
-    }
+    const size_t together = lanes > 1 ? lanes / ensemble->states->lanes * group_memory(ensemble) : 0;
     return lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane)) + lanes * lane_size(ensemble) + ALIGNED + together * sizeof(double);
 }
 
@@ -105,7 +115,7 @@ static lag_status keep(void *context, lag_results *results)
         } else if (!again) {
             continue;
         }
-        memcpy(k->rows + (k->kept - 1) * own, row + 1, own * sizeof(double));
+        lag_copy(own, row + 1, k->rows + (k->kept - 1) * own);
     }
     results->row = results->note = 0;
     return LAG_OK;
@@ -181,7 +191,7 @@ static void end(crowd *all, size_t k, lag_status status)
         ensemble->failed(ensemble->context, own->number, own->run, (int)status, own->starts, own->x, told);
     }
     own->run = NULL;
-    all->motions.of[k] = NULL;
+    all->motions[k / all->each].of[k % all->each] = NULL;
 }
 
 /* The next run begins in lane k. */
@@ -220,7 +230,7 @@ static void begin(crowd *all, size_t k)
     if (status != LAG_OK || ended) {
         end(all, k, status);
     } else if (all->lanes > 1) {
-        lag_motions_enter(&all->motions, k, &own->run->motion);
+        lag_motions_enter(all->motions + k / all->each, k % all->each, &own->run->motion);
     }
 }
 
@@ -257,33 +267,68 @@ static lag_stepper *bring(crowd *all, size_t k)
     }
 }
 
-/* Steps of the lanes that have one before them: attempts at them together, each step by itself. Returns 0 where there are none. */
+/* Lane k from the attempt that was made for it, if there is one, to the next one, which enters: all of that while its run is at hand. */
+static void advance(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    const size_t group = k / all->each;
+    const size_t place = k % all->each;
+    if (all->stepper[k] != NULL && lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
+        own->run->conditions.known = lag_motions_known(all->motions + group, place);
+        step(all, k);
+    }
+    lag_stepper *s = all->stepper[k] = bring(all, k);
+    if (s != NULL) {
+        lag_attempt_begin(s, lag_run_limit(own->run, own->goal));
+        s->attempt.dense = lag_run_looks_inside(own->run, s->attempt.t_new);
+        lag_attempts_enter(all->attempts + group, s, place);
+    }
+}
+
+/* Inputs and discretes of all groups. */
+static lag_status take(crowd *all)
+{
+    lag_status status = LAG_OK;
+    for (size_t g = 0; g < all->lanes / all->each && status == LAG_OK; ++g) {
+        status = lag_motions_take(all->motions + g);
+    }
+    return status;
+}
+
+/* A step, or an attempt at it, of each lane that has one before it. Returns 0 where there are none. */
 static int step_together(crowd *all)
 {
-    lag_stepper *steppers[LAG_ATTEMPT_LANES] = {NULL};
-    unsigned char done[LAG_ATTEMPT_LANES];
     size_t count = 0;
     for (size_t k = 0; k < all->lanes; ++k) {
-        steppers[k] = bring(all, k);
-        done[k] = steppers[k] != NULL;
-        count += done[k];
+        advance(all, k);
+        count += all->stepper[k] != NULL;
     }
-    if (count > 1 && lag_motions_take(&all->motions) == LAG_OK) {
-        for (size_t k = 0; k < all->lanes; ++k) {
-            if (steppers[k] != NULL) {
-                const lag_run *run = all->lane[k].run;
-                lag_attempt_begin(steppers[k], lag_run_limit(run, all->lane[k].goal));
-                steppers[k]->attempt.dense = lag_run_looks_inside(run, steppers[k]->attempt.t_new);
-            }
-        }
-        lag_attempts_make(&all->attempts, steppers, done);
+    if (count > 1 && take(all) == LAG_OK) {
+        lag_attempts_make(all->attempts, all->lanes / all->each, all->stepper);
+        return 1;
     }
     for (size_t k = 0; k < all->lanes; ++k) {
-        if (done[k]) {
+        if (all->stepper[k] != NULL) {
+            all->stepper[k] = NULL;
             step(all, k);
         }
     }
     return count > 0;
+}
+
+static void place_groups(crowd *all, double *memory)
+{
+    const lag_ensemble *ensemble = all->ensemble;
+    const lag_model *model = ensemble->model;
+    const lag_states *states = ensemble->states;
+    for (size_t g = 0; g < all->lanes / all->each; ++g, memory += group_memory(ensemble)) {
+        lag_attempts *attempts = all->attempts + g;
+        lag_motions_place(all->motions + g, model, states, memory);
+        lag_attempts_place(attempts, lag_motion_size(model), all->each, states->width, memory + lag_motions_memory(model, states));
+        attempts->rates = lag_motions_rates;
+        attempts->ends = ensemble->options->invariants.tolerance == NULL ? NULL : lag_motions_monitor;
+        attempts->context = all->motions + g;
+    }
 }
 
 /* Lays out the memory of one thread. */
@@ -295,6 +340,7 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
     crowd *all = block;
     all->ensemble = ensemble;
     all->lanes = lanes;
+    memset(all->stepper, 0, sizeof all->stepper);
     all->lane = (lane *)(void *)(bytes + lag_padded(sizeof(crowd)));
     bytes += lag_padded(sizeof(crowd)) + lag_padded(lanes * sizeof(lane));
     for (size_t k = 0; k < lanes; ++k, bytes += lane_size(ensemble)) {
@@ -308,12 +354,9 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         own->block = bytes + lag_padded(own_memory(model) * sizeof(double));
         own->run = NULL;
     }
+    all->each = lanes > 1 ? ensemble->states->lanes : 1;
     if (lanes > 1) {
-        bytes += (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED;
-        double *memory = (double *)(void *)bytes;
-        lag_motions_place(&all->motions, model, ensemble->states, memory);
-        memory += lag_motions_memory(model, ensemble->states);
-        lag_attempts_place(&all->attempts, lag_motion_size(model), lanes, ensemble->states->wide, lag_motions_rates, &all->motions, memory);
+        place_groups(all, (double *)(void *)(bytes + (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED));
     }
     return all;
 }

@@ -12,7 +12,7 @@ int lag_motions_can(const lag_model *model, const lag_states *states)
 
 size_t lag_motions_memory(const lag_model *model, const lag_states *states)
 {
-    return states->lanes * (model->nu + model->nw + model->np + model->nc + 2) + states->workspace;
+    return states->lanes * (model->nu + model->nw + model->np + model->nc + 2 * model->ni + model->na + 3) + states->workspace;
 }
 
 void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_states *states, double *memory)
@@ -29,6 +29,14 @@ void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_s
     motions->at.p = motions->p = lag_take(&memory, lanes * model->np);
     motions->pivot = lag_take(&memory, lanes);
     motions->lam = lag_take(&memory, lanes * (model->nc + 1));
+    motions->value = lag_take(&memory, lanes * model->ni);
+    motions->scale = lag_take(&memory, lanes * model->ni);
+    motions->held = lag_take(&memory, lanes * model->na);
+    motions->t = lag_take(&memory, lanes);
+    motions->known = (lag_known_conditions){
+        .lanes = lanes, .t = motions->t, .value = motions->value, .scale = motions->scale, .held = motions->held
+    };
+    motions->smallest = lag_smallest_pivot(model);
 }
 
 static void put(size_t count, size_t lanes, size_t k, const double *x, double *to)
@@ -55,6 +63,7 @@ lag_status lag_motions_take(lag_motions *motions)
             put(model->nw, lanes, k, motions->of[k]->w, motions->w);
         }
     }
+    motions->known.x = NULL;
     const lag_status status = motions->prepared ? LAG_OK : motions->states->prepare(&motions->at);
     motions->prepared = status == LAG_OK;
     return status;
@@ -73,14 +82,12 @@ static void take_inputs(lag_motions *motions, const double *t)
     }
 }
 
-void lag_motions_rates(void *context, const double *t, const double *x, double *xd, unsigned char *sound)
+void lag_motions_rates(void *context, const double *t, const double *x, double *xd, double *fault)
 {
     lag_motions *motions = context;
     const lag_model *model = motions->model;
     const lag_states *states = motions->states;
     const size_t n = model->nq * states->lanes;
-    const double smallest = lag_smallest_pivot(model);
-    double sum[LAG_ATTEMPT_LANES] = {0.0};
     double none[LAG_ATTEMPT_LANES];
     lag_arguments *at = &motions->at;
     take_inputs(motions, t);
@@ -95,8 +102,26 @@ void lag_motions_rates(void *context, const double *t, const double *x, double *
     if (status == LAG_OK && model->nz > 0) {
         status = states->state_derivative(at, xd + 2 * n);
     }
-    lag_attempt_look(model->nc * states->lanes, states->lanes, motions->lam, sum);
-    for (size_t k = 0; k < states->lanes; ++k) {
-        sound[k] = sound[k] && status == LAG_OK && sum[k] == 0.0 && motions->pivot[k] > smallest;
-    }
+    lag_attempt_look(model->nc * states->lanes, states->lanes, motions->lam, fault);
+    lag_attempt_compare(states->lanes, motions->pivot, status == LAG_OK ? motions->smallest : (double)INFINITY, fault);
+}
+
+void lag_motions_monitor(void *context, const double *t, const double *x)
+{
+    lag_motions *motions = context;
+    const lag_states *states = motions->states;
+    const int found = states->monitor != NULL && states->monitor(&motions->at, motions->value, motions->scale, motions->held) == LAG_OK;
+    motions->known.x = found ? x : NULL;
+    memcpy(motions->t, t, states->lanes * sizeof(double));
+}
+
+lag_known_conditions lag_motions_known(const lag_motions *motions, size_t k)
+{
+    lag_known_conditions known = motions->known;
+    known.t += k;
+    known.x = known.x == NULL ? NULL : known.x + k;
+    known.value += k;
+    known.scale += k;
+    known.held += k;
+    return known;
 }

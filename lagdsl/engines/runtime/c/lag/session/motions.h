@@ -4,6 +4,7 @@
 
 #include "lag/equations/motion.h"
 #include "lag/methods/attempts.h"
+#include "lag/run/conditions.h"
 
 typedef struct lag_motions {
     const lag_model *model;
@@ -11,6 +12,9 @@ typedef struct lag_motions {
     lag_arguments at;                 /* of all lanes */
     double *u, *w, *p;                /* (nu, lanes) (nw, lanes) (np, lanes) */
     double *lam, *pivot;              /* (nc, lanes) (lanes) */
+    double smallest;                  /* pivot */
+    lag_known_conditions known;       /* in lanes, at ends of attempts */
+    double *value, *scale, *held, *t; /* (ni, lanes) (ni, lanes) (na, lanes) (lanes) of them */
     lag_motion *of[LAG_ATTEMPT_LANES]; /* null: the lane is free */
     int prepared;                     /* for the parameters of all of them */
 } lag_motions;
@@ -28,5 +32,9 @@ void lag_motions_enter(lag_motions *motions, size_t k, lag_motion *motion);
 /* Inputs and discretes of all lanes as they are now. LAG_OK: the rates are those of lag_motion.ode, to the bit. */
 lag_status lag_motions_take(lag_motions *motions);
 lag_rates_in_lanes lag_motions_rates;
+
+/* The conditions that must hold, at the states that had their rates last, and what is known of those of lane k, until others are found. */
+lag_ends_in_lanes lag_motions_monitor;
+lag_known_conditions lag_motions_known(const lag_motions *motions, size_t k);
 
 #endif

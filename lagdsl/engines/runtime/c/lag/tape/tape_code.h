@@ -107,8 +107,8 @@ void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *ro
 #if defined(__GNUC__)
 #define LAG_TAPE_LANES 8
 void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);
-/* 1: the processor has registers of 256 bits, and the library is compiled for one without. */
-int lag_tape_lanes_are_wide(void);
+/* Doubles in a register of the processor, as far as the library is compiled for it. */
+size_t lag_tape_lanes_width(void);
 #else
 #define LAG_TAPE_LANES 0
 #endif

@@ -34,38 +34,50 @@ typedef double block_memory __attribute__((vector_size(8 * LAG_TAPE_LANES), alig
 #define AS_BITS(x) ((block_bits)(x))
 #define SUM_OF_PRODUCT(x, y, z) ((x) * (y) + (z))
 
-INLINED void sincos_of_block(const block *angle, block_memory *s, block_memory *c)
+/* All bits of lanes whose arguments vectors serve. */
+INLINED block_bits sincos_of_block(const block *angle, block_memory *s, block_memory *c)
 {
     const block x = *angle;
-    int near = 1;
-    for (size_t lane = 0; lane < LAG_TAPE_LANES; ++lane) {
-        near &= fabs(x[lane]) <= LAG_SINCOS_LARGEST;
-    }
-    if (near) {
-        LAG_SINCOS_BODY(block, block_bits, x, AS_BITS, SUM_OF_PRODUCT, (double));
-        *s = (block)sine;
-        *c = (block)cosine;
-        return;
-    }
-    for (size_t lane = 0; lane < LAG_TAPE_LANES; ++lane) {
-        double one_sine;
-        double one_cosine;
-        lag_sincos(x[lane], &one_sine, &one_cosine);
-        (*s)[lane] = one_sine;
-        (*c)[lane] = one_cosine;
+    const block none = {0.0};
+    LAG_SINCOS_BODY(block, block_bits, x, AS_BITS, SUM_OF_PRODUCT, (double));
+    *s = (block)sine;
+    *c = (block)cosine;
+    return (block_bits)(ABS_OF_BLOCK(x) <= none + LAG_SINCOS_LARGEST);
+}
+
+/* The others. */
+static void turn_far(uint32_t count, const block *x, const uint32_t *from, block_memory *row)
+{
+    for (uint32_t i = 0; i < count; ++i) {
+        for (size_t lane = 0; lane < LAG_TAPE_LANES; ++lane) {
+            double sine;
+            double cosine;
+            if (!(fabs(x[i][lane]) <= LAG_SINCOS_LARGEST)) {
+                lag_sincos(x[i][lane], &sine, &cosine);
+                row[from[count + i]][lane] = sine;
+                row[from[2 * count + i]][lane] = cosine;
+            }
+        }
     }
 }
 
+/* One look at all arguments: looking at lanes takes its time. */
 INLINED void turn(const uint32_t *word, block_memory *row)
 {
     const uint32_t count = word[1];
     const uint32_t *from = word + 2;
     block x[LAG_TAPE_ANGLES]; /* angles may stand where sines go */
+    unsigned long long near[LAG_TAPE_LANES];
+    block_bits all_near = ~(block_bits){0};
     for (uint32_t i = 0; i < count; ++i) {
         x[i] = row[from[i]];
     }
     for (uint32_t i = 0; i < count; ++i) {
-        sincos_of_block(x + i, row + from[count + i], row + from[2 * count + i]);
+        all_near &= sincos_of_block(x + i, row + from[count + i], row + from[2 * count + i]);
+    }
+    memcpy(near, &all_near, sizeof near);
+    if ((near[0] & near[1] & near[2] & near[3] & near[4] & near[5] & near[6] & near[7]) == 0) {
+        turn_far(count, x, from, row);
     }
 }
 
@@ -182,9 +194,9 @@ RUN_IN(run_widest, "avx512f,avx512dq")
 #define WIDEST 0
 #endif
 
-int lag_tape_lanes_are_wide(void)
+size_t lag_tape_lanes_width(void)
 {
-    return WIDE;
+    return WIDEST ? 8 : WIDE ? 4 : 2;
 }
 
 void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)

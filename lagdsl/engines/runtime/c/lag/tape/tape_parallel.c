@@ -41,6 +41,12 @@ static lag_status state_derivative(const lag_arguments *at, double *rates)
     return run(at, 1 + LAG_STATE_DERIVATIVE, results);
 }
 
+static lag_status monitor(const lag_arguments *at, double *invariant, double *scale, double *assertion)
+{
+    double *const results[] = {invariant, scale, assertion};
+    return run(at, 1 + LAG_MONITOR, results);
+}
+
 /* ---- directions ---- */
 
 /* The row of the directions follows on that of the state. */
@@ -123,11 +129,12 @@ void lag_tape_parallel(lag_tape *tape)
     tape->states = (lag_states){
         .lanes = LAG_TAPE_LANES,
         .workspace = LAG_TAPE_LANES * tape->row,
-        .wide = lag_tape_lanes_are_wide(),
+        .width = lag_tape_lanes_width(),
         .prepare = prepare,
         .dynamics = lag_tape_has(tape, LAG_DYNAMICS) ? dynamics : NULL,
         .elimination = lag_tape_has(tape, LAG_ELIMINATION) ? elimination : NULL,
         .state_derivative = tape->model.nz > 0 ? state_derivative : NULL,
+        .monitor = lag_tape_has(tape, LAG_MONITOR) ? monitor : NULL,
     };
     for (size_t part = 0; part < 2; ++part) {
         lag_tangents *own = tape->tangents + part;
