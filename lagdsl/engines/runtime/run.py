@@ -54,9 +54,8 @@ class _Search:
         self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(nc), np.zeros((nc, nq))
         self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
         self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
-        self._told = Initial(
-            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(self._pattern)
-        )
+        self.dependent = place_of(self._dependent)
+        self._told = Initial(dependent=self.dependent, row_sizes=self.row_sizes, pattern=place_of(self._pattern))
 
     def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
         """The start values with those `given`, and what the search is told."""
@@ -67,6 +66,11 @@ class _Search:
         self._told.given, self._told.p = not equations, None
         self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
         return self._x.copy(), self._told
+
+    def again(self, found: Found) -> int:
+        """What was found before is found now; returns where it is flagged which rows depend on others."""
+        self._row_sizes[:], self._dependent[:] = found.row_sizes, found.dependent
+        return self.dependent
 
     def found(self, starts: Floats, p: Floats) -> Found:
         return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)
@@ -135,6 +139,14 @@ class Run(RunView):
         if self.settings.measures.start.free:
             self.p = np.array((c_double * len(self._layout.parameters)).from_address(told.p))
         return search.found(starts, self.p)
+
+    def find_again(self, t: float, found: Found) -> None:
+        """The start that was found before, for the same model, parameters, inputs and start values, none of them free:
+        without a search."""
+        search, library = self._search, self._library
+        self._checked(library.run_start(self._run, t, search.x))
+        if len(found.row_sizes):
+            library.run_depend(self._run, search.again(found))
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""

@@ -86,7 +86,9 @@ class ToldOptions:
         """`along` makes the functions of several directions of derivatives."""
         self.along = CalledAlong(along)
         self._p, self._u = (np.zeros(layout.size(group) + 1) for group in (Group.P, Group.U))
-        self._times = self._tolerance = np.zeros(0)
+        self._u_place, self._calls = place_of(self._u), False
+        self._times, self._tolerance = np.zeros(0), np.zeros(len(layout.invariants) + 1)
+        self._tolerance_place = place_of(self._tolerance)
         self._measures: tuple[Measures, list[object]] | None = None
         self.structure = RunOptions(careful=1, p=place_of(self._p))
         self.structure.callbacks.along = self.along.called
@@ -113,21 +115,22 @@ class ToldOptions:
 
     def _take_inputs(self, inputs: RunInputs) -> None:
         options = self.structure
-        options.u = place_of(self._u)
-        if options.callbacks.inputs:
+        options.u = self._u_place
+        if self._calls:
             options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
-        if isinstance(inputs, TabledInputs):
+        self._calls = not isinstance(inputs, np.ndarray)
+        if isinstance(inputs, np.ndarray):
+            self._u[:-1] = inputs
+        elif isinstance(inputs, TabledInputs):
             inputs.tell(options, runtime_library(), self.kept)
             self._u[:-1] = inputs.u
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, runtime_library())
             self.called += [inputs.called] if inputs.called is not None else []
-        elif callable(inputs):
+        else:
             asked = CalledInputs(inputs, range(len(self._u) - 1))
             options.callbacks.inputs, options.u = asked.called, None
             self.called.append(asked)
-        else:
-            self._u[:-1] = inputs
 
     def _take_times(self, times: Floats) -> None:
         if len(times) >= len(self._times):
@@ -137,13 +140,10 @@ class ToldOptions:
 
     def _take_tolerance(self, tolerance: Floats | None) -> None:
         """That of invariants, with one number more, so that it is not null where there are assertions only."""
-        self.structure.invariants.tolerance = None
-        if tolerance is None:
-            return
-        if len(self._tolerance) != len(tolerance) + 1:
-            self._tolerance = np.zeros(len(tolerance) + 1)
-        self._tolerance[:-1] = tolerance
-        self.structure.invariants.tolerance = place_of(self._tolerance)
+        watched = tolerance is not None
+        self.structure.invariants.tolerance = self._tolerance_place if watched else None
+        if tolerance is not None:
+            self._tolerance[:-1] = tolerance
 
 
 def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from lagdsl.motion.pipeline import Compilation
     from lagdsl.motion.signals.inputs import Signal
     from lagdsl.motion.simulate.control import Control
+    from lagdsl.motion.simulate.failure import SimulationFailed
     from lagdsl.motion.simulate.initialize import InitialState
 
 Floats = NDArray[np.float64]
@@ -183,10 +184,7 @@ class Model(Stepped):
         part of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first step,
         SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
-        from lagdsl.interfaces.api.trajectory import Trajectory
-        from lagdsl.motion.simulate.failure import SimulationFailed
-        from lagdsl.motion.simulate.simulate import simulate
-
+        simulate, failed, trajectory_of = _simulator()
         controllers = control if isinstance(control, Sequence) else [control]
         own = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         page = None if controllers else own
@@ -207,10 +205,10 @@ class Model(Stepped):
                 progress=watched(progress, "simulation"),
                 sink=sink,
             )
-        except SimulationFailed as failure:
-            failure.trajectory = Trajectory.of(failure.trajectory, page)
+        except failed as failure:
+            failure.trajectory = trajectory_of(failure.trajectory, page)
             raise
-        return Trajectory.of(motion, page)
+        return trajectory_of(motion, page)
 
     @with_starts
     def simulate_many(
@@ -360,3 +358,14 @@ class Model(Stepped):
             sink=sink,
             progress=watched(progress, "FMU"),
         )
+
+
+@cache
+def _simulator() -> tuple[Callable[..., Any], type[SimulationFailed], Callable[..., Trajectory]]:
+    """`simulate`, what it raises, and what makes its product that of this interface: looked up once, as a short run
+    takes ten times as long as the look."""
+    from lagdsl.interfaces.api.trajectory import Trajectory
+    from lagdsl.motion.simulate.failure import SimulationFailed
+    from lagdsl.motion.simulate.simulate import simulate
+
+    return simulate, SimulationFailed, Trajectory.of

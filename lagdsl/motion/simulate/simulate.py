@@ -24,14 +24,15 @@ from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
 from lagdsl.motion.simulate.placed import placed, start_values
-from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
+from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, Resolution, noted
+from lagdsl.motion.simulate.table import heads_of
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
 _GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
 LARGEST_ROWS = 20_000_000
 
-_UNKNOWN = resolution_of(())
+_UNKNOWN = Resolution(())
 
 
 def _number(name: str, value: object) -> float:
@@ -132,7 +133,7 @@ class _Finer:
     def made(self, times: Floats, progress: Callable[[float], None] | None, sink: Sink) -> Trajectory:
         """With rows at `times`."""
         motion, turns = _motion(self._asked, times, progress, sink, self)
-        self.resolution, self.intervals = resolution_of(turns), len(times) - 1
+        self.resolution, self.intervals = Resolution(turns), len(times) - 1
         return motion
 
     def again(self, intervals: int) -> Trajectory:
@@ -161,7 +162,7 @@ def _shown(
     if interval is None and finer.intervals < finer.resolution.rows:
         finer.intervals = finer.resolution.rows
         motion = replace(finer.again(finer.intervals), finer=finer)
-    return noted(motion, finer.resolution, finer.intervals)
+    return noted(motion, heads_of(asked.flat), finer.resolution, finer.intervals)
 
 
 def _motion(

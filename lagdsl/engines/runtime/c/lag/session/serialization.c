@@ -128,6 +128,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->ranks.estimate.most);
     RECORD(run->ranks.estimate.rank);
     RECORD(run->ranks.estimate.margin);
+    RECORD(run->ranks.estimate.known.margin);
+    RECORD(run->ranks.estimate.known.least);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
     RECORD(run->conditions.begun);
