@@ -69,6 +69,7 @@ class Model(Stepped):
         self._compilation = compilation
         self._engine = engine
         self._source = source
+        self._crowd = engine.crowd()
         self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
@@ -122,6 +123,9 @@ class Model(Stepped):
         p = p if parameters is None else given_once("p", p, "parameters", parameters)
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
+        found = self._crowd(threads, t, q, qd, (z, u, w, p), out)
+        if found is not None:
+            return found
         state = self._state(t, q, qd, z, u, w, p)
         return self._engine.solve_batch(threads, *state, out=out)[0]
 

@@ -68,7 +68,7 @@ class Values:
         self._solve = solve
         self._differentiate = differentiate
         self._sizes = sizes
-        self._defaults = np.array(defaults, dtype=np.float64)
+        self._defaults, self._none = np.array(defaults, dtype=np.float64), np.zeros(0)
         self._calls: Mapping[str, Call] = BROADCAST
         self._row_factors: Floats = np.ones(1)  # by which the equations multiply rows, where that is known
 
@@ -120,14 +120,14 @@ class Values:
         p: Entries | None,
     ) -> tuple[Floats, ...]:
         """t, q, qd, z, u, w, p as arrays, with what is left out."""
-        sizes = self._sizes
+        sizes, none = self._sizes, self._none
         coordinates = self._vector("q", q, None)
         time = _time(t, coordinates.shape, sizes.q)
         parameters = self._defaults if p is None else self._vector("p", p, self._defaults)
-        if (_is_partial(z) and sizes.z) or (_is_partial(u) and sizes.u):
+        if (sizes.z and _is_partial(z)) or (sizes.u and _is_partial(u)):
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
         else:
-            initial_states, default_inputs = np.zeros(sizes.z), np.zeros(sizes.u)
+            initial_states = default_inputs = none  # nothing, or nobody looks at them
         state = (
             time,
             coordinates,
@@ -136,7 +136,7 @@ class Values:
             default_inputs if u is None else self._vector("u", u, default_inputs),
         )
         if not sizes.w or not _is_partial(w):
-            return (*state, np.zeros(0) if w is None else self._vector("w", w, None), parameters)
+            return (*state, none if w is None else self._vector("w", w, None), parameters)
         standing = self._standing(*state, parameters)
         return (*state, standing if w is None else self._vector("w", w, standing), parameters)
 
@@ -150,7 +150,7 @@ class Values:
     def _vector(self, name: str, given: Entries, others: Floats | None) -> Floats:
         """Entries by name, or all of them; those that are left out by name are those of `others`."""
         names = self._names[name]
-        if isinstance(given, Mapping):
+        if not isinstance(given, np.ndarray) and isinstance(given, Mapping):  # arrays are told soonest
             own = own_entries(self._aliases, given) if name in ("q", "qd") else given
             return with_entries(name, names, self._numbers(name, own), others)
         return whole_vector(name, given, len(names))
