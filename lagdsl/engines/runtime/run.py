@@ -54,8 +54,9 @@ class _Search:
         self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(nc), np.zeros((nc, nq))
         self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
         self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
-        self.dependent = place_of(self._dependent)
-        self._told = Initial(dependent=self.dependent, row_sizes=self.row_sizes, pattern=place_of(self._pattern))
+        self._told = Initial(
+            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(self._pattern)
+        )
 
     def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
         """The start values with those `given`, and what the search is told."""
@@ -70,7 +71,7 @@ class _Search:
     def again(self, found: Found) -> int:
         """What was found before is found now; returns where it is flagged which rows depend on others."""
         self._row_sizes[:], self._dependent[:] = found.row_sizes, found.dependent
-        return self.dependent
+        return place_of(self._dependent)
 
     def found(self, starts: Floats, p: Floats) -> Found:
         return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)

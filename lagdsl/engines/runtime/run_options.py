@@ -85,10 +85,8 @@ class ToldOptions:
     def __init__(self, layout: Layout, along: Callable[[], NativeModel | None]) -> None:
         """`along` makes the functions of several directions of derivatives."""
         self.along = CalledAlong(along)
-        self._p, self._u = (np.zeros(layout.size(group) + 1) for group in (Group.P, Group.U))
-        self._u_place, self._calls = place_of(self._u), False
-        self._times, self._tolerance = np.zeros(0), np.zeros(len(layout.invariants) + 1)
-        self._tolerance_place = place_of(self._tolerance)
+        self._p, self._times = np.zeros(layout.size(Group.P) + 1), np.zeros(0)
+        self._u, self._tolerance = _placed(layout.size(Group.U)), _placed(len(layout.invariants))
         self._measures: tuple[Measures, list[object]] | None = None
         self.structure = RunOptions(careful=1, p=place_of(self._p))
         self.structure.callbacks.along = self.along.called
@@ -115,20 +113,19 @@ class ToldOptions:
 
     def _take_inputs(self, inputs: RunInputs) -> None:
         options = self.structure
-        options.u = self._u_place
-        if self._calls:
+        u, options.u = self._u
+        if options.callbacks.inputs:
             options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
-        self._calls = not isinstance(inputs, np.ndarray)
         if isinstance(inputs, np.ndarray):
-            self._u[:-1] = inputs
+            u[:-1] = inputs
         elif isinstance(inputs, TabledInputs):
             inputs.tell(options, runtime_library(), self.kept)
-            self._u[:-1] = inputs.u
+            u[:-1] = inputs.u
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, runtime_library())
             self.called += [inputs.called] if inputs.called is not None else []
         else:
-            asked = CalledInputs(inputs, range(len(self._u) - 1))
+            asked = CalledInputs(inputs, range(len(u) - 1))
             options.callbacks.inputs, options.u = asked.called, None
             self.called.append(asked)
 
@@ -140,10 +137,16 @@ class ToldOptions:
 
     def _take_tolerance(self, tolerance: Floats | None) -> None:
         """That of invariants, with one number more, so that it is not null where there are assertions only."""
-        watched = tolerance is not None
-        self.structure.invariants.tolerance = self._tolerance_place if watched else None
+        own, place = self._tolerance
+        self.structure.invariants.tolerance = None if tolerance is None else place
         if tolerance is not None:
-            self._tolerance[:-1] = tolerance
+            own[:-1] = tolerance
+
+
+def _placed(count: int) -> tuple[Floats, int]:
+    """So many numbers, and one more, so that there is a place; and where they are."""
+    numbers = np.zeros(count + 1)
+    return numbers, place_of(numbers)
 
 
 def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -> None:

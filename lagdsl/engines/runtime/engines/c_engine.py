@@ -72,9 +72,6 @@ class CEngine:
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
-        self._signatures: dict[
-            tuple[Group, ...], tuple[tuple[str, int | None], ...]
-        ] = {}  # names and lengths of arguments
         self._memory = Memory()
         self._use(self._provide() if library is None else opened(library, program))
 

@@ -19,6 +19,7 @@ Starts = Mapping[str, Any]
 # t, q, qd, z, u, w, p.
 State = tuple[Any, Any, Any, Any, Any, Any, Any]
 FLOAT = np.dtype(np.float64)
+NOTHING = np.zeros(0)
 # A value at t, q, qd, z, u, w, p, qdd (None where they are left out, or not looked at), into `out` if there is one; the
 # first argument are the `Values` that it is one of.
 Call = Callable[..., Floats]
@@ -72,7 +73,7 @@ class Values:
         self._solve = solve
         self._differentiate = differentiate
         self._sizes = sizes
-        self._defaults, self._none = np.array(defaults, dtype=np.float64), np.zeros(0)
+        self._defaults = np.array(defaults, dtype=np.float64)
         self._calls: Mapping[str, Call] = BROADCAST
         self._row_factors: Floats = np.ones(1)  # by which the equations multiply rows, where that is known
 
@@ -132,14 +133,14 @@ class Values:
         p: Entries | None,
     ) -> tuple[Floats, ...]:
         """t, q, qd, z, u, w, p as arrays, with what is left out."""
-        sizes, none = self._sizes, self._none
+        sizes = self._sizes
         coordinates = self._vector("q", q, None)
         time = _time(t, coordinates.shape, sizes.q)
         parameters = self._defaults if p is None else self._vector("p", p, self._defaults)
         if (sizes.z and _is_partial(z)) or (sizes.u and _is_partial(u)):
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
         else:
-            initial_states = default_inputs = none  # nothing, or nobody looks at them
+            initial_states = default_inputs = NOTHING  # nothing, or nobody looks at them
         state = (
             time,
             coordinates,
@@ -148,7 +149,7 @@ class Values:
             default_inputs if u is None else self._vector("u", u, default_inputs),
         )
         if not sizes.w or not _is_partial(w):
-            return (*state, none if w is None else self._vector("w", w, None), parameters)
+            return (*state, NOTHING if w is None else self._vector("w", w, None), parameters)
         standing = self._standing(*state, parameters)
         return (*state, standing if w is None else self._vector("w", w, standing), parameters)
 

@@ -12,168 +12,6 @@
  * x' (J0 + s (J1 - J0)) J0' x > 0.
  */
 static const double LEFT = 0.25;
-/* This part of what the rows may move until no more than LEFT remains is used: the rest is room for round-off. */
-static const double USED = 0.5;
-
-size_t lag_rank_estimate_memory(const lag_model *model)
-{
-    const size_t m = model->nc;
-    return 6 * lag_entries_count(model) + 8 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
-}
-
-/* Columns of each row. */
-static void list_columns(lag_rank_estimate *estimate)
-{
-    size_t next = 0;
-    for (size_t i = 0; i < estimate->m; ++i) {
-        const lag_entries entries = lag_entries_of(estimate->model, i);
-        estimate->first[i] = (double)next;
-        for (size_t k = entries.first; k < entries.end; ++k) {
-            estimate->column[next++] = (double)lag_entry_column(&entries, k);
-        }
-    }
-    estimate->first[estimate->m] = (double)next;
-}
-
-static size_t end_of(const lag_rank_estimate *estimate, size_t row)
-{
-    return lag_index(estimate->first[row + 1]);
-}
-
-/* Rows of each column, ascending, in the memory of the entries. */
-static void list_rows(const lag_rank_estimate *estimate, double *first, double *row)
-{
-    lag_fill(estimate->n + 1, 0.0, first);
-    for (size_t k = 0; k < end_of(estimate, estimate->m - 1); ++k) {
-        first[lag_index(estimate->column[k])] += 1.0;
-    }
-    for (size_t j = 0; j < estimate->n; ++j) { /* where each ends; then, backwards, where it begins */
-        first[j + 1] += first[j];
-    }
-    for (size_t i = estimate->m; i-- > 0;) {
-        for (size_t k = end_of(estimate, i); k-- > lag_index(estimate->first[i]);) {
-            row[lag_index(--first[lag_index(estimate->column[k])])] = (double)i;
-        }
-    }
-}
-
-/* Rows that share a column with a row, and stand nowhere yet, come behind the others, ascending. */
-static void append_neighbors(lag_rank_estimate *estimate, size_t row, const double *first, const double *rows, double *place, size_t *count)
-{
-    const size_t begin = *count;
-    for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row) && *count < estimate->m; ++k) {
-        const size_t column = lag_index(estimate->column[k]);
-        for (size_t e = lag_index(first[column]); e < lag_index(first[column + 1]); ++e) {
-            size_t at = *count;
-            if (place[lag_index(rows[e])] != 0.0) {
-                continue;
-            }
-            for (; at > begin && estimate->order[at - 1] > rows[e]; --at) {
-                estimate->order[at] = estimate->order[at - 1];
-            }
-            estimate->order[at] = rows[e];
-            place[lag_index(rows[e])] = (double)++*count;
-        }
-    }
-    for (size_t at = begin; at < *count; ++at) {
-        place[lag_index(estimate->order[at])] = (double)(at + 1);
-    }
-}
-
-/* Rows next to each other, from the first one on: neighbors follow in turn, then what is not connected with them. */
-static void put_in_order(lag_rank_estimate *estimate, const double *first, const double *rows)
-{
-    double *place = estimate->reach; /* 1 + where a row stands; 0: nowhere yet */
-    size_t count = 0;
-    lag_fill(estimate->m, 0.0, place);
-    for (size_t seed = 0; seed < estimate->m; ++seed) {
-        size_t next = count;
-        if (place[seed] == 0.0) {
-            estimate->order[count++] = (double)seed;
-            place[seed] = (double)count;
-        }
-        for (; next < count; ++next) {
-            append_neighbors(estimate, lag_index(estimate->order[next]), first, rows, place, &count);
-        }
-    }
-}
-
-/* The first row in the order that shares a column with each; `low` (n) is the first that has an entry in a column. */
-static void find_profile(lag_rank_estimate *estimate, double *low)
-{
-    size_t next = 0;
-    lag_fill(estimate->n, (double)estimate->m, low);
-    for (size_t i = estimate->m; i-- > 0;) {
-        const size_t row = lag_index(estimate->order[i]);
-        for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row); ++k) {
-            low[lag_index(estimate->column[k])] = (double)i;
-        }
-    }
-    for (size_t i = 0; i < estimate->m; ++i) {
-        const size_t row = lag_index(estimate->order[i]);
-        double reach = (double)i;
-        for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row); ++k) {
-            reach = low[lag_index(estimate->column[k])] < reach ? low[lag_index(estimate->column[k])] : reach;
-        }
-        estimate->reach[i] = reach;
-        estimate->matrix.start[i] = (double)next;
-        next += i - lag_index(reach) + 1;
-    }
-    estimate->matrix.start[estimate->m] = (double)next;
-}
-
-/* Entries of each column, with the place of their rows in the order, ascending. */
-static void list_entries(lag_rank_estimate *estimate)
-{
-    double *next = estimate->columns.first + 1; /* where a column ends so far, while it is filled */
-    memmove(next, estimate->columns.first, estimate->n * sizeof(double));
-    for (size_t i = 0; i < estimate->m; ++i) {
-        const size_t row = lag_index(estimate->order[i]);
-        for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row); ++k) {
-            const size_t e = lag_index(next[lag_index(estimate->column[k])]++);
-            estimate->columns.place[e] = (double)i;
-            estimate->columns.entry[e] = (double)k;
-        }
-    }
-}
-
-void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory)
-{
-    const size_t m = model->nc;
-    const size_t n = model->nq;
-    memset(estimate, 0, sizeof *estimate);
-    estimate->model = model;
-    estimate->m = m;
-    estimate->n = n;
-    estimate->most = model->rank;
-    estimate->sizes = sizes;
-    estimate->row_sizes = row_sizes;
-    estimate->rows = lag_take(&memory, lag_entries_count(model));
-    estimate->now = lag_take(&memory, lag_entries_count(model));
-    estimate->known.rows = lag_take(&memory, lag_entries_count(model));
-    estimate->first = lag_take(&memory, m + 1);
-    estimate->column = lag_take(&memory, lag_entries_count(model));
-    estimate->order = lag_take(&memory, m);
-    estimate->reach = lag_take(&memory, m);
-    estimate->matrix.start = lag_take(&memory, m + 1);
-    estimate->follows = lag_take(&memory, m);
-    estimate->trial = lag_take(&memory, m);
-    estimate->columns.first = lag_take(&memory, n + 1);
-    estimate->columns.place = lag_take(&memory, lag_entries_count(model));
-    estimate->columns.entry = lag_take(&memory, lag_entries_count(model));
-    estimate->columns.products = lag_take(&memory, 4 * m);
-    double *low = lag_take(&memory, n);
-    estimate->matrix.band = memory;
-    if (m > 0) {
-        list_columns(estimate);
-        list_rows(estimate, estimate->columns.first, estimate->now);
-        put_in_order(estimate, estimate->columns.first, estimate->now);
-        list_entries(estimate);
-        find_profile(estimate, low);
-    }
-    lag_fill(m, 0.0, estimate->follows);
-    lag_fill(m, 0.0, estimate->trial);
-}
 
 /* Rows that come and go, or follow from others, say nothing. */
 static int counts(const lag_rank_estimate *estimate, size_t row)
@@ -203,7 +41,7 @@ static void take_products(const lag_rank_estimate *estimate, size_t i, const dou
     lag_fill(i + 1 - reach, 0.0, sums + reach);
     lag_fill(i + 1 - reach, 0.0, others + reach);
     lag_fill(i + 1 - reach, 0.0, of_b + reach);
-    for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row); ++k) {
+    for (size_t k = lag_index(estimate->first[row]); k < lag_rank_end_of(estimate, row); ++k) {
         const size_t column = lag_index(estimate->column[k]);
         const int some = a[k] != 0.0 || b[k] != 0.0; /* most of a dense row is zero */
         const size_t end = some ? lag_index(estimate->columns.first[column + 1]) : 0;
@@ -223,7 +61,7 @@ static void take_squares(const lag_rank_estimate *estimate, size_t i, const doub
     const size_t row = lag_index(estimate->order[i]);
     const size_t reach = lag_index(estimate->reach[i]);
     lag_fill(i + 1 - reach, 0.0, sums + reach);
-    for (size_t k = lag_index(estimate->first[row]); k < end_of(estimate, row); ++k) {
+    for (size_t k = lag_index(estimate->first[row]); k < lag_rank_end_of(estimate, row); ++k) {
         const size_t column = lag_index(estimate->column[k]);
         const size_t end = a[k] != 0.0 ? lag_index(estimate->columns.first[column + 1]) : 0;
         for (size_t e = lag_index(estimate->columns.first[column]); e < end && estimate->columns.place[e] <= (double)i; ++e) {
@@ -393,7 +231,7 @@ static double distance(const lag_rank_estimate *estimate, const double *x)
 {
     double sum = 0.0;
     for (size_t i = 0; i < estimate->m; ++i) {
-        const size_t end = counts(estimate, i) ? end_of(estimate, i) : 0;
+        const size_t end = counts(estimate, i) ? lag_rank_end_of(estimate, i) : 0;
         for (size_t k = lag_index(estimate->first[i]); k < end; ++k) {
             const double by = estimate->now[k] - x[k];
             sum += by * by;
@@ -405,6 +243,7 @@ static double distance(const lag_rank_estimate *estimate, const double *x)
 /*
  * True if J is so near to where its pivots are known that they are above LAG_RANK_NEAR, and that it cannot have turned on the way from the last
  * state. With s the least singular value there and J moved by d from there, x J is at least (1 - d / s) as long as it was, for all x.
+ * Twice as much as LEFT remains: round-off does not decide.
  */
 static int is_near_known(lag_rank_estimate *estimate)
 {
@@ -414,7 +253,7 @@ static int is_near_known(lag_rank_estimate *estimate)
     const double moved = distance(estimate, estimate->known.rows);
     const double step = distance(estimate, estimate->rows);
     const double margin = (1.0 - moved / estimate->known.least) * estimate->known.margin;
-    if (!(margin > LAG_RANK_NEAR && step <= USED * (1.0 - LEFT) * (estimate->known.least - moved - step))) {
+    if (!(margin > LAG_RANK_NEAR && step <= (1.0 - 2.0 * LEFT) * (estimate->known.least - moved - step))) {
         return 0;
     }
     estimate->margin = margin;

@@ -13,6 +13,7 @@
 #ifndef LAG_RANK_H
 #define LAG_RANK_H
 
+#include "lag/linalg/arena.h"
 #include "lag/model.h"
 
 /* A row of size one of which less than this is left beside others follows from them; so does a direction. */
@@ -42,6 +43,12 @@ typedef struct lag_rank_estimate {
         double *start, *band; /* (m + 1) where the line of each row begins in the lower half of a symmetric matrix of rows */
     } matrix;
 } lag_rank_estimate;
+
+/* Behind the last entry of a row. */
+static inline size_t lag_rank_end_of(const lag_rank_estimate *estimate, size_t row)
+{
+    return lag_index(estimate->first[row + 1]);
+}
 
 /* Doubles for it. */
 size_t lag_rank_estimate_memory(const lag_model *model);
