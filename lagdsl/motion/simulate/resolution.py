@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.motion.signals.trajectory import Head, Trajectory
+from lagdsl.motion.signals.trajectory import Head
 
 # Rows where nobody says how many, if they are enough.
 DEFAULT_ROWS = 500
@@ -44,27 +44,18 @@ class Resolution:
         return max(math.ceil(min(_ENOUGH * self.turns, _MOST_ROWS) / DEFAULT_ROWS), 1) * DEFAULT_ROWS
 
     @property
-    def least(self) -> int:
-        """With fewer intervals the motion looks like another one."""
-        return _LEAST * self.turns
-
-    @property
     def smooth(self) -> int:
         """With as many intervals curves look smooth."""
         return max(min(_SMOOTH * self.turns, _MOST_ROWS), self.rows)
 
 
-def noted(motion: Trajectory, heads: Sequence[Head], resolution: Resolution, intervals: int) -> Trajectory:
-    """With a note where so many intervals between rows hide what the motion does; `heads` are those of its columns."""
-    if intervals >= resolution.least:
-        return motion
-    time = motion.time
-    span = float(time[-1] - time[0])
-    name = heads[1 + resolution.place][0]
-    turns = resolution.turns
-    text = (
-        f"the rows do not show `{name}`, which turns around {turns} times: they are "
-        f"{span / intervals:.3g} s apart, {span / (_ENOUGH * turns):.2g} s would do"
+def hidden(resolution: Resolution, heads: Sequence[Head], times: Floats, end: float) -> tuple[str, ...]:
+    """A note where rows at `times` hide what the motion up to `end` does; `heads` are those of its columns."""
+    intervals, turns = len(times) - 1, resolution.turns
+    if intervals >= _LEAST * turns:
+        return ()
+    first, last = float(times[0]), float(times[-1])
+    return (
+        f"the rows do not show `{heads[1 + resolution.place][0]}`, which turns around {turns} times: they are "
+        f"{(last - first) / intervals:.3g} s apart, {(end - first) / (_ENOUGH * turns):.2g} s would do",
     )
-    statistics = replace(motion.statistics, notes=(*motion.statistics.notes, text))
-    return replace(motion, statistics=statistics)

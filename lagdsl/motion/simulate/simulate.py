@@ -24,8 +24,7 @@ from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
 from lagdsl.motion.simulate.placed import placed, start_values
-from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, Resolution, noted
-from lagdsl.motion.simulate.table import heads_of
+from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, Resolution
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
@@ -162,7 +161,7 @@ def _shown(
     if interval is None and finer.intervals < finer.resolution.rows:
         finer.intervals = finer.resolution.rows
         motion = replace(finer.again(finer.intervals), finer=finer)
-    return noted(motion, heads_of(asked.flat), finer.resolution, finer.intervals)
+    return motion
 
 
 def _motion(
