@@ -107,7 +107,7 @@ def find_start(
     for diagnostic in own.diagnostics:
         sink.add(diagnostic)
     if key is not None and not own.has_errors:
-        run.model.found[:] = [(key, _Kept(found, initial, own.diagnostics))]
+        run.model.found[:] = [(key, _Kept(found, _apart(initial), own.diagnostics))]
     return initial
 
 
@@ -121,21 +121,25 @@ class _Kept:
 
     def again(self, run: Run, sink: Sink) -> InitialState:
         """For another run."""
-        known = self.initial
-        run.find_again(known.t, self.found)
+        run.find_again(self.initial.t, self.found)
         for diagnostic in self.reported:
             sink.add(diagnostic)
-        return InitialState(
-            model=known.model,
-            t=known.t,
-            x=known.x.copy(),
-            count=known.count,
-            p=known.p.copy(),
-            freedom=known.freedom,
-            moved=known.moved,
-            redundant=known.redundant,
-            loops=known.loops,
-        )
+        return _apart(self.initial)
+
+
+def _apart(initial: InitialState) -> InitialState:
+    """The same with arrays of its own."""
+    return InitialState(
+        model=initial.model,
+        t=initial.t,
+        x=initial.x.copy(),
+        count=initial.count,
+        p=initial.p.copy(),
+        freedom=initial.freedom,
+        moved=initial.moved,
+        redundant=initial.redundant,
+        loops=initial.loops,
+    )
 
 
 def _searched(
