@@ -200,7 +200,7 @@ double lag_rank_estimate_margin(lag_rank_estimate *estimate, const double *jacob
  */
 static double least_value(lag_rank_estimate *estimate)
 {
-    double *of_row = estimate->columns.products, *of_column = of_row + estimate->m;
+    double *of_row = estimate->columns.products + 2 * estimate->m, *of_column = of_row + estimate->m;
     double rows = 0.0;
     double columns = 0.0;
     lag_fill(estimate->m, 1.0, of_column);

@@ -160,3 +160,12 @@ void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model
     lag_fill(m, 0.0, estimate->follows);
     lag_fill(m, 0.0, estimate->trial);
 }
+
+void lag_rank_estimate_clear(lag_rank_estimate *estimate)
+{
+    const size_t m = estimate->m;
+    lag_fill(lag_entries_count(estimate->model), 0.0, estimate->now);
+    lag_fill(m, 0.0, estimate->trial);
+    lag_fill(4 * m, 0.0, estimate->columns.products);
+    lag_fill(m * (m + 1) / 2, 0.0, estimate->matrix.band);
+}

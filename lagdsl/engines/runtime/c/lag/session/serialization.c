@@ -182,6 +182,7 @@ static void record_members(lag_run *run, lag_record *record)
 void lag_run_record(lag_run *run, lag_record *record)
 {
     const lag_model *model = run->motion.model;
+    lag_rank_estimate_clear(&run->ranks.estimate);
     record_members(run, record);
     for (size_t i = 0; i < model->nclock; ++i) {
         record_clock(&run->clock[i], record);
