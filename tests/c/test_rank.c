@@ -1,4 +1,5 @@
 /* A estimate at ranks: rows of a chain, each sharing a coordinate with the next one. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -101,6 +102,36 @@ static void rows_that_go_are_left_out(void)
     free(memory);
 }
 
+/* Two rows turn towards each other in steps of this length, there and back: bounds say the same as pivots do, and margins are below them. */
+static void bounds_have_the_verdict_of_pivots(const lag_patterns *patterns, double length)
+{
+    const lag_model model = model_of(patterns, ROWS);
+    static double jacobian[ROWS * COLUMNS];
+    double *memory = NULL, *other = NULL;
+    lag_rank_estimate bounded = place(&model, &memory);
+    lag_rank_estimate computed = place(&model, &other);
+    size_t kept = 0;
+    size_t lost = 0;
+    chain(jacobian);
+    for (int k = 0; k < (int)(2.0 / length); ++k) {
+        const double part = 0.97 * sin(length * (double)k * 1.6); /* of the way to where both have one column only, the same */
+        jacobian[30 * COLUMNS + 30] = cos(0.6435 + 0.9273 * part);
+        jacobian[30 * COLUMNS + 31] = sin(0.6435 + 0.9273 * part);
+        jacobian[31 * COLUMNS + 31] = cos(0.6435 - 0.6435 * part);
+        jacobian[31 * COLUMNS + 32] = sin(0.6435 - 0.6435 * part);
+        const double before = bounded.known.margin;
+        computed.known.least = 0.0;
+        const lag_status status = lag_rank_estimate_update(&computed, jacobian);
+        CHECK(lag_rank_estimate_update(&bounded, jacobian) == status);
+        CHECK(status != LAG_OK || bounded.margin <= computed.margin + 1e-12);
+        kept += status == LAG_OK && k > 0 && bounded.known.margin == before && bounded.margin != computed.margin;
+        lost += status != LAG_OK;
+    }
+    CHECK(kept > 0 && lost > 0);
+    free(memory);
+    free(other);
+}
+
 int main(void)
 {
     for (size_t i = 0; i < ROWS; ++i) {
@@ -116,6 +147,8 @@ int main(void)
     }
     turns_and_losses_are_seen(&PATTERNS);
     turns_and_losses_are_seen(NULL);
+    bounds_have_the_verdict_of_pivots(&PATTERNS, 1e-3);
+    bounds_have_the_verdict_of_pivots(NULL, 3e-3);
     rows_that_follow_are_found();
     rows_that_go_are_left_out();
     (void)printf("rank: ok\n");

@@ -47,6 +47,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_tell": (None, (_AT, _AT)),
     "run_start": (_STATUS, (_AT, c_double, _AT)),
     "run_find": (_STATUS, (_AT, c_double, _AT, _AT, _AT)),
+    "run_depend": (None, (_AT, _AT)),
     "run_enter": (_STATUS, (_AT,)),
     "run_jump": (_STATUS, (_AT,)),
     "run_change": (_STATUS, (_AT, _AT, _AT)),

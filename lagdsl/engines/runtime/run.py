@@ -8,6 +8,7 @@ from ctypes import addressof, byref, c_double, create_string_buffer
 from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
@@ -68,6 +69,11 @@ class _Search:
         self._told.given, self._told.p = not equations, None
         self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
         return self._x.copy(), self._told
+
+    def again(self, found: Found) -> int:
+        """What was found before is found now; returns where it is flagged which rows depend on others."""
+        self._row_sizes[:], self._dependent[:] = found.row_sizes, found.dependent
+        return place_of(self._dependent)
 
     def found(self, starts: Floats, p: Floats) -> Found:
         return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)
@@ -137,11 +143,18 @@ class Run(RunView):
             self.p = np.array((c_double * len(self._layout.parameters)).from_address(told.p))
         return search.found(starts, self.p)
 
-    def differentiate(self, t: float, starts: Floats, given: bool, of: Directions) -> Status:
-        """The motion is differentiated along these directions, from the start that `find` found last, from `starts` at
-        time t; `given`: some of these were given."""
-        sensitivities = self.results.differentiate(self._model, of)
-        return sensitivities.start(self._run, t, self._search.chosen if given else None, starts)
+    def differentiate(self, t: float, starts: Floats, chosen: NDArray[np.uint8], of: Directions) -> Status:
+        """The motion is differentiated along these directions, from the start that was found from `starts` at time t,
+        of which those flagged in `chosen` (2 nq + nz,) were given."""
+        return self.results.differentiate(self._model, of).start(self._run, t, chosen, starts)
+
+    def find_again(self, t: float, found: Found) -> None:
+        """The start that was found before, for the same model, parameters, inputs and start values, none of them free:
+        without a search."""
+        search, library = self._search, self._library
+        self._checked(library.run_start(self._run, t, search.x))
+        if len(found.row_sizes):
+            library.run_depend(self._run, search.again(found))
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""

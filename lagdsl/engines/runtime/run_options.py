@@ -85,8 +85,8 @@ class ToldOptions:
     def __init__(self, layout: Layout, along: Callable[[], NativeModel | None]) -> None:
         """`along` makes the functions of several directions of derivatives."""
         self.along = CalledAlong(along)
-        self._p, self._u = (np.zeros(layout.size(group) + 1) for group in (Group.P, Group.U))
-        self._times = self._tolerance = np.zeros(0)
+        self._p, self._times = np.zeros(layout.size(Group.P) + 1), np.zeros(0)
+        self._u, self._tolerance = _placed(layout.size(Group.U)), _placed(len(layout.invariants))
         self._measures: tuple[Measures, list[object]] | None = None
         self.structure = RunOptions(careful=1, p=place_of(self._p))
         self.structure.callbacks.along = self.along.called
@@ -113,21 +113,21 @@ class ToldOptions:
 
     def _take_inputs(self, inputs: RunInputs) -> None:
         options = self.structure
-        options.u = place_of(self._u)
+        u, options.u = self._u
         if options.callbacks.inputs:
             options.callbacks.context, options.callbacks.inputs = None, _NO_INPUTS
-        if isinstance(inputs, TabledInputs):
+        if isinstance(inputs, np.ndarray):
+            u[:-1] = inputs
+        elif isinstance(inputs, TabledInputs):
             inputs.tell(options, runtime_library(), self.kept)
-            self._u[:-1] = inputs.u
+            u[:-1] = inputs.u
         elif isinstance(inputs, HeldInputs):
             inputs.tell(options, runtime_library())
             self.called += [inputs.called] if inputs.called is not None else []
-        elif callable(inputs):
-            asked = CalledInputs(inputs, range(len(self._u) - 1))
+        else:
+            asked = CalledInputs(inputs, range(len(u) - 1))
             options.callbacks.inputs, options.u = asked.called, None
             self.called.append(asked)
-        else:
-            self._u[:-1] = inputs
 
     def _take_times(self, times: Floats) -> None:
         if len(times) >= len(self._times):
@@ -137,13 +137,16 @@ class ToldOptions:
 
     def _take_tolerance(self, tolerance: Floats | None) -> None:
         """That of invariants, with one number more, so that it is not null where there are assertions only."""
-        self.structure.invariants.tolerance = None
-        if tolerance is None:
-            return
-        if len(self._tolerance) != len(tolerance) + 1:
-            self._tolerance = np.zeros(len(tolerance) + 1)
-        self._tolerance[:-1] = tolerance
-        self.structure.invariants.tolerance = place_of(self._tolerance)
+        own, place = self._tolerance
+        self.structure.invariants.tolerance = None if tolerance is None else place
+        if tolerance is not None:
+            own[:-1] = tolerance
+
+
+def _placed(count: int) -> tuple[Floats, int]:
+    """So many numbers, and one more, so that there is a place; and where they are."""
+    numbers = np.zeros(count + 1)
+    return numbers, place_of(numbers)
 
 
 def tell_measures(options: RunOptions, measures: Measures, kept: list[object]) -> None:

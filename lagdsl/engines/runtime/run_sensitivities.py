@@ -5,6 +5,7 @@ from __future__ import annotations
 from ctypes import byref
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.engines.runtime.engines.buffers import Buffers, aligned, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
@@ -56,11 +57,12 @@ class RunSensitivities:
         self.address = int(place(place_of(block), model.model, byref(directions), byref(rows), byref(told)))
         self._held = model, block, arrays, functions
 
-    def start(self, run: int, t: float, chosen: int | None, starts: Floats) -> Status:
+    def start(self, run: int, t: float, chosen: NDArray[np.uint8], starts: Floats) -> Status:
         """Columns at the start at time t of the run at the address `run`, found from the values `starts` with those
         that `chosen` flags as written."""
         values = np.ascontiguousarray(starts)
-        return Status(runtime_library().sensitivities_start(self.address, run, t, chosen, place_of(values)))
+        at = self.address, run, t, place_of(chosen), place_of(values)
+        return Status(runtime_library().sensitivities_start(*at))
 
     def take(self, rows: int, notes: int) -> None:
         """So many entries of the buffers."""

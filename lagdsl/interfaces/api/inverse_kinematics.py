@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -48,7 +49,7 @@ def placed(
 
 
 def _pose(part: PointKinematics, space: Geometry) -> Pose:
-    beside = {"z": space.z, "u": space.u, "w": space.w, "p": space.p}
+    beside: dict[str, Any] = {"z": space.z, "u": space.u, "w": space.w, "p": space.p}
 
     def pose(q: Floats) -> tuple[Floats, Floats | None, Floats]:
         rotation = part.rotation(space.t, q, **beside) if isinstance(part, FrameKinematics) else None

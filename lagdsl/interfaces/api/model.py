@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.engines.backends.python.sizes import argument_names, motion_sizes
-from lagdsl.engines.backends.python.support.values import Entries, given_once
+from lagdsl.engines.backends.python.support.values import Entries, State, given_once
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
 from lagdsl.interfaces.api.inputs.values import signals_of
-from lagdsl.interfaces.api.names import Value, known
+from lagdsl.interfaces.api.names import Given, Value, entries, known
 from lagdsl.interfaces.api.one_state import calls_at_one_state
 from lagdsl.interfaces.api.stepped import Stepped
 from lagdsl.interfaces.api.unknowns import with_starts
@@ -35,9 +35,12 @@ if TYPE_CHECKING:
     from lagdsl.motion.pipeline import Compilation
     from lagdsl.motion.signals.inputs import Signal
     from lagdsl.motion.simulate.control import Control
+    from lagdsl.motion.simulate.failure import SimulationFailed
     from lagdsl.motion.simulate.initialize import InitialState
 
 Floats = NDArray[np.float64]
+# Inputs at one time: signals by name, those of a file, or whole vectors.
+Inputs: TypeAlias = "Mapping[str, Signal | str] | Path | str | ArrayLike | None"
 
 
 class Model(Stepped):
@@ -47,6 +50,10 @@ class Model(Stepped):
     `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
     model, for `w` with relations as they stand. A parameter that is found with the start has its guess there:
     `initial_state().p` are the values that were found.
+
+    Without q the state is that with which a motion begins, `initial_state`: `start`, `parameters` and `inputs` are then
+    those of `simulate`, `model.mass_matrix(start={"theta": "30 deg"}, parameters={"m": "2 kg"})`, at the start time or
+    at `t`.
 
     Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). One state goes to C at once; `out` is an array
     of float64 for the result, of its shape and in one piece. `inputs` and `parameters` are other names of `u` and `p`.
@@ -68,6 +75,7 @@ class Model(Stepped):
         self._compilation = compilation
         self._engine = engine
         self._source = source
+        self._crowd = engine.crowd()
         self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
@@ -121,6 +129,9 @@ class Model(Stepped):
         p = p if parameters is None else given_once("p", p, "parameters", parameters)
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
+        found = self._crowd(threads, t, q, qd, (z, u, w, p), out)
+        if found is not None:
+            return found
         state = self._state(t, q, qd, z, u, w, p)
         return self._engine.solve_batch(threads, *state, out=out)[0]
 
@@ -142,21 +153,40 @@ class Model(Stepped):
         `start` overrides start values by name, `theta` or `der(theta)`; of `inputs` the values at the start count.
         Raises CompilationFailed where there is none.
         """
+        return self._initial(None, start, inputs, parameters)[0]
+
+    def _initial(
+        self, t: float | None, start: Mapping[str, Value] | None, inputs: Inputs, parameters: Given
+    ) -> tuple[InitialState, Floats | None]:
+        """At time t, left out at the start time, with u (nu,); None where no inputs are given."""
         from lagdsl.motion.simulate.initialize import initial_state
 
-        p = self._parameter_vector(parameters)
-        u = None if inputs is None else self._inputs_at_start(inputs, p)
-        return initial_state(self._compilation.flat, self._engine, p, u=u, start=self._start_values(start))
+        flat, p = self._compilation.flat, self._parameter_vector(parameters)
+        time = flat.experiment.start_time if t is None else t
+        u = None if inputs is None else self._inputs_then(inputs, time, p)
+        return initial_state(flat, self._engine, p, t0=time, u=u, start=self._start_values(start)), u
 
-    def _inputs_at_start(self, inputs: Mapping[str, Signal | str] | Path | str, p: Floats) -> Floats:
-        """u (nu,): those that are given, and the model's."""
+    def _inputs_then(self, inputs: Inputs, t: float, p: Floats) -> Floats:
+        """u (nu,) at time t: those that are given, and the model's."""
         from lagdsl.interfaces.api.inputs.values import inputs_at
         from lagdsl.motion.simulate.placed import start_values
 
-        t = self._compilation.flat.experiment.start_time
+        if inputs is not None and not isinstance(inputs, (Mapping, Path, str)):
+            return np.array(list(entries("u", inputs, self._named("input")).values()))
         given = inputs_at(self._compilation.flat, inputs, t)
         own = zip(self.inputs, start_values(self._engine, t, p)[1].tolist(), strict=True)
         return np.array([given.get(name, value) for name, value in own])
+
+    def _started(self, t: ArrayLike | None, start: Mapping[str, Value], u: Any, p: Any) -> State:
+        if t is not None and np.ndim(t):
+            raise ValueError("one state has one time: without q, t is a number")
+        own = self._of_starts(start)
+        initial, inputs = own._initial(None if t is None else float(t), start, u, p)  # type: ignore[arg-type]
+        q, qd = (
+            np.array([values[name] for name in self.coordinates])
+            for values in (dict(zip(own.coordinates, each.tolist(), strict=True)) for each in (initial.q, initial.qd))
+        )
+        return initial.t, q, qd, initial.z, inputs, None, initial.p
 
     @with_starts
     def simulate(
@@ -185,10 +215,7 @@ class Model(Stepped):
         called with the part of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first
         step, SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
-        from lagdsl.interfaces.api.trajectory import Trajectory
-        from lagdsl.motion.simulate.failure import SimulationFailed
-        from lagdsl.motion.simulate.simulate import simulate
-
+        simulate, failed, trajectory_of = _simulator()
         controllers = control if isinstance(control, Sequence) else [control]
         own = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         page = None if controllers else own
@@ -210,10 +237,10 @@ class Model(Stepped):
                 progress=watched(progress, "simulation"),
                 sink=sink,
             )
-        except SimulationFailed as failure:
-            failure.trajectory = Trajectory.of(failure.trajectory, page)
+        except failed as failure:
+            failure.trajectory = trajectory_of(failure.trajectory, page)
             raise
-        return Trajectory.of(motion, page)
+        return trajectory_of(motion, page)
 
     @with_starts
     def simulate_many(
@@ -363,3 +390,14 @@ class Model(Stepped):
             sink=sink,
             progress=watched(progress, "FMU"),
         )
+
+
+@cache
+def _simulator() -> tuple[Callable[..., Any], type[SimulationFailed], Callable[..., Trajectory]]:
+    """`simulate`, what it raises, and what makes its product that of this interface: looked up once, as a short run
+    takes ten times as long as the look."""
+    from lagdsl.interfaces.api.trajectory import Trajectory
+    from lagdsl.motion.simulate.failure import SimulationFailed
+    from lagdsl.motion.simulate.simulate import simulate
+
+    return simulate, SimulationFailed, Trajectory.of

@@ -16,6 +16,8 @@ from lagdsl.engines.backends.python.support.values import (
     WITH_ACCELERATIONS,
     Call,
     Floats,
+    Starts,
+    State,
     Values,
     state_of,
     whole_vector,
@@ -62,6 +64,10 @@ class ModelFrame(FrameKinematics):
         """
         return self._place(self, (position, rotation), start, hold, t, parameters)
 
+    def _by_names(self, state: State, start: Starts | None, inputs: Any, parameters: Any) -> State:
+        found: State = self._own._by_names(state, start, inputs, parameters)
+        return found
+
     def __repr__(self) -> str:
         return f"<FrameKinematics {self.name}>"
 
@@ -87,6 +93,10 @@ class ModelPoint(PointKinematics):
     ) -> Placement:
         """Inverse kinematics: coordinates `.q` that place the point at `position` (3,) [m]; the rest as for a frame."""
         return self._place(self, (position, None), start, hold, t, parameters)
+
+    def _by_names(self, state: State, start: Starts | None, inputs: Any, parameters: Any) -> State:
+        found: State = self._own._by_names(state, start, inputs, parameters)
+        return found
 
     def __repr__(self) -> str:
         return f"<PointKinematics {self.name}>"

@@ -13,7 +13,11 @@ from lagdsl.motion.signals import trajectory
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_FIELDS = tuple(field.name for field in fields(trajectory.Trajectory))
+# How a field is read and written, past the check that nobody writes.
+_FIELDS = tuple(
+    (getattr(trajectory.Trajectory, field.name).__get__, getattr(trajectory.Trajectory, field.name).__set__)
+    for field in fields(trajectory.Trajectory)
+)
 
 
 class Trajectory(trajectory.Trajectory):
@@ -26,8 +30,8 @@ class Trajectory(trajectory.Trajectory):
     def of(cls, motion: trajectory.Trajectory, page: Callable[[], str] | None = None) -> Trajectory:
         """`page` makes the page of the motion; None where no page can repeat it."""
         made = object.__new__(cls)  # a copy, without a look at its values
-        for name in _FIELDS:
-            object.__setattr__(made, name, getattr(motion, name))
+        for read, write in _FIELDS:
+            write(made, read(motion))
         object.__setattr__(made, "_page", page)
         return made
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NoReturn
 
 import numpy as np
@@ -57,11 +57,12 @@ def _refuse(flat: FlatModel, name: str, known: list[str]) -> NoReturn:
 
 
 def differentiate(
-    flat: FlatModel, engine: Engine, run: Run, initial: InitialState, given: bool, names: Sequence[str]
+    flat: FlatModel, engine: Engine, run: Run, initial: InitialState, given: Collection[str], names: Sequence[str]
 ) -> None:
-    """Lets the run, whose start was found, be differentiated by the quantities `names`; `given`: start values were.
+    """Lets the run, whose start was found with those `given`, be differentiated by the quantities `names`.
     Raises as `directions_of`, and CompilationFailed (E0882) where the start has no derivatives."""
-    status = run.differentiate(initial.t, initial.starts, given, directions_of(flat, engine, names))
+    chosen = np.array([name in given for name in places_of(flat)], dtype=np.uint8)
+    status = run.differentiate(initial.t, initial.starts, chosen, directions_of(flat, engine, names))
     if status is not Status.OK:
         raise refused("E0882", name=names[0], time=time_text(initial.t))
 

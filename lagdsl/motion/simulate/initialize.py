@@ -13,7 +13,7 @@ from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.run import Run
 from lagdsl.engines.runtime.run_view import Found
 from lagdsl.engines.runtime.structures import InitialFault
-from lagdsl.foundation.diagnostics import Severity, Sink
+from lagdsl.foundation.diagnostics import Diagnostic, Sink
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record, remembered
@@ -94,8 +94,60 @@ def initial_state(
 def find_start(
     flat: FlatModel, engine: Engine, run: Run, t: float, u: Floats, start: Mapping[str, float], sink: Sink
 ) -> InitialState:
-    """The same for a run that has not begun; `u` are its inputs then."""
-    before = len(sink.diagnostics)
+    """The same for a run that has not begun; `u` are its inputs then. The last start is kept: found from the same, it
+    is told again, with what was reported."""
+    # Free parameters and inputs that change are looked at by the search itself.
+    lasting = isinstance(run.settings.inputs, np.ndarray) and not run.settings.measures.start.free
+    key = (flat, t, run.settings.p.tobytes(), u.tobytes(), tuple(start.items())) if lasting else None
+    for known, kept in run.model.found[:1]:
+        if key is not None and known == key:
+            assert isinstance(kept, _Kept), "starts alone are kept"
+            return kept.again(run, sink)
+    own = Sink()
+    found, initial = _searched(flat, engine, run, t, u, start, own)
+    for diagnostic in own.diagnostics:
+        sink.add(diagnostic)
+    if key is not None and not own.has_errors:
+        run.model.found[:] = [(key, _Kept(found, _apart(initial), own.diagnostics))]
+    return initial
+
+
+@record()
+class _Kept:
+    """A start with what was reported about it. Nobody may change it."""
+
+    found: Found
+    initial: InitialState
+    reported: tuple[Diagnostic, ...]
+
+    def again(self, run: Run, sink: Sink) -> InitialState:
+        """For another run."""
+        run.find_again(self.initial.t, self.found)
+        for diagnostic in self.reported:
+            sink.add(diagnostic)
+        return _apart(self.initial)
+
+
+def _apart(initial: InitialState) -> InitialState:
+    """The same with arrays of its own."""
+    return InitialState(
+        model=initial.model,
+        t=initial.t,
+        x=initial.x.copy(),
+        starts=initial.starts.copy(),
+        count=initial.count,
+        p=initial.p.copy(),
+        freedom=initial.freedom,
+        moved=initial.moved,
+        redundant=initial.redundant,
+        loops=initial.loops,
+    )
+
+
+def _searched(
+    flat: FlatModel, engine: Engine, run: Run, t: float, u: Floats, start: Mapping[str, float], sink: Sink
+) -> tuple[Found, InitialState]:
+    """By a search; errors and moved starts go to `sink`."""
     given = _by_place(flat, start, sink) if start else {}
     found = run.find(t, given, equations=bool(flat.initial_equations))
     _report_outside(flat, found.starts, given, sink)
@@ -106,11 +158,11 @@ def find_start(
             report_endless(flat, engine.layout, run, t, found, sink)
         report_found(flat, engine.layout, found.p, sink)
     rows = tuple[MovedRow, ...]()
-    if not _wrong(sink, before):
+    if not sink.has_errors:
         if found.moved:
             rows = _moved(flat, run, t, found, given, sink)
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
-    return InitialState(
+    return found, InitialState(
         model=flat.name,
         t=t,
         x=found.x,
@@ -128,18 +180,14 @@ def _moved(
     flat: FlatModel, run: Run, t: float, found: Found, given: Mapping[int, float], sink: Sink
 ) -> tuple[MovedRow, ...]:
     """Everything that was moved. It is reported unless initial equations say themselves that starts are to be moved."""
-    before, starts = len(sink.diagnostics), _starts(flat, run, found, given)
+    starts = _starts(flat, run, found, given)
     rows = moved_rows(starts, found.x, partial(_outputs, flat, run, t, found))
     if not flat.initial_equations:
         if flat.constraints:
             report_contradictions(starts, run, t, found, sink)
-        if not _wrong(sink, before):
+        if not sink.has_errors:
             report_moved(starts, rows, sink)
     return rows
-
-
-def _wrong(sink: Sink, before: int) -> bool:
-    return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
 
 
 @remembered

@@ -28,8 +28,9 @@ from lagdsl.motion.simulate.derivatives import report_no_derivative, tell_one_si
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.initialize import InitialState
 from lagdsl.motion.simulate.messages import Course, report_fault
+from lagdsl.motion.simulate.resolution import Resolution, hidden
 from lagdsl.motion.simulate.state_words import state_values, time_text
-from lagdsl.motion.simulate.table import trajectory
+from lagdsl.motion.simulate.table import heads_of, trajectory
 from lagdsl.motion.simulate.unknown_outputs import State, UnknownOutputs
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
@@ -96,8 +97,7 @@ class Motion:
                     controlled.act(acting, run, task.sink)
                 status = self._ended(run.jump())
         self._ended(run.end())
-        found = self._so_far(self._task.finer)
-        found = self._check_outputs(found)
+        found = self._check_outputs(self._so_far(self._task.finer, whole=True))
         self._tell_rounded(found)
         self._tell_doubted()
         tell_one_sided(self._run, self._task.sink)
@@ -224,8 +224,14 @@ class Motion:
 
     # ---- what became of it -------------------------------------------------------------------------------------------
 
-    def _so_far(self, finer: Callable[[bool], Trajectory | None] | None = None) -> Trajectory:
-        run, report = self._run, self._run.report
+    def _so_far(self, finer: Callable[[bool], Trajectory | None] | None = None, *, whole: bool = False) -> Trajectory:
+        """With a note on the rows if it is the whole motion."""
+        run, report, notes = self._run, self._run.report, tuple(self._notes)
+        if report.changes:
+            notes += tuple(self._changes())
+        if whole:
+            resolution = Resolution(run.results.turns(run.size))
+            notes += hidden(resolution, heads_of(self._asked.flat), self._task.times, report.t)
         automatic = "radau" if report.implicit else "dop853"
         statistics = Statistics(
             solver=automatic if self._asked.solver == "auto" else self._asked.solver,
@@ -233,7 +239,7 @@ class Motion:
             evaluations=report.counts.evaluations,
             jacobians=report.counts.jacobians,
             projections=report.projections,
-            notes=(*self._notes, *self._changes()) if report.changes else tuple(self._notes),
+            notes=notes,
         )
         task, asked = self._task, self._asked
         return trajectory(asked.flat, asked.engine.layout, run, task.initial.moved, statistics, finer, asked.tangents)

@@ -19,6 +19,7 @@ from lagdsl.language.flat.model import FlatModel
 PROJECTION_PART = 1e-3
 # The default tolerance of an invariant in integration tolerances.
 _INVARIANT_FACTOR = 1e3
+_NO_TIMES = np.zeros(0)
 
 
 def placed(
@@ -74,8 +75,8 @@ def settings_of(
     those of many runs."""
     experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance
-    invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
-    asked = np.zeros(0) if times is None else times
+    factors, own = _tolerances(flat)
+    asked = _NO_TIMES if times is None else times
     length = float(asked[-1] - asked[0]) if len(asked) > 1 else max(experiment.stop_time - t, np.spacing(abs(t)))
     return RunSettings(
         p=p,
@@ -87,8 +88,16 @@ def settings_of(
         method=None if solver == "auto" else solver,
         step=step or 0.0,
         length=length,
-        invariant_tolerance=np.array(invariants),
+        invariant_tolerance=factors * relative + own if len(own) else own,
     )
+
+
+@remembered
+def _tolerances(flat: FlatModel) -> tuple[Floats, Floats]:
+    """Those of the invariants, as parts of the tolerance of the integration, and in numbers of their own."""
+    own = [i.tolerance for i in flat.invariants]
+    factors = [_INVARIANT_FACTOR if tolerance is None else 0.0 for tolerance in own]
+    return np.array(factors), np.array([tolerance or 0.0 for tolerance in own])
 
 
 @remembered

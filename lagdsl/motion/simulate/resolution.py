@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.signals.trajectory import Head
 
 # Rows where nobody says how many, if they are enough.
 DEFAULT_ROWS = 500
@@ -23,17 +23,25 @@ _MOST_ROWS = 50_000
 
 @record()
 class Resolution:
-    """`rows` are as many intervals as a motion needs; `turns` is how often the number of the state at `place` turns
-    around, the first of those that do so most often."""
+    """Of a motion; `reversals` says how often every number of its state turns around."""
 
-    rows: int
-    turns: int
-    place: int
+    reversals: Sequence[float]
 
     @property
-    def least(self) -> int:
-        """With fewer intervals the motion looks like another one."""
-        return _LEAST * self.turns
+    def turns(self) -> int:
+        """Those of the number that turns around most often."""
+        return int(max(self.reversals, default=0.0))
+
+    @property
+    def place(self) -> int:
+        """The first number of the state that turns around about as often."""
+        most = self.turns
+        return next((k for k, count in enumerate(self.reversals) if count >= _AS_OFTEN * most), 0)
+
+    @property
+    def rows(self) -> int:
+        """As many intervals as a motion needs."""
+        return max(math.ceil(min(_ENOUGH * self.turns, _MOST_ROWS) / DEFAULT_ROWS), 1) * DEFAULT_ROWS
 
     @property
     def smooth(self) -> int:
@@ -41,24 +49,13 @@ class Resolution:
         return max(min(_SMOOTH * self.turns, _MOST_ROWS), self.rows)
 
 
-def resolution_of(turns: Sequence[float]) -> Resolution:
-    """From how often every number of the state turns around."""
-    most = int(max(turns, default=0.0))
-    place = next((k for k, count in enumerate(turns) if count >= _AS_OFTEN * most), 0)
-    times = max(math.ceil(min(_ENOUGH * most, _MOST_ROWS) / DEFAULT_ROWS), 1)
-    return Resolution(times * DEFAULT_ROWS, most, place)
-
-
-def noted(motion: Trajectory, resolution: Resolution, intervals: int) -> Trajectory:
-    """With a note where so many intervals between rows hide what the motion does."""
-    if intervals >= resolution.least:
-        return motion
-    time = motion.time
-    span = float(time[-1] - time[0])
-    name = motion.columns[1 + resolution.place].name
-    text = (
-        f"the rows do not show `{name}`, which turns around {resolution.turns} times: they are "
-        f"{span / intervals:.3g} s apart, {span / (_ENOUGH * resolution.turns):.2g} s would do"
+def hidden(resolution: Resolution, heads: Sequence[Head], times: Floats, end: float) -> tuple[str, ...]:
+    """A note where rows at `times` hide what the motion up to `end` does; `heads` are those of its columns."""
+    intervals, turns = len(times) - 1, resolution.turns
+    if intervals >= _LEAST * turns:
+        return ()
+    first, last = float(times[0]), float(times[-1])
+    return (
+        f"the rows do not show `{heads[1 + resolution.place][0]}`, which turns around {turns} times: they are "
+        f"{(last - first) / intervals:.3g} s apart, {(end - first) / (_ENOUGH * turns):.2g} s would do",
     )
-    statistics = replace(motion.statistics, notes=(*motion.statistics.notes, text))
-    return replace(motion, statistics=statistics)

@@ -25,14 +25,14 @@ from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
 from lagdsl.motion.simulate.placed import placed, start_values
-from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
+from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, Resolution
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
 _GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
 LARGEST_ROWS = 20_000_000
 
-_UNKNOWN = resolution_of(())
+_UNKNOWN = Resolution(())
 
 
 def _number(name: str, value: object) -> float:
@@ -138,7 +138,7 @@ class _Finer:
     def made(self, times: Floats, progress: Callable[[float], None] | None, sink: Sink) -> Trajectory:
         """With rows at `times`."""
         motion, turns = _motion(self._asked, times, progress, sink, self)
-        self.resolution, self.intervals = resolution_of(turns), len(times) - 1
+        self.resolution, self.intervals = Resolution(turns), len(times) - 1
         return motion
 
     def again(self, intervals: int) -> Trajectory:
@@ -167,7 +167,7 @@ def _shown(
     if interval is None and finer.intervals < finer.resolution.rows:
         finer.intervals = finer.resolution.rows
         motion = replace(finer.again(finer.intervals), finer=finer)
-    return noted(motion, finer.resolution, finer.intervals)
+    return motion
 
 
 def _motion(
@@ -196,7 +196,7 @@ def _motion(
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()
     if asked.tangents:
-        differentiate(flat, engine, run, initial, bool(asked.start), asked.tangents)
+        differentiate(flat, engine, run, initial, asked.start, asked.tangents)
     task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
     found, turns = Motion(task).trajectory(), run.results.turns(run.size)
     run.leave()

@@ -177,3 +177,25 @@ def test_out_takes_the_result_and_may_be_an_argument(model: Model) -> None:
 
 def test_cores() -> None:
     assert cores() >= 1
+
+
+def test_the_form_of_the_arguments_changes_no_bit(model: Model) -> None:
+    """Arrays in one piece go to C as they lie; strided, read-only and nested ones are brought there."""
+    states = _states()
+    q, qd, u, p = (states[name][:300] for name in ("q", "qd", "u", "p"))
+    known = model.batch(0.0, q.tolist(), qd.tolist(), u=u.tolist(), p=p.tolist())
+    fixed = q.copy()
+    fixed.flags.writeable = False
+    for given in (q, np.asfortranarray(q), fixed, np.hstack([q, q])[:, :2]):
+        assert np.array_equal(model.batch(0.0, given, qd, u=u, p=p), known)
+    room = np.empty_like(q)
+    assert model.batch(0.0, q, qd, u=u, p=p, out=room) is room
+    assert np.array_equal(room, known)
+    rates = qd.copy()
+    assert model.batch(0, q, rates, u=u, p=p, out=rates) is rates
+    assert np.array_equal(rates, known)
+    one = model.batch(0.0, q, qd, u=u[0], p=p[0])
+    assert np.array_equal(one, model.batch(0.0, q, qd, u=np.tile(u[0], (300, 1)), p=np.tile(p[0], (300, 1))))
+    assert np.array_equal(model.batch(0.0, q, qd, u=u), model.batch(0.0, q, qd, u=u, p=model.defaults))
+    with pytest.raises(ValueError, match="qd must have 2 entries"):
+        model.batch(0.0, q, qd[:, :1])

@@ -286,4 +286,4 @@ def test_help_shows_signatures_as_they_are_written() -> None:
         assert shown
         assert [text for text in shown if "._" in text or "typing." in text] == []
     help_text = re.sub(r"[\s']", "", pydoc.plaintext.document(subject.mass_matrix))  # Python 3.14 breaks long lines
-    assert help_text.startswith("mass_matrix(t:ArrayLike,q:Entries")
+    assert help_text.startswith("mass_matrix(t:ArrayLike|None=None,q:Entries|None=None")

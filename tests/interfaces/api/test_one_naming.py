@@ -74,6 +74,57 @@ def test_unknown_names_are_told_with_the_nearest_one(model: lagdsl.Model) -> Non
             model.linearize(**named)
 
 
+def test_functions_take_the_state_of_a_start(model: lagdsl.Model) -> None:
+    """m l^2, m l^2 w^2/2 - m g l cos(a), u/(m l^2) - g/l sin(a) and their derivatives."""
+    a, rate, length, mass = np.radians(20.0), 2.0, 0.7, 3.0
+    named = {"start": {"a": "20 deg", "der(a)": rate}, "parameters": {"l": "70 cm", "m": mass}}
+    torque = {"u": lambda t: 0.1 + 0.4 * t}
+    inertia = mass * length**2
+    assert model.mass_matrix(**named) == pytest.approx(np.array([[inertia]]), rel=1e-12)
+    energy = 0.5 * inertia * rate**2 - mass * G * length * np.cos(a)
+    assert model.energy(**named) == pytest.approx(energy, rel=1e-12)
+    for t, u in ((0.0, 0.1), (1.0, 0.5)):
+        found = model.forward_dynamics(t, **named, inputs=torque)
+        assert found == pytest.approx([u / inertia - G / length * np.sin(a)], rel=1e-12)
+        wanted = model.inverse_dynamics(t, qdd=[1.5], **named, inputs=torque)
+        assert wanted == pytest.approx([1.5 * inertia + mass * G * length * np.sin(a) - u], rel=1e-12)
+    assert model.state_jacobian(**named)[1, 0] == pytest.approx(stiffness(a, length), rel=1e-12)
+    start = model.initial_state()
+    assert model.forward_dynamics() == pytest.approx(model.forward_dynamics(start.t, start.q, start.qd), rel=1e-15)
+
+
+def test_the_state_of_a_start_is_on_the_constraints() -> None:
+    bar = lagdsl.compile("models/four_bar.lag", engine="tape")
+    known = bar.initial_state(start={"A.q": "50 deg"}, parameters={"coupler.m": 3.0})
+    named = {"start": {"A.q": "50 deg"}, "parameters": {"coupler.m": 3.0}}
+    np.testing.assert_array_equal(bar.mass_matrix(**named), bar.mass_matrix(known.t, known.q, p=known.p))
+    frame = bar.frame("coupler.frame_b")
+    np.testing.assert_array_equal(frame.jacobian(**named), frame.jacobian(known.t, known.q, known.qd))
+    joint = np.array([frame.position(**named)[:2], bar.frame("rocker.frame_a").position(**named)[:2]])
+    np.testing.assert_allclose(joint[0], joint[1], atol=1e-9)
+    cut = bar.mass_matrix(start={"D.q": "100 deg"})  # the coordinate of a joint at which the loop is cut
+    assert cut.shape == (len(bar.coordinates),) * 2
+
+
+def test_a_state_that_is_given_twice_or_in_part_is_told(model: lagdsl.Model) -> None:
+    frame = lagdsl.compile("models/four_bar.lag", engine="tape").frame("coupler.frame_b")
+    for call, named, words in (
+        (model.mass_matrix, {"t": 0.0, "q": [0.1], "start": {"a": 0.2}}, "q and start are two ways"),
+        (model.energy, {"qd": [0.1]}, "qd is given without q"),
+        (model.energy, {"parameters": {"l": 1.0}, "p": {"l": 1.0}}, "p and parameters are two names"),
+        (model.energy, {"t": [0.0, 1.0]}, "one state has one time"),
+        (model.inverse_dynamics, {"start": {"a": 0.2}}, "qdd must be made of real numbers"),
+        (frame.position, {"t": 0.0, "q": [0.1, 0.1, 0.1], "start": {"A.q": 0.2}}, "q and start are two ways"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            call(**named)
+    for named, name in (({"start": {"b": 0.1}}, "b"), ({"parameters": {"ll": 1}}, "ll"), ({"inputs": {"v": 1}}, "v")):
+        with pytest.raises(lagdsl.CompilationFailed, match=f"`{name}`"):
+            model.forward_dynamics(**named)
+    with pytest.raises(ValueError, match="mass"):
+        model.mass_matrix(start={"a": "3 kg"})
+
+
 def test_a_component_names_its_only_frame() -> None:
     panda = lagdsl.compile("models/robots/panda.lag", engine="tape")
     q = np.linspace(0.1, 0.9, len(panda.coordinates))

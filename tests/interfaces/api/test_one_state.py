@@ -203,7 +203,7 @@ def test_what_is_no_state_is_told() -> None:
         ((0.0, q, qd), {"p": subject.defaults + 1j}, "p must be made of real numbers.*complex"),
         ((0.0, [1, 2, "x"], qd), {}, "q must be made of real numbers"),
         ((None, q, qd), {}, "t must be made of real numbers"),
-        ((0.0, None, qd), {}, "q must be made of real numbers"),
+        ((0.0, None, qd), {}, "qd is given without q"),
         ((0.0, q[:2], qd), {}, "q must have 3 entries.*the arguments are t, q, qd"),
         ((0.0, q, np.zeros(4)), {}, "qd must have 3 entries"),
         ((0.0, q, qd), {"z": np.zeros(2)}, "z must have 1 entries"),

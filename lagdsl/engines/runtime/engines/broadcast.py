@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from math import prod
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,9 @@ from lagdsl.engines.runtime.engines.engine import Engine, Floats, SingularSystem
 from lagdsl.engines.runtime.engines.one_value import Scale
 from lagdsl.foundation.record import record
 
+# A function of the number of threads, t, q, qd, (z, u, w, p) and out.
+Crowd: TypeAlias = Callable[..., Floats | None]
+
 
 class BatchEngine(Engine, Protocol):
     """An engine whose functions also broadcast over leading axes."""
@@ -35,6 +38,10 @@ class BatchEngine(Engine, Protocol):
 
     def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
         """The same as `solve_many`, by `threads` threads; None: by as many as pay. `out` is an array for qdd."""
+        ...
+
+    def crowd(self) -> Crowd:
+        """`solve_batch` of arrays, fast: qdd, None where it is not for these arguments."""
         ...
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
@@ -104,33 +111,27 @@ class Spread:
 def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
     """Raises ValueError for an argument of a wrong length or with leading axes that do not fit. Length None: no axis
     of its own (the time)."""
-    given = [real_numbers(name, argument) for (name, _), argument in zip(signature, arguments, strict=True)]
+    given = []
     leading: tuple[int, ...] = ()
-    for (name, length), array in zip(signature, given, strict=True):
+    for (name, length), argument in zip(signature, arguments, strict=True):
+        array = real_numbers(name, argument)
         shape = array.shape
         if length is not None and (not shape or shape[-1] != length):
             raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {shape}")
-        own_axes = shape if length is None else shape[:-1]
-        if own_axes in ((), leading):
-            continue
-        if not leading:  # NumPy takes its time to find that out
-            leading = own_axes
+        axes = shape if length is None else shape[:-1]
+        given.append((name, length, array, axes))
+        if not axes or axes == leading:  # NumPy takes its time to find that out
             continue
         try:
-            leading = np.broadcast_shapes(leading, own_axes)
+            leading = np.broadcast_shapes(leading, axes) if leading else axes
         except ValueError:
-            raise ValueError(
-                f"leading axes {own_axes} of {name} do not fit {leading} of the arguments before"
-            ) from None
+            raise ValueError(f"leading axes {axes} of {name} do not fit {leading} of the arguments before") from None
     arrays = []
-    for (name, length), array in zip(signature, given, strict=True):
-        own = () if length is None else (length,)
-        if array.shape == own:
-            arrays.append((name, array if array.flags.c_contiguous else np.ascontiguousarray(array), 0))
-        else:
-            shape = leading + own
-            whole = np.ascontiguousarray(array if array.shape == shape else np.broadcast_to(array, shape))
-            arrays.append((name, whole, 1 if length is None else length))
+    for name, length, array, axes in given:
+        shape = axes if not axes or axes == leading else leading if length is None else (*leading, length)
+        fits = array if shape is axes else np.broadcast_to(array, shape)
+        whole = fits if fits.flags.c_contiguous else np.ascontiguousarray(fits)
+        arrays.append((name, whole, (1 if length is None else length) if axes else 0))
     return Spread(leading, prod(leading), tuple(arrays))
 
 

@@ -20,10 +20,11 @@ from lagdsl.engines.backends.python.support.derivatives import variables
 from lagdsl.engines.backends.python.support.values import WITH_ACCELERATIONS, Call, require_room
 from lagdsl.engines.backends.python.support.vectorize import split
 from lagdsl.engines.backends.tape.emit import tape
-from lagdsl.engines.runtime.engines.benches import Bench
-from lagdsl.engines.runtime.engines.broadcast import Spread, apart, spread
+from lagdsl.engines.runtime.engines.benches import Bench, Benches
+from lagdsl.engines.runtime.engines.broadcast import Crowd, Spread, apart, spread
 from lagdsl.engines.runtime.engines.buffers import place_of
 from lagdsl.engines.runtime.engines.cores import PART, share_out
+from lagdsl.engines.runtime.engines.crowd import crowd
 from lagdsl.engines.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.engines.runtime.engines.memory import Memory
 from lagdsl.engines.runtime.engines.named_values import NUMBER, part_of, result_shapes, value_of, whole
@@ -230,11 +231,11 @@ class CEngine:
         array for qdd."""
         many = self._spread(STATE, state)
         model = self._part(_STATES) if many.count >= self._crowd else self._model
-        shapes = [(*many.leading, size) for size in map(self.layout.size, _SOLVED)]
+        shapes = [(*many.leading, size) for size in self._solved_sizes]
         if out is not None:
             require_room(out, shapes[0])
             many = apart(many, out)
-        found = [np.empty(shapes[0]) if out is None else out, np.empty(shapes[1])]
+        found = (np.empty(shapes[0]) if out is None else out, np.empty(shapes[1]))
         (qdd, n), (lam, m) = ((place_of(block), 8 * block.shape[-1]) for block in found)
         forward_dynamics = self._runtime.batch_forward_dynamics
 
@@ -245,7 +246,16 @@ class CEngine:
             )
 
         self._share_out(model, many, threads, solve, _LARGEST_PART)
-        return tuple(found)
+        return found
+
+    def crowd(self) -> Crowd:
+        """`solve_batch` of arrays, fast: qdd, None where it is not for these arguments (`crowd.py`)."""
+
+        def place() -> tuple[NativeModel, Benches]:
+            model = self._part(_STATES)
+            return model, self._memory.of_many(model, self._one.arguments)
+
+        return crowd(self.layout, self._crowd, _LARGEST_PART, place)
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
         """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem.
@@ -283,7 +293,7 @@ class CEngine:
         benches = self._memory.of_many(model, self._one.arguments)
         used: list[Bench] = []
         share_out(many.count, threads, lambda: benches.worker(many, call, used), largest)
-        benches.put_back(used, many)
+        benches.put_back(used, [name for name, array, _ in many.arrays if array.size])
 
     def _checked(self, status: int, coordinate: c_size_t) -> None:
         if status == _SINGULAR:
@@ -306,18 +316,18 @@ class CEngine:
         return _loaded(self._program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
-        return spread([self._signature[group] for group in groups], arguments)
+        sizes = ((ARGUMENT_NAMES[group], None if group is Group.TIME else self.layout.size(group)) for group in groups)
+        return spread(tuple(sizes), arguments)
+
+    @cached_property
+    def _solved_sizes(self) -> tuple[int, ...]:
+        """Numbers of accelerations and of multipliers."""
+        return tuple(map(self.layout.size, _SOLVED))
 
     @cached_property
     def _width(self) -> dict[str, int]:
         """Numbers of all results of a function."""
         return {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-
-    @cached_property
-    def _signature(self) -> dict[Group, tuple[str, int | None]]:
-        """Names of arguments and their lengths, None for the time."""
-        sizes = {group: None if group is Group.TIME else self.layout.size(group) for group in ARGUMENT_NAMES}
-        return {group: (name, sizes[group]) for group, name in ARGUMENT_NAMES.items()}
 
 
 def opened(library: Path, program: Program, part: str | None = None) -> NativeModel:

@@ -21,7 +21,8 @@ class NativeModel:
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
     live as long; `raised` is where functions of Python leave what they raised. `idle` are runs of it that are over,
-    whose memory the next ones take; `starts` are start values and default inputs for the last time and parameters.
+    whose memory the next ones take; `starts` are start values and default inputs for the last time and parameters,
+    `found` is the start that was found last, behind what it was found from.
     """
 
     model: object
@@ -34,6 +35,7 @@ class NativeModel:
     raised: list[BaseException] | None = None
     idle: list[object] = field(default_factory=list)
     starts: list[tuple[tuple[float, bytes], tuple[Floats, Floats]]] = field(default_factory=list)
+    found: list[tuple[object, object]] = field(default_factory=list)
 
     @property
     def address(self) -> int:

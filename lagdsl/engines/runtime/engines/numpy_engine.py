@@ -25,7 +25,7 @@ from lagdsl.engines.backends.python.support.derivatives import differentiate_mot
 from lagdsl.engines.backends.python.support.motion import solve_motion
 from lagdsl.engines.backends.python.support.values import Call, into
 from lagdsl.engines.backends.python.support.vectorize import apply, split
-from lagdsl.engines.runtime.engines.broadcast import Spread, spread
+from lagdsl.engines.runtime.engines.broadcast import Crowd, Spread, spread
 from lagdsl.engines.runtime.engines.cores import share_out
 from lagdsl.engines.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.engines.runtime.engines.native_model import NativeModel
@@ -112,6 +112,10 @@ class NumpyEngine:
             return solve_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate, self.layout) from None
+
+    def crowd(self) -> Crowd:
+        """There is no faster way than `solve_batch`."""
+        return lambda *_: None
 
     def solve_batch(self, threads: int | None, *state: ArrayLike, out: Floats | None = None) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""

@@ -136,7 +136,7 @@ def caller(
             place = make()
         at, own_t, own_q, own_qd, own_u, own_p, own_qdd, result, copy, rest = place
         try:
-            own_t[0] = t if isinstance(t, float) else _number(t)
+            own_t[0] = t if type(t) is float else _number(t)
             given = first
             if with_q:
                 own_q[whole] = q
@@ -166,9 +166,9 @@ def caller(
     return call
 
 
-def _number(t: Any) -> int:
-    """Whole numbers are the others that are times as they are."""
-    if type(t) is not int:
+def _number(t: Any) -> float:
+    """Whole numbers, and those of NumPy, are the others that are times as they are."""
+    if type(t) is not int and not isinstance(t, float):
         raise TypeError
     return t
 

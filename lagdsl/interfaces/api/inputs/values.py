@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 def signals_of(flat: FlatModel, inputs: Mapping[str, Signal | str] | Path | str | None) -> dict[str, Signal]:
     """The inputs by name; those of a file are read, texts such as `2 N` are constants. Raises CompilationFailed where a
     file cannot be read, ValueError for a text that is no value of its input."""
+    if inputs is None:
+        return {}
     if not isinstance(inputs, (Path, str)):
-        return {name: _signal(flat, name, signal) for name, signal in (inputs or {}).items()}
+        return {name: _signal(flat, name, signal) for name, signal in inputs.items()}
     return signals_of_file(flat, Path(inputs))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.engines.backends.python.support.values import Call, Entries, given_once, into
+from lagdsl.engines.backends.python.support.values import Call, Entries, Starts, State, by_names, into, no_start
 
 Floats = NDArray[np.float64]
 Kinematics = Callable[..., tuple[Floats, ...]]
@@ -19,7 +19,7 @@ class PointKinematics:
     """A point as functions of t [s], q (..., nq), qd (..., nq), in world components and SI units.
 
     States z, inputs u, discretes w and parameters p go by keyword, as everywhere; all arguments broadcast, and `out` is
-    an array for the result.
+    an array for the result. Without q the state is that of the start, with the values `start` by name.
     """
 
     def __init__(self, name: str, own: Any, calls: Mapping[str, Call]) -> None:
@@ -30,76 +30,88 @@ class PointKinematics:
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.name}>"
 
+    def _by_names(self, state: State, start: Starts | None, inputs: Any, parameters: Entries | None) -> State:
+        """t, q, qd, z, u, w, p, of which some have other names or are those of the start. Raises ValueError."""
+        return by_names(state, start, inputs, parameters, no_start)
+
     def position(
         self,
-        t: ArrayLike,
-        q: Entries,
+        t: ArrayLike | None = None,
+        q: Entries | None = None,
         *,
         z: Entries | None = None,
         u: Entries | None = None,
         w: Entries | None = None,
         p: Entries | None = None,
+        start: Starts | None = None,
         inputs: Entries | None = None,
         parameters: Entries | None = None,
         out: Floats | None = None,
     ) -> Floats:
         """Position in the world, shape (..., 3) [m]."""
-        u, p = _once(u, inputs, p, parameters)
+        if q is None or start is not None or inputs is not None or parameters is not None:
+            t, q, _, z, u, w, p = self._by_names((t, q, None, z, u, w, p), start, inputs, parameters)
         return self._calls["position"](self._own, t, q, None, z, u, w, p, None, out)
 
     def velocity(
         self,
-        t: ArrayLike,
-        q: Entries,
-        qd: Entries,
-        *,
-        z: Entries | None = None,
-        u: Entries | None = None,
-        w: Entries | None = None,
-        p: Entries | None = None,
-        inputs: Entries | None = None,
-        parameters: Entries | None = None,
-        out: Floats | None = None,
-    ) -> Floats:
-        """Velocity [m/s], shape (..., 3); of a frame that of its origin, then the angular one [rad/s], (..., 6)."""
-        u, p = _once(u, inputs, p, parameters)
-        return self._calls["velocity"](self._own, t, q, qd, z, u, w, p, None, out)
-
-    def jacobian(
-        self,
-        t: ArrayLike,
-        q: Entries,
+        t: ArrayLike | None = None,
+        q: Entries | None = None,
         qd: Entries | None = None,
         *,
         z: Entries | None = None,
         u: Entries | None = None,
         w: Entries | None = None,
         p: Entries | None = None,
+        start: Starts | None = None,
+        inputs: Entries | None = None,
+        parameters: Entries | None = None,
+        out: Floats | None = None,
+    ) -> Floats:
+        """Velocity [m/s], shape (..., 3); of a frame that of its origin, then the angular one [rad/s], (..., 6)."""
+        if q is None or start is not None or inputs is not None or parameters is not None:
+            t, q, qd, z, u, w, p = self._by_names((t, q, qd, z, u, w, p), start, inputs, parameters)
+        return self._calls["velocity"](self._own, t, q, qd, z, u, w, p, None, out)
+
+    def jacobian(
+        self,
+        t: ArrayLike | None = None,
+        q: Entries | None = None,
+        qd: Entries | None = None,
+        *,
+        z: Entries | None = None,
+        u: Entries | None = None,
+        w: Entries | None = None,
+        p: Entries | None = None,
+        start: Starts | None = None,
         inputs: Entries | None = None,
         parameters: Entries | None = None,
         out: Floats | None = None,
     ) -> Floats:
         """J, the derivative of the velocity by qd, shape (..., 3, nq), of a frame (..., 6, nq). Velocities of a moving
         support are no part of J qd."""
-        u, p = _once(u, inputs, p, parameters)
+        if q is None or start is not None or inputs is not None or parameters is not None:
+            t, q, qd, z, u, w, p = self._by_names((t, q, qd, z, u, w, p), start, inputs, parameters)
         return self._calls["jacobian"](self._own, t, q, qd, z, u, w, p, None, out)
 
     def bias_acceleration(
         self,
-        t: ArrayLike,
-        q: Entries,
-        qd: Entries,
+        t: ArrayLike | None = None,
+        q: Entries | None = None,
+        qd: Entries | None = None,
         *,
         z: Entries | None = None,
         u: Entries | None = None,
         w: Entries | None = None,
         p: Entries | None = None,
+        start: Starts | None = None,
         inputs: Entries | None = None,
         parameters: Entries | None = None,
         out: Floats | None = None,
     ) -> Floats:
         """Acceleration at qdd = 0, shape (..., 3), of a frame (..., 6): the whole one is J qdd and this."""
-        u, p = _once(u, inputs, p, parameters)
+        if q is None or start is not None or inputs is not None or parameters is not None:
+            t, q, qd, z, u, w, p = self._by_names((t, q, qd, z, u, w, p), start, inputs, parameters)
         return self._calls["bias_acceleration"](self._own, t, q, qd, z, u, w, p, None, out)
 
 
@@ -111,19 +123,21 @@ class FrameKinematics(PointKinematics):
 
     def rotation(
         self,
-        t: ArrayLike,
-        q: Entries,
+        t: ArrayLike | None = None,
+        q: Entries | None = None,
         *,
         z: Entries | None = None,
         u: Entries | None = None,
         w: Entries | None = None,
         p: Entries | None = None,
+        start: Starts | None = None,
         inputs: Entries | None = None,
         parameters: Entries | None = None,
         out: Floats | None = None,
     ) -> Floats:
         """Rotation matrix, shape (..., 3, 3): its columns are the axes of the frame in world components."""
-        u, p = _once(u, inputs, p, parameters)
+        if q is None or start is not None or inputs is not None or parameters is not None:
+            t, q, _, z, u, w, p = self._by_names((t, q, None, z, u, w, p), start, inputs, parameters)
         return self._calls["rotation"](self._own, t, q, None, z, u, w, p, None, out)
 
 
@@ -167,14 +181,3 @@ class _Picked:
         value = found[..., self._entries, :] if self._block == _MATRIX else found[..., self._entries]
         value = value.reshape((*value.shape[:-1], *self._shape)) if self._shape else value
         return value if out is None else into(out, value)
-
-
-def _once(
-    u: Entries | None, inputs: Entries | None, p: Entries | None, parameters: Entries | None
-) -> tuple[Entries | None, Entries | None]:
-    """u and p, each by one of its names."""
-    if inputs is not None:
-        u = given_once("u", u, "inputs", inputs)
-    if parameters is not None:
-        p = given_once("p", p, "parameters", parameters)
-    return u, p

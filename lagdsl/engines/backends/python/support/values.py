@@ -14,7 +14,12 @@ Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
 # A vector in the order of its names, or some of its entries by name.
 Entries = ArrayLike | Mapping[str, Any]
+# Start values by name.
+Starts = Mapping[str, Any]
+# t, q, qd, z, u, w, p.
+State = tuple[Any, Any, Any, Any, Any, Any, Any]
 FLOAT = np.dtype(np.float64)
+NOTHING = np.zeros(0)
 # A value at t, q, qd, z, u, w, p, qdd (None where they are left out, or not looked at), into `out` if there is one; the
 # first argument are the `Values` that it is one of.
 Call = Callable[..., Floats]
@@ -72,6 +77,14 @@ class Values:
         self._calls: Mapping[str, Call] = BROADCAST
         self._row_factors: Floats = np.ones(1)  # by which the equations multiply rows, where that is known
 
+    def _by_names(self, state: State, start: Starts | None, inputs: Any, parameters: Entries | None) -> State:
+        """t, q, qd, z, u, w, p, of which some have other names or are those of the start. Raises ValueError."""
+        return by_names(state, start, inputs, parameters, self._started)
+
+    def _started(self, t: ArrayLike | None, start: Starts, u: Any, p: Entries | None) -> State:
+        """The state with which a motion from the values `start` begins, with inputs and parameters."""
+        return no_start(t, start, u, p)
+
     def _value(self, name: str, *given: Any) -> Floats:
         """The value of this name at t, q, qd, z, u, w, p, qdd."""
         *state, qdd = given
@@ -124,10 +137,10 @@ class Values:
         coordinates = self._vector("q", q, None)
         time = _time(t, coordinates.shape, sizes.q)
         parameters = self._defaults if p is None else self._vector("p", p, self._defaults)
-        if (_is_partial(z) and sizes.z) or (_is_partial(u) and sizes.u):
+        if (sizes.z and _is_partial(z)) or (sizes.u and _is_partial(u)):
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
         else:
-            initial_states, default_inputs = np.zeros(sizes.z), np.zeros(sizes.u)
+            initial_states = default_inputs = NOTHING  # nothing, or nobody looks at them
         state = (
             time,
             coordinates,
@@ -136,7 +149,7 @@ class Values:
             default_inputs if u is None else self._vector("u", u, default_inputs),
         )
         if not sizes.w or not _is_partial(w):
-            return (*state, np.zeros(0) if w is None else self._vector("w", w, None), parameters)
+            return (*state, NOTHING if w is None else self._vector("w", w, None), parameters)
         standing = self._standing(*state, parameters)
         return (*state, standing if w is None else self._vector("w", w, standing), parameters)
 
@@ -150,7 +163,7 @@ class Values:
     def _vector(self, name: str, given: Entries, others: Floats | None) -> Floats:
         """Entries by name, or all of them; those that are left out by name are those of `others`."""
         names = self._names[name]
-        if isinstance(given, Mapping):
+        if not isinstance(given, np.ndarray) and isinstance(given, Mapping):  # arrays are told soonest
             own = own_entries(self._aliases, given) if name in ("q", "qd") else given
             return with_entries(name, names, self._numbers(name, own), others)
         return whole_vector(name, given, len(names))
@@ -225,6 +238,35 @@ def require_room(out: Any, shape: tuple[int, ...]) -> None:
         raise ValueError("out must lie in one piece, row by row (C-contiguous), as arrays from np.empty do")
     if not out.flags.writeable:
         raise ValueError("out is read-only")
+
+
+def by_names(
+    state: State,
+    start: Starts | None,
+    inputs: Any,
+    parameters: Entries | None,
+    started: Callable[[ArrayLike | None, Starts, Any, Entries | None], State],
+) -> State:
+    """t, q, qd, z, u, w, p with `inputs` and `parameters`, which are other names of u and p; without q the state that
+    is `started` from the values `start`, those of the model where they are left out. Raises ValueError where one
+    argument is given twice, or a part of the state alone."""
+    t, q, qd, z, u, w, p = state
+    u = u if inputs is None else given_once("u", u, "inputs", inputs)
+    p = p if parameters is None else given_once("p", p, "parameters", parameters)
+    if q is None:
+        for name, given in (("qd", qd), ("z", z)):
+            if given is not None:
+                raise ValueError(f"{name} is given without q: give q, too, or start values by name, start={{...}}")
+        t, q, qd, z, u, started_w, p = started(t, {} if start is None else start, u, p)
+        return t, q, qd, z, u, started_w if w is None else w, p
+    if start is not None:
+        raise ValueError("q and start are two ways to give the state: give one of them")
+    return t, q, qd, z, u, w, p
+
+
+def no_start(t: ArrayLike | None, start: Starts, u: Any, p: Entries | None) -> State:
+    """For functions of arrays alone. Raises ValueError."""
+    raise ValueError("q is left out, and here is no search for a start: the arguments are t, q, qd, ...")
 
 
 def given_once(name: str, value: Entries | None, word: str, same: Entries) -> Entries:

@@ -5,7 +5,6 @@
 #include "lag/elimination/band.h"
 #include "lag/elimination/complex.h"
 #include "lag/elimination/lu.h"
-#include "lag/equations/correction.h"
 #include "lag/equations/delassus.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
@@ -128,13 +127,13 @@
 #include "lag/equations/projection.c"
 #undef find_components
 
-#define end_of rank_end_of
 #define multiply rank_multiply
 #define scale rank_scale
 #include "lag/equations/rank.c"
-#undef end_of
 #undef multiply
 #undef scale
+
+#include "lag/equations/rank_order.c"
 
 #define find_excess system_find_excess
 #define least system_least
@@ -159,12 +158,10 @@
 #undef judge
 
 #define MOST_SWEEPS linalg_MOST_SWEEPS
-#define end_of linalg_end_of
 #define rotate linalg_rotate
 #define swap_rows linalg_swap_rows
 #include "lag/linalg/linalg.c"
 #undef MOST_SWEEPS
-#undef end_of
 #undef rotate
 #undef swap_rows
 

@@ -1,4 +1,4 @@
-#include "lag/equations/correction.h"
+#include "lag/equations/projection.h"
 
 #include <math.h>
 

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/correction.h"
 #include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"

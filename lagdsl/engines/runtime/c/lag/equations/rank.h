@@ -5,11 +5,15 @@
  * It takes products of rows only, of those that last and depend on no others. Rows that share coordinates stand near to each other, in
  * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and an estimate costs as much as the chain is long.
  *
- * Source: George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.
+ * While J stays near to one whose pivots are known, they are bounded by how far it has moved (Weyl's inequality), and nothing is decomposed.
+ *
+ * Sources: George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4; Higham, Accuracy and Stability of
+ * Numerical Algorithms, 2nd ed., section 8.2 (comparison matrices), for a bound of the least singular value of a triangle.
  */
 #ifndef LAG_RANK_H
 #define LAG_RANK_H
 
+#include "lag/linalg/arena.h"
 #include "lag/model.h"
 
 /* A row of size one of which less than this is left beside others follows from them; so does a direction. */
@@ -24,6 +28,10 @@ typedef struct lag_rank_estimate {
     const double *row_sizes;  /* (m) */
     const double *lasting;    /* (m) 0: this row comes and goes and does not count; null: all do */
     double *rows, *now;       /* (entries) J in these sizes, at the last state and now */
+    struct {
+        double *rows;         /* (entries) J where its pivots were computed last, */
+        double margin, least; /* the least one, and less than the least singular value there; 0: unknown */
+    } known;
     double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
     double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
     struct {
@@ -31,13 +39,24 @@ typedef struct lag_rank_estimate {
         double *products;              /* (4 m) of one row with others */
     } columns;
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
-    double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
+    struct {
+        double *start, *band; /* (m + 1) where the line of each row begins in the lower half of a symmetric matrix of rows */
+    } matrix;
 } lag_rank_estimate;
+
+/* Behind the last entry of a row. */
+static inline size_t lag_rank_end_of(const lag_rank_estimate *estimate, size_t row)
+{
+    return lag_index(estimate->first[row + 1]);
+}
 
 /* Doubles for it. */
 size_t lag_rank_estimate_memory(const lag_model *model);
 
 void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
+
+/* What estimates compute on the way becomes zero: it is no part of the state, and depends on who asked last. */
+void lag_rank_estimate_clear(lag_rank_estimate *estimate);
 
 /* Pivots of J, rows of size one: below this rank is nearly lost. */
 #define LAG_RANK_NEAR 0.1

@@ -7,6 +7,12 @@
 
 #include <stddef.h>
 
+/* The index that a double holds: one instruction, where a conversion to an unsigned number is several. */
+static inline size_t lag_index(double x)
+{
+    return (size_t)(ptrdiff_t)x;
+}
+
 /* The next `count` doubles; *memory goes on behind them. */
 static inline double *lag_take(double **memory, size_t count)
 {

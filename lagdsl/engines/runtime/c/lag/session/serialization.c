@@ -128,6 +128,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->ranks.estimate.most);
     RECORD(run->ranks.estimate.rank);
     RECORD(run->ranks.estimate.margin);
+    RECORD(run->ranks.estimate.known.margin);
+    RECORD(run->ranks.estimate.known.least);
     RECORD(run->ranks.singular.distance);
     RECORD(run->ranks.singular.margin);
     RECORD(run->conditions.begun);
@@ -180,6 +182,7 @@ static void record_members(lag_run *run, lag_record *record)
 void lag_run_record(lag_run *run, lag_record *record)
 {
     const lag_model *model = run->motion.model;
+    lag_rank_estimate_clear(&run->ranks.estimate);
     record_members(run, record);
     for (size_t i = 0; i < model->nclock; ++i) {
         record_clock(&run->clock[i], record);
