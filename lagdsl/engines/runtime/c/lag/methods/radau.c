@@ -81,7 +81,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
         at->right[i] = sum / h;
         at->error[i] = s->f[i] + at->right[i];
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     const double size = lag_stepper_norm(s, at->error);
     if (size < 1.0 || !again) {
         return size;
@@ -95,7 +95,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
     for (size_t i = 0; i < n; ++i) {
         at->error[i] += at->right[i];
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     return lag_stepper_norm(s, at->error);
 }
 
@@ -142,7 +142,7 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
     for (size_t i = 0; i < n; ++i) {
         at->error[i] -= at->right[i] / h;
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     return s->method->factor * lag_stepper_norm(s, at->error);
 }
 

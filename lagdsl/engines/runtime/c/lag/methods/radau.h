@@ -59,12 +59,13 @@ typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
     double *jacobian;               /* (n, n) */
-    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band */
+    double *rows;                   /* (2, n, n) its entries in the order of the matrices */
+    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band, without coordinates */
     double *pivots;                 /* (1 + pairs, n) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
-    double *order;                  /* (3, n) the states in the order of the band, the places of states in it, and a vector */
+    double *order;                  /* (3, n) what the matrices are of, in the order of the band, the places in it, and a vector */
     double *change;                 /* (n, n) of the Jacobian along the step */
     double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
     double *trend;                  /* (n, n) its change along the step before, by time */
@@ -100,13 +101,13 @@ double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
 double lag_radau_trial(lag_stepper *s);
 
 /* x (n) becomes the solution of the real system for it. */
-void lag_radau_solve_real(size_t n, const lag_radau_places *at, double *x);
+void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
 
 /* out = part (change + part bend) x */
-void lag_radau_changed(size_t n, const lag_radau_places *at, double part, const double *x, double *out);
+void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out);
 
 /* x (stages, n) becomes the solution of the decomposed systems for it. */
-void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x);
+void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *x);
 
 /* Sum over the stages, by the tolerances. */
 double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b);

@@ -23,17 +23,18 @@ typedef struct least_squares {
 } least_squares;
 
 /* out = v - solution of the decomposed systems for (the change of the Jacobian up to the stages, from the middle on) v */
-static void apply(size_t n, const lag_radau_places *at, const double *v, double *out)
+static void apply(const lag_ode *ode, const lag_radau_places *at, const double *v, double *out)
 {
     const lag_radau_table *table = at->table;
+    const size_t n = ode->size;
     const size_t stages = table->stages;
     double *product = at->basis + (MOST + 1) * STAGES * n;
     lag_radau_transform(n, stages, table->transform, v, out);
     for (size_t k = 0; k < stages; ++k) {
-        lag_radau_changed(n, at, table->node[k] - 0.5, out + k * n, product + k * n);
+        lag_radau_changed(ode, at, table->node[k] - 0.5, out + k * n, product + k * n);
     }
     lag_radau_transform(n, stages, table->inverse, product, out);
-    lag_radau_decomposed(n, at, out);
+    lag_radau_decomposed(ode, at, out);
     for (size_t i = 0; i < stages * n; ++i) {
         out[i] = v[i] - out[i];
     }
@@ -44,7 +45,7 @@ static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, dou
 {
     const size_t size = at->table->stages * s->ode->size;
     double *next = at->basis + (m + 1) * size;
-    apply(s->ode->size, at, at->basis + m * size, next);
+    apply(s->ode, at, at->basis + m * size, next);
     for (size_t k = 0; k <= m; ++k) {
         const double *before = at->basis + k * size;
         column[k] = lag_radau_inner(s, at->table->stages, next, before);

@@ -99,7 +99,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
     }
     lag_stepper_pass(s, LAG_PASSED_BEGIN, s->t);
     if (!(s->h > 0.0)) {
-        s->h = method->error_order > 0 ? first_length(s, span) : s->fixed.length;
+        s->h = method->error_order > 0 ? first_length(s, span) : s->h_fixed;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
