@@ -5,6 +5,7 @@
  * Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; the arithmetic as in Saad, Iterative Methods for Sparse Linear
  * Systems, 2nd ed., algorithm 6.9 and section 6.5.3.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -54,8 +55,9 @@ static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, dou
         }
     }
     column[m + 1] = sqrt(lag_radau_inner(s, at->table->stages, next, next));
-    for (size_t i = 0; i < size && column[m + 1] > 0.0; ++i) {
-        next[i] /= column[m + 1];
+    const double by = column[m + 1] > 0.0 ? 1.0 / column[m + 1] : 0.0;
+    for (size_t i = 0; i < size; ++i) {
+        next[i] *= by;
     }
 }
 
@@ -101,11 +103,12 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x
     const double start = sqrt(lag_radau_inner(s, at->table->stages, x, x));
     least_squares system;
     size_t m = 0;
-    if (!(start > 0.0) || !isfinite(start)) {
+    if (!(start >= DBL_MIN) || !isfinite(start)) {
         return;
     }
+    const double by = 1.0 / start;
     for (size_t i = 0; i < size; ++i) {
-        at->basis[i] = x[i] / start;
+        at->basis[i] = x[i] * by;
     }
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {

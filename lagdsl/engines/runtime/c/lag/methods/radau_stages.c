@@ -175,9 +175,10 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
 {
     const size_t n = s->ode->size;
     double sum = 0.0;
-    for (size_t k = 0; k < stages; ++k) {
-        for (size_t i = 0; i < n; ++i) {
-            sum += a[k * n + i] / s->tolerance[i] * (b[k * n + i] / s->tolerance[i]);
+    for (size_t i = 0; i < n; ++i) {
+        const double by = 1.0 / s->tolerance[i];
+        for (size_t k = 0; k < stages; ++k) {
+            sum += a[k * n + i] * by * (b[k * n + i] * by);
         }
     }
     return sum;

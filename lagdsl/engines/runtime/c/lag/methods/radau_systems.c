@@ -138,32 +138,35 @@ static void put_in_order(const lag_ode *ode, const lag_radau_places *at)
     }
 }
 
-/* A number of one or two parts, and its inverse. */
-typedef struct shift {
+/* A number of one or two parts. */
+typedef struct number {
     size_t parts;
-    double value[2], inverse[2];
-} shift;
+    double value[2];
+} number;
 
-/* That of the real system, or of a pair. */
-static shift real_shift(const lag_radau_places *at, double h)
+/* The shift of the real system, or of a pair. */
+static number real_shift(const lag_radau_places *at, double h)
 {
-    const double value = at->table->mu / h;
-    return (shift){1, {value, 0.0}, {1.0 / value, 0.0}};
+    return (number){1, {at->table->mu / h, 0.0}};
 }
 
-static shift pair_shift(const lag_radau_places *at, size_t pair, double h)
+static number pair_shift(const lag_radau_places *at, size_t pair, double h)
 {
-    const double re = at->table->alpha[pair] / h;
-    const double im = -at->table->beta[pair] / h;
-    const double square = re * re + im * im;
-    return (shift){2, {re, im}, {re / square, -im / square}};
+    return (number){2, {at->table->alpha[pair] / h, -at->table->beta[pair] / h}};
+}
+
+static number inverse_of(const number *a)
+{
+    const double square = a->value[0] * a->value[0] + a->value[1] * a->value[1];
+    return (number){a->parts, {a->value[0] / square, -a->value[1] / square}};
 }
 
 /* shift I - J, its coordinates eliminated, into `matrix`, which is zero: numbers of as many parts as the shift has. */
-static void fill(const lag_ode *ode, const lag_radau_places *at, const shift *by, double *matrix)
+static void fill(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
     const lag_band band = band_of(ode, at);
-    const size_t parts = by->parts;
+    const number inverse = inverse_of(shift);
+    const size_t parts = shift->parts;
     for (size_t i = 0; i < band.n; ++i) {
         const row from = row_of(ode, at, i);
         const size_t begin = at->memo->banded != 0.0 ? band.lower + i * (lag_band_width(&band) - 1) : i * band.n;
@@ -173,9 +176,9 @@ static void fill(const lag_ode *ode, const lag_radau_places *at, const shift *by
         }
         for (size_t part = 0; part < parts; ++part) {
             for (size_t j = from.first; j < from.end_of_coordinates; ++j) {
-                to[parts * j + part] -= by->inverse[part] * from.coordinates[j];
+                to[parts * j + part] -= inverse.value[part] * from.coordinates[j];
             }
-            to[parts * i + part] += by->value[part];
+            to[parts * i + part] += shift->value[part];
         }
     }
 }
@@ -195,20 +198,20 @@ static double *matrix_of_pair(const lag_ode *ode, const lag_radau_places *at, si
 static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double h)
 {
     const lag_band band = band_of(ode, at);
-    const shift by = real_shift(at, h);
+    const number shift = real_shift(at, h);
     memset(at->real, 0, numbers(ode, at, 1) * sizeof(double));
-    fill(ode, at, &by, at->real);
+    fill(ode, at, &shift, at->real);
     return at->memo->banded != 0.0 ? lag_band_lu(&band, at->real, at->pivots) : lag_lu(band.n, at->real, at->pivots);
 }
 
 static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double h)
 {
     const lag_band band = band_of(ode, at);
-    const shift by = pair_shift(at, pair, h);
+    const number shift = pair_shift(at, pair, h);
     double *matrix = matrix_of_pair(ode, at, pair);
     double *pivots = at->pivots + (1 + pair) * ode->size;
     memset(matrix, 0, numbers(ode, at, 2) * sizeof(double));
-    fill(ode, at, &by, matrix);
+    fill(ode, at, &shift, matrix);
     return at->memo->banded != 0.0 ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
 }
 
@@ -266,103 +269,110 @@ double lag_radau_trial(lag_stepper *s)
     return lag_radau_effort(s, &few);
 }
 
-/* The product of two numbers of so many parts. */
-static void multiply(size_t parts, const double *a, const double *b, double *product)
+/* x by a, of arrays of `count` numbers, whose parts are `apart`. */
+static void multiply(size_t count, size_t apart, const number *a, double *x)
 {
-    const double re = a[0] * b[0] - (parts > 1 ? a[1] * b[1] : 0.0);
-    if (parts > 1) {
-        product[1] = a[0] * b[1] + a[1] * b[0];
+    for (size_t i = 0; i < count && a->parts == 1; ++i) {
+        x[i] *= a->value[0];
     }
-    product[0] = re;
+    for (size_t i = 0; i < count && a->parts == 2; ++i) {
+        const double re = a->value[0] * x[i] - a->value[1] * x[apart + i];
+        x[apart + i] = a->value[0] * x[apart + i] + a->value[1] * x[i];
+        x[i] = re;
+    }
 }
 
-/* The coordinates of x (parts, n) by the shift. */
-static void divide_coordinates(const lag_ode *ode, const shift *by, double *x)
+/* What coordinates of x (parts, n) give to the right side; the other numbers of x are lost. */
+static void add_coordinates(const lag_ode *ode, const lag_radau_places *at, const number *inverse, double *x, double *right)
 {
     const size_t n = ode->size;
-    for (size_t i = 0; i < ode->nq; ++i) {
-        double number[2] = {x[i], by->parts > 1 ? x[n + i] : 0.0};
-        multiply(by->parts, number, by->inverse, number);
-        for (size_t part = 0; part < by->parts; ++part) {
-            x[part * n + i] = number[part];
-        }
-    }
-}
-
-/* The right side of the equations without coordinates, `right` (others, parts), of x, which loses it. */
-static void eliminate(const lag_ode *ode, const lag_radau_places *at, const shift *by, double *x, double *right)
-{
     const size_t m = others(ode);
-    const size_t parts = by->parts;
-    divide_coordinates(ode, by, x);
-    for (size_t part = 0; part < parts; ++part) {
-        double *coordinates = x + part * ode->size;
-        double *ordered = coordinates + ode->nq;
-        for (size_t i = 0; i < m; ++i) {
-            right[parts * i + part] = ordered[(size_t)at->order[i]];
-        }
-        for (size_t i = 0; i < m && ode->nq > 0; ++i) {
-            const size_t coordinate = (size_t)at->order[i];
-            ordered[i] = coordinate < ode->nq ? coordinates[coordinate] : 0.0;
-        }
-        for (size_t i = 0; i < m && ode->nq > 0; ++i) {
-            const row of = row_of(ode, at, i);
+    for (size_t k = 0; k < inverse->parts * m; ++k) {
+        const size_t i = k % m;
+        const size_t coordinate = (size_t)at->order[i];
+        x[k / m * n + ode->nq + i] = coordinate < ode->nq ? x[k / m * n + coordinate] : 0.0;
+    }
+    multiply(m, n, inverse, x + ode->nq);
+    for (size_t i = 0; i < m; ++i) {
+        const row of = row_of(ode, at, i);
+        for (size_t part = 0; part < inverse->parts; ++part) {
+            const double *ordered = x + part * n + ode->nq;
             double sum = 0.0;
             for (size_t j = of.first; j < of.end_of_coordinates; ++j) {
                 sum += of.coordinates[j] * ordered[j];
             }
-            right[parts * i + part] += sum;
+            right[inverse->parts * i + part] += sum;
         }
     }
 }
 
-/* The solution of these equations into x, and the coordinates that follow. */
-static void substitute(const lag_ode *ode, const lag_radau_places *at, const shift *by, const double *right, double *x)
+/* The right side of the equations without coordinates, `right` (others, parts), of x (parts, n), which keeps its coordinates only. */
+static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x, double *right)
 {
-    const size_t n = ode->size;
-    const size_t parts = by->parts;
+    const size_t parts = shift->parts;
+    const size_t m = others(ode);
     for (size_t part = 0; part < parts; ++part) {
-        for (size_t i = 0; i < others(ode); ++i) {
-            x[part * n + ode->nq + (size_t)at->order[i]] = right[parts * i + part];
+        const double *from = x + part * ode->size + ode->nq;
+        for (size_t i = 0; i < m; ++i) {
+            right[parts * i + part] = from[(size_t)at->order[i]];
         }
     }
-    for (size_t i = 0; i < ode->nq; ++i) {
-        double number[2] = {x[ode->nq + i], parts > 1 ? x[n + ode->nq + i] : 0.0};
-        multiply(parts, number, by->inverse, number);
-        for (size_t part = 0; part < parts; ++part) {
-            x[part * n + i] += number[part];
+    if (ode->nq > 0) {
+        const number inverse = inverse_of(shift);
+        add_coordinates(ode, at, &inverse, x, right);
+    }
+}
+
+/* The solution of these equations into x, and the coordinates that follow. */
+static void substitute(const lag_ode *ode, const lag_radau_places *at, const number *shift, const double *right, double *x)
+{
+    const size_t n = ode->size;
+    const size_t parts = shift->parts;
+    const size_t m = others(ode);
+    for (size_t part = 0; part < parts; ++part) {
+        double *coordinates = x + part * n;
+        double *to = coordinates + ode->nq;
+        for (size_t i = 0; i < m; ++i) {
+            to[(size_t)at->order[i]] = right[parts * i + part];
         }
+        for (size_t i = 0; i < ode->nq; ++i) {
+            coordinates[i] += to[i];
+        }
+    }
+    if (ode->nq > 0) {
+        const number inverse = inverse_of(shift);
+        multiply(ode->nq, n, &inverse, x);
     }
 }
 
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
 {
     const lag_band band = band_of(ode, at);
-    const shift by = real_shift(at, at->memo->decomposed);
+    const number shift = real_shift(at, at->memo->decomposed);
     double *right = at->order + 2 * ode->size;
-    eliminate(ode, at, &by, x, right);
+    eliminate(ode, at, &shift, x, right);
     if (at->memo->banded != 0.0) {
         lag_band_solve(&band, at->real, at->pivots, right);
     } else {
         lag_lu_solve(band.n, at->real, at->pivots, right);
     }
-    substitute(ode, at, &by, right, x);
+    substitute(ode, at, &shift, right, x);
 }
 
 /* Both parts of x (2, n). */
 static void solve_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double *x)
 {
     const lag_band band = band_of(ode, at);
-    const shift by = pair_shift(at, pair, at->memo->decomposed);
+    const number shift = pair_shift(at, pair, at->memo->decomposed);
     double *matrix = matrix_of_pair(ode, at, pair);
     const double *pivots = at->pivots + (1 + pair) * ode->size;
-    eliminate(ode, at, &by, x, at->right);
+    eliminate(ode, at, &shift, x, at->right);
     if (at->memo->banded != 0.0) {
         lag_band_solve_complex(&band, matrix, pivots, at->right);
     } else {
         lag_lu_complex_solve(band.n, matrix, pivots, at->right);
     }
-    substitute(ode, at, &by, at->right, x);
+    substitute(ode, at, &shift, at->right, x);
 }
 
 void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *x)
@@ -375,20 +385,23 @@ void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double
 
 void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out)
 {
-    const size_t n = ode->size;
+    const lag_band band = band_of(ode, at);
+    const int banded = at->memo->banded != 0.0;
     memset(out, 0, ode->nq * sizeof(double));
-    for (size_t i = 0; i < others(ode); ++i) {
-        const row of = row_of(ode, at, i);
-        const size_t begin = (ode->nq + (size_t)at->order[i]) * n;
+    for (size_t i = 0; i < band.n; ++i) {
+        const size_t row = ode->nq + (banded ? (size_t)at->order[i] : i);
+        const double *change = at->change + row * ode->size;
+        const double *bend = at->bend + row * ode->size;
         double sum = 0.0;
-        for (size_t j = of.first; j < of.end; ++j) {
-            const size_t column = ode->nq + (size_t)at->order[j];
-            sum += (at->change[begin + column] + part * at->bend[begin + column]) * x[column];
+        for (size_t j = 0; j < ode->size && !banded; ++j) {
+            sum += (change[j] + part * bend[j]) * x[j];
         }
-        for (size_t j = of.first; j < of.end_of_coordinates; ++j) {
+        for (size_t j = lag_band_first(&band, i); j < lag_band_end(&band, i) && banded; ++j) {
             const size_t column = (size_t)at->order[j];
-            sum += column < ode->nq ? (at->change[begin + column] + part * at->bend[begin + column]) * x[column] : 0.0;
+            const size_t rate = ode->nq + column;
+            sum += (change[rate] + part * bend[rate]) * x[rate];
+            sum += column < ode->nq ? (change[column] + part * bend[column]) * x[column] : 0.0;
         }
-        out[begin / n] = part * sum;
+        out[row] = part * sum;
     }
 }
