@@ -72,6 +72,7 @@ typedef struct lag_stepper {
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
     lag_last_step last;
+    int looked;         /* an implicit method has the Jacobian of the present state, found before it began */
     lag_attempt attempt;
     lag_step_counts counts;
     lag_trouble trouble;

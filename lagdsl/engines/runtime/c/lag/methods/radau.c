@@ -32,7 +32,20 @@ static void begin(lag_stepper *s)
     while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
         ++level;
     }
-    *lag_radau_remembered(s) = (lag_radau_memo){.level = (double)level, .trust = 1.0};
+    lag_radau_memo *memo = lag_radau_remembered(s);
+    const lag_radau_memo found = s->looked ? *memo : (lag_radau_memo){.level = 0.0};
+    *memo = (lag_radau_memo){
+        .level = (double)level,
+        .trust = 1.0,
+        .fresh = found.fresh,
+        .usable = found.usable,
+        .placed = found.placed,
+        .ordered = found.ordered,
+        .lower = found.lower,
+        .upper = found.upper,
+        .entries = found.entries,
+        .banded = found.banded,
+    };
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */

@@ -97,7 +97,10 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
 /* This work in evaluations of the rates, by multiplications; matrices are as large as those at hand. */
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
 
-/* The work for the matrices of the first few steps from the present state on, in the same measure. The present method need not be one of these. */
+/*
+ * The work for the matrices of the first few steps from the present state on, in the same measure. The present method need not be one of these; if
+ * one of these begins there, it finds the Jacobian.
+ */
 double lag_radau_trial(lag_stepper *s);
 
 /* x (n) becomes the solution of the real system for it. */

@@ -102,13 +102,13 @@ static void find_order(const lag_ode *ode, const lag_radau_places *at)
     }
 }
 
-/* Entries of the Jacobian that a row of the matrices has: [first] to before [end] of `rates` and of `coordinates`. */
-typedef struct row {
+/* What a row of the matrices has of the Jacobian: [first] to before [end] of `rates`, and of `coordinates`. */
+typedef struct entries {
     size_t first, end, end_of_coordinates;
     double *rates, *coordinates;
-} row;
+} entries;
 
-static row row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
+static entries row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
 {
     const lag_band band = band_of(ode, at);
     const size_t m = band.n;
@@ -116,17 +116,17 @@ static row row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
     const size_t first = lag_band_first(&band, i);
     const size_t end = lag_band_end(&band, i);
     if (at->memo->banded == 0.0) {
-        return (row){0, m, ode->nq, at->rows + i * m, at->rows + m * m + i * ode->nq};
+        return (entries){0, m, ode->nq, at->rows + i * m, at->rows + m * m + i * ode->nq};
     }
     double *rates = at->rows + band.lower + i * (span - 1);
-    return (row){first, end, ode->nq > 0 ? end : first, rates, rates + m * span};
+    return (entries){first, end, ode->nq > 0 ? end : first, rates, rates + m * span};
 }
 
 /* The Jacobian, in the order of the matrices. */
 static void put_in_order(const lag_ode *ode, const lag_radau_places *at)
 {
     for (size_t i = 0; i < others(ode); ++i) {
-        const row to = row_of(ode, at, i);
+        const entries to = row_of(ode, at, i);
         const size_t from = (ode->nq + (size_t)at->order[i]) * ode->size;
         for (size_t j = to.first; j < to.end; ++j) {
             to.rates[j] = entry(at, from + ode->nq + (size_t)at->order[j]);
@@ -168,7 +168,7 @@ static void fill(const lag_ode *ode, const lag_radau_places *at, const number *s
     const number inverse = inverse_of(shift);
     const size_t parts = shift->parts;
     for (size_t i = 0; i < band.n; ++i) {
-        const row from = row_of(ode, at, i);
+        const entries from = row_of(ode, at, i);
         const size_t begin = at->memo->banded != 0.0 ? band.lower + i * (lag_band_width(&band) - 1) : i * band.n;
         double *to = matrix + parts * begin;
         for (size_t j = from.first; j < from.end; ++j) {
@@ -259,12 +259,16 @@ double lag_radau_trial(lag_stepper *s)
     const lag_step_counts few = {.jacobians = 1, .decompositions = FEW};
     *lag_radau_remembered(s) = (lag_radau_memo){.entries = (double)(n * n)};
     const lag_radau_places at = lag_radau_place(s);
+    s->looked = 0;
     if (pays(&diagonal)) {
         ++s->counts.jacobians;
         if (s->ode->jacobian(s->ode->context, s->t, s->x, at.jacobian) != LAG_OK) {
             return (double)INFINITY;
         }
         find_order(s->ode, &at);
+        put_in_order(s->ode, &at);
+        at.memo->fresh = at.memo->usable = at.memo->placed = 1.0;
+        s->looked = 1;
     }
     return lag_radau_effort(s, &few);
 }
@@ -294,7 +298,7 @@ static void add_coordinates(const lag_ode *ode, const lag_radau_places *at, cons
     }
     multiply(m, n, inverse, x + ode->nq);
     for (size_t i = 0; i < m; ++i) {
-        const row of = row_of(ode, at, i);
+        const entries of = row_of(ode, at, i);
         for (size_t part = 0; part < inverse->parts; ++part) {
             const double *ordered = x + part * n + ode->nq;
             double sum = 0.0;

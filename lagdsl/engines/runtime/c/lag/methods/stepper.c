@@ -105,12 +105,13 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
     s->t_before = s->t;
     method->begin(s);
+    s->looked = 0;
     return LAG_OK;
 }
 
 lag_status lag_stepper_step(lag_stepper *s, double limit)
 {
-    s->last.dense_ready = 0;
+    s->last.dense_ready = s->looked = 0;
     const lag_status status = s->method->step(s, limit);
     s->counts.steps += status == LAG_OK;
     return status;
@@ -133,7 +134,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
-    s->attempt.begun = 0;
+    s->attempt.begun = s->looked = 0;
     s->method->begin(s);
 }
 

@@ -165,16 +165,17 @@ static void mark(lag_stiffness *stiffness, const lag_stepper *s)
 }
 
 /*
- * Explicit steps until the implicit method is worth a trial: its matrices of a few steps take no longer than what the explicit one has done since it
- * began, so that a trial in vain costs no more than as much again.
+ * Explicit steps until the implicit method is worth a trial: its matrices of a few steps take no longer than what the explicit one does, from where
+ * it began to `stop`, so that a trial in vain costs no more than as much again.
  */
-static unsigned steps_to_trial(const lag_stiffness *stiffness, lag_stepper *s)
+static unsigned steps_to_trial(const lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
     const double spent = (double)(s->counts.evaluations - stiffness->before.evaluations);
-    return (unsigned)fmin(ceil(fmax(lag_radau_trial(s) - spent, 0.0) / EXPLICIT), PAUSE);
+    const double ahead = EXPLICIT * (stop - s->t) / (s->t - s->t_before);
+    return (unsigned)fmin(ceil(fmax(lag_radau_trial(s) - spent - ahead, 0.0) / EXPLICIT), PAUSE);
 }
 
-const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
+const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
     const double h = s->t - s->t_before;
     int decays = 0;
@@ -189,7 +190,7 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
         }
         const int stiff = h * lag_stiffness_fastest(stiffness, s, &decays) > BORDER && decays;
         stiffness->signs = 0;
-        stiffness->wait = stiff ? steps_to_trial(stiffness, s) : PAUSE;
+        stiffness->wait = stiff ? steps_to_trial(stiffness, s, stop) : PAUSE;
         if (stiffness->wait > 0) {
             return s->method;
         }

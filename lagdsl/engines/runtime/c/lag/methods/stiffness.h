@@ -3,7 +3,7 @@
  * stays near the border of its stability region, the Jacobian tells whether its fastest eigenvalue decays, so that an implicit
  * method may step over it, or oscillates, which every method has to follow.
  *
- * An implicit step costs more: it is tried where its matrices cost no more than the work so far, and given up where it makes less of the same work
+ * An implicit step costs more: it is tried where its matrices cost no more than explicit steps to the end, and given up where it makes less of the same work
  * than the explicit one did. Work is counted in evaluations of the rates.
  *
  * Source of the test: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2, (2.38).
@@ -30,8 +30,8 @@ size_t lag_stiffness_memory(size_t size);
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 
-/* The method for the next step; to be asked after every accepted one. */
-const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s);
+/* The method for the next step of a motion to `stop`; to be asked after every accepted one. */
+const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop);
 
 /*
  * The eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the tolerances of
