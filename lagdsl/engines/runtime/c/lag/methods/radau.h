@@ -94,14 +94,14 @@ void lag_radau_transform(
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);
 
-/* This work in evaluations of the rates, by multiplications; matrices are as large as those at hand. */
+/* This work in evaluations of the rates by an explicit method, by multiplications; matrices are as large as those at hand. */
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
 
 /*
- * The work for the matrices of the first few steps from the present state on, in the same measure. The present method need not be one of these; if
+ * The work of so many steps from the present state on, in the same measure. The present method need not be one of these; if
  * one of these begins there, it finds the Jacobian.
  */
-double lag_radau_trial(lag_stepper *s);
+double lag_radau_trial(lag_stepper *s, size_t steps);
 
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
