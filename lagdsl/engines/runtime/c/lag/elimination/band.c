@@ -6,8 +6,6 @@
 
 #include "lag/elimination/complex.h"
 
-static const double ONE[2] = {1.0, 0.0};
-
 lag_band lag_band_of(size_t n, const double *a, const double *order, double *place)
 {
     lag_band band = {n, 0, 0};
@@ -116,6 +114,7 @@ static double *row_of_pairs(const lag_band *band, double *a, size_t i)
 
 int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
 {
+    static const double one[2] = {1.0, 0.0};
     for (size_t k = 0; k < band->n; ++k) {
         const size_t end = columns_end(band, k);
         double *row = row_of_pairs(band, a, k);
@@ -128,7 +127,7 @@ int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
         }
         exchange(row, row_of_pairs(band, a, best), 2 * k, 2 * end);
         pivot[k] = (double)best;
-        lag_complex_divide(ONE, row + 2 * k, row + 2 * k);
+        lag_complex_divide(one, row + 2 * k, row + 2 * k);
         if (!isfinite(lag_complex_size(row + 2 * k))) {
             return 0;
         }

@@ -12,6 +12,7 @@
 #ifndef LAG_RADAU_H
 #define LAG_RADAU_H
 
+#include "lag/elimination/band.h"
 #include "lag/stepper.h"
 
 enum { LAG_RADAU_STAGES = 7, LAG_RADAU_PAIRS = 3, LAG_RADAU_TABLES = 3 };
@@ -90,6 +91,20 @@ unsigned lag_radau_iterations(unsigned stages); /* at most */
 /* out = matrix in, for as many arrays of n numbers as there are stages. */
 void lag_radau_transform(
     size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
+
+/* Numbers of the state that are not coordinates: so large are the matrices. */
+static inline size_t lag_radau_others(const lag_ode *ode)
+{
+    return ode->size - ode->nq;
+}
+
+static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places *at)
+{
+    return (lag_band){lag_radau_others(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
+}
+
+/* The entries of the Jacobian at hand in the order of the matrices, and that order. */
+void lag_radau_order(const lag_ode *ode, const lag_radau_places *at);
 
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);

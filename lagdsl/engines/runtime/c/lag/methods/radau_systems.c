@@ -19,29 +19,6 @@
 enum { WORTH_A_BAND = 4 };
 /* Sweeps over all entries to find the order and to fill the band, as if they were multiplications. */
 enum { SWEEPS = 2 };
-/* Directions that are followed at once. */
-enum { AT_ONCE = 4 };
-/*
- * Multiplications around an evaluation of the rates, for each number of the state: of an explicit step with the coefficients of DOP853, 70 for 12
- * evaluations; of an implicit one, and for each of its stages, of a sum over these to the coordinates of the systems, back, and what is done once a step.
- */
-enum { EXPLICIT = 6, IMPLICIT = 7, OF_STAGES = 4 };
-/* Of a substitution every product waits for the sum before it: four cycles, where others take one. */
-enum { WAITS = 4 };
-/* Decompositions of the first steps, while their length grows; iterations of a step, commonly. */
-enum { FEW = 5, ITERATIONS = 2 };
-
-/* Numbers of the state that are not coordinates: so large are the matrices. */
-static size_t others(const lag_ode *ode)
-{
-    return ode->size - ode->nq;
-}
-
-static lag_band band_of(const lag_ode *ode, const lag_radau_places *at)
-{
-    return (lag_band){others(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
-}
-
 /* True if elimination in the band is so much shorter. */
 static int pays(const lag_band *band)
 {
@@ -64,7 +41,7 @@ static int is_entry(const lag_radau_places *at, size_t i)
 /* 1 where the matrices may have an entry. */
 static void find_pattern(const lag_ode *ode, const lag_radau_places *at, double *pattern)
 {
-    const size_t m = others(ode);
+    const size_t m = lag_radau_others(ode);
     size_t count = ode->nq;
     for (size_t i = 0; i < m; ++i) {
         const size_t row = (ode->nq + i) * ode->size;
@@ -88,7 +65,7 @@ static void keep_band(const lag_band *band, const lag_radau_places *at)
 /* The order for the Jacobian at hand: the one before, unless the band in it is wider than it was. */
 static void find_order(const lag_ode *ode, const lag_radau_places *at)
 {
-    const size_t m = others(ode);
+    const size_t m = lag_radau_others(ode);
     lag_radau_memo *memo = at->memo;
     double *place = at->order + m;
     const lag_band diagonal = {m, 0, 0};
@@ -109,7 +86,7 @@ static void find_order(const lag_ode *ode, const lag_radau_places *at)
     }
 }
 
-/* What a row of the matrices has of the Jacobian: [first] to before [end] of `rates`, and of `coordinates`. */
+/* A row of the matrices, by the Jacobian: [first] to before [end] of `rates`, and of `coordinates`. */
 typedef struct entries {
     size_t first, end, end_of_coordinates;
     double *rates, *coordinates;
@@ -117,7 +94,7 @@ typedef struct entries {
 
 static entries row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const size_t m = band.n;
     const size_t span = band.lower + band.upper + 1;
     const size_t first = lag_band_first(&band, i);
@@ -132,7 +109,7 @@ static entries row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
 /* The Jacobian, in the order of the matrices. */
 static void put_in_order(const lag_ode *ode, const lag_radau_places *at)
 {
-    for (size_t i = 0; i < others(ode); ++i) {
+    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
         const entries to = row_of(ode, at, i);
         const size_t from = (ode->nq + (size_t)at->order[i]) * ode->size;
         for (size_t j = to.first; j < to.end; ++j) {
@@ -171,7 +148,7 @@ static number inverse_of(const number *a)
 /* shift I - J, its coordinates eliminated, into `matrix`, which is zero: numbers of as many parts as the shift has. */
 static void fill(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const number inverse = inverse_of(shift);
     const size_t parts = shift->parts;
     for (size_t i = 0; i < band.n; ++i) {
@@ -193,7 +170,7 @@ static void fill(const lag_ode *ode, const lag_radau_places *at, const number *s
 /* Doubles of a matrix of so many parts. */
 static size_t numbers(const lag_ode *ode, const lag_radau_places *at, size_t parts)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     return parts * band.n * (at->memo->banded != 0.0 ? lag_band_width(&band) : band.n);
 }
 
@@ -204,7 +181,7 @@ static double *matrix_of_pair(const lag_ode *ode, const lag_radau_places *at, si
 
 static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double h)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const number shift = real_shift(at, h);
     memset(at->real, 0, numbers(ode, at, 1) * sizeof(double));
     fill(ode, at, &shift, at->real);
@@ -213,13 +190,20 @@ static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double
 
 static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double h)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, h);
     double *matrix = matrix_of_pair(ode, at, pair);
     double *pivots = at->pivots + (1 + pair) * ode->size;
     memset(matrix, 0, numbers(ode, at, 2) * sizeof(double));
     fill(ode, at, &shift, matrix);
     return at->memo->banded != 0.0 ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
+}
+
+void lag_radau_order(const lag_ode *ode, const lag_radau_places *at)
+{
+    find_order(ode, at);
+    put_in_order(ode, at);
+    at->memo->placed = 1.0;
 }
 
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h)
@@ -230,9 +214,7 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
     }
     ++s->counts.decompositions;
     if (at->memo->placed == 0.0) {
-        find_order(ode, at);
-        put_in_order(ode, at);
-        at->memo->placed = 1.0;
+        lag_radau_order(ode, at);
     }
     int regular = decompose_real(ode, at, h);
     for (size_t pair = 0; 2 * pair + 1 < at->table->stages && regular; ++pair) {
@@ -240,57 +222,6 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
     }
     at->memo->decomposed = regular ? h : 0.0;
     return regular ? LAG_OK : LAG_SINGULAR;
-}
-
-/* Entries of the Jacobian at hand that are not zero: there are at least so many multiplications in an evaluation of the rates. */
-static double entries_of(const lag_ode *ode, const lag_radau_places *at)
-{
-    double count = at->memo->entries;
-    if (at->memo->ordered == 0.0 && at->memo->usable != 0.0) {
-        count = 0.0;
-        for (size_t i = 0; i < ode->size * ode->size; ++i) {
-            count += at->jacobian[i] != 0.0 ? 1.0 : 0.0;
-        }
-    }
-    return fmax(count, 1.0);
-}
-
-double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
-{
-    const lag_radau_places at = lag_radau_place(s);
-    const double n = (double)s->ode->size;
-    const double m = (double)others(s->ode);
-    const double stages = (double)at.table->stages;
-    const double matrices = 1.0 + 2.0 * (stages - 1.0); /* a product of complex numbers is four */
-    const lag_band band = band_of(s->ode, &at);
-    const int banded = at.memo->banded != 0.0;
-    const double decomposition = banded ? lag_band_operations(&band) : m * m * m / 3.0;
-    const double of_coordinates = s->ode->nq > 0 ? (double)(band.lower + band.upper + 1) : 0.0;
-    const double solution = m * (banded ? (double)lag_band_width(&band) + of_coordinates : n);
-    const double evaluation = entries_of(s->ode, &at);
-    const double implicit = evaluation + (IMPLICIT + OF_STAGES * stages) * n + WAITS * matrices * solution / stages;
-    const double jacobian = evaluation * n / AT_ONCE + SWEEPS * n * n;
-    const double all = (double)done->evaluations * implicit + (double)done->decompositions * matrices * decomposition +
-        (double)done->jacobians * jacobian;
-    return all / (evaluation + EXPLICIT * n);
-}
-
-double lag_radau_trial(lag_stepper *s, size_t steps)
-{
-    const size_t evaluations = steps * (ITERATIONS * lag_radau_tables[0].stages + 1);
-    const lag_step_counts few = {.jacobians = 1, .decompositions = FEW, .evaluations = evaluations};
-    *lag_radau_remembered(s) = (lag_radau_memo){.level = 0.0};
-    const lag_radau_places at = lag_radau_place(s);
-    s->looked = 0;
-    ++s->counts.jacobians;
-    if (s->ode->jacobian(s->ode->context, s->t, s->x, at.jacobian) != LAG_OK) {
-        return (double)INFINITY;
-    }
-    find_order(s->ode, &at);
-    put_in_order(s->ode, &at);
-    at.memo->fresh = at.memo->usable = at.memo->placed = 1.0;
-    s->looked = 1;
-    return lag_radau_effort(s, &few);
 }
 
 /* x by a, of arrays of `count` numbers, whose parts are `apart`. */
@@ -306,11 +237,11 @@ static void multiply(size_t count, size_t apart, const number *a, double *x)
     }
 }
 
-/* What coordinates of x (parts, n) give to the right side; the other numbers of x are lost. */
+/* Coordinates of x (parts, n) give this to the right side; the other numbers of x are lost. */
 static void add_coordinates(const lag_ode *ode, const lag_radau_places *at, const number *inverse, double *x, double *right)
 {
     const size_t n = ode->size;
-    const size_t m = others(ode);
+    const size_t m = lag_radau_others(ode);
     for (size_t k = 0; k < inverse->parts * m; ++k) {
         const size_t i = k % m;
         const size_t coordinate = (size_t)at->order[i];
@@ -334,7 +265,7 @@ static void add_coordinates(const lag_ode *ode, const lag_radau_places *at, cons
 static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x, double *right)
 {
     const size_t parts = shift->parts;
-    const size_t m = others(ode);
+    const size_t m = lag_radau_others(ode);
     for (size_t part = 0; part < parts; ++part) {
         const double *from = x + part * ode->size + ode->nq;
         for (size_t i = 0; i < m; ++i) {
@@ -352,7 +283,7 @@ static void substitute(const lag_ode *ode, const lag_radau_places *at, const num
 {
     const size_t n = ode->size;
     const size_t parts = shift->parts;
-    const size_t m = others(ode);
+    const size_t m = lag_radau_others(ode);
     for (size_t part = 0; part < parts; ++part) {
         double *coordinates = x + part * n;
         double *to = coordinates + ode->nq;
@@ -371,7 +302,7 @@ static void substitute(const lag_ode *ode, const lag_radau_places *at, const num
 
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const number shift = real_shift(at, at->memo->decomposed);
     double *right = at->order + 2 * ode->size;
     eliminate(ode, at, &shift, x, right);
@@ -386,7 +317,7 @@ void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double
 /* Both parts of x (2, n). */
 static void solve_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double *x)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, at->memo->decomposed);
     double *matrix = matrix_of_pair(ode, at, pair);
     const double *pivots = at->pivots + (1 + pair) * ode->size;
@@ -409,7 +340,7 @@ void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double
 
 void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out)
 {
-    const lag_band band = band_of(ode, at);
+    const lag_band band = lag_radau_band(ode, at);
     const int banded = at->memo->banded != 0.0;
     memset(out, 0, ode->nq * sizeof(double));
     for (size_t i = 0; i < band.n; ++i) {

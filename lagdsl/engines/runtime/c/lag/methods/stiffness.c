@@ -14,8 +14,8 @@ enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 enum { PRODUCTS = ITERATIONS + 2 };
 /* Evaluations of an explicit step. */
 enum { EXPLICIT = 12 };
-/* Of the explicit work of a run, trials in vain take no larger part. */
-static const double PART = 0.25;
+/* Trials in vain take no more than one of so many parts of the explicit work of a run. */
+enum { PARTS = 4 };
 
 /* Numbers of the matrix. */
 static size_t entries(size_t size)
@@ -180,7 +180,7 @@ static double budget(const lag_stiffness *stiffness, const lag_stepper *s, doubl
 {
     const double ahead = EXPLICIT * (stop - s->t) / (s->t - s->t_before);
     const double so_far = spent(stiffness, s);
-    return fmax(so_far - stiffness->lost / PART, PART * (so_far + ahead) - stiffness->lost);
+    return fmax(so_far - PARTS * stiffness->lost, (so_far + ahead) / PARTS - stiffness->lost);
 }
 
 /* True if the implicit method is to be tried; else the explicit one goes on for some steps. */
