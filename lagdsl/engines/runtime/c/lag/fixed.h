@@ -11,7 +11,7 @@
 size_t lag_fixed_memory(size_t size);
 
 /* x := x(t + h). Returns any status of the system that is not LAG_OK; x is then as before. */
-typedef lag_status lag_fixed_step(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory);
+typedef lag_status lag_fixed_step(const lag_ode *ode, double t, double h, double *x, double *memory);
 
 /* The classical Runge-Kutta method of order 4: four right-hand sides. */
 lag_fixed_step lag_rk4;

@@ -8,6 +8,7 @@
 
 typedef struct lag_ode {
     size_t size; /* of x */
+    size_t nq;   /* x begins with so many coordinates and their rates: x'[i] = x[nq + i]; 0: of first order */
     void *context;
     /* xd (size) = f(t, x). After a status that is not LAG_OK, a method tries a shorter step. */
     lag_status (*rates)(void *context, double t, const double *x, double *xd);

@@ -275,7 +275,7 @@ lag_status lag_run_finish(lag_run *run, double stop);
  * the last one happen at its beginning (lag_run_jump). Where something has changed at its end, or time changes something within it, it is done again in
  * pieces, from event to event; ticks at its end belong to it. LAG_TOO_LONG: it takes too many pieces. `memory`: lag_fixed_memory() doubles.
  */
-lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, double, double, double *, double *),
     double *memory);
 
 /* The end of a step of length h from the present; of one after the other, as a whole number of steps from the first. */

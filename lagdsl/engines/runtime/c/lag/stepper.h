@@ -35,12 +35,6 @@ typedef struct lag_trouble {
     double *x;         /* (size) */
 } lag_trouble;
 
-/* For methods that do not choose their steps. */
-typedef struct lag_fixed_steps {
-    double length;
-    size_t nq; /* for methods of second order: x begins with so many coordinates and their rates */
-} lag_fixed_steps;
-
 /*
  * States that a method evaluates anyway and that lie near the motion, up to terms of the fourth order in the length of the step at least: at its
  * beginning, between, at its end. Methods tell those that they have.
@@ -73,16 +67,17 @@ typedef struct lag_stepper {
     double h;           /* proposed length of the next step; 0: not known yet */
     double h_least;     /* shorter steps than this are given up */
     double h_most;      /* none is longer */
+    double h_fixed;     /* all are so long, where the method does not choose */
     double *x, *f;      /* (size) the state and its derivative */
     double *x_before;   /* (size) at the start of the last step */
     double *f_before;   /* (size) */
     double *tolerance;  /* (size) absolute; may be changed between steps */
     double *work;       /* of the method */
     lag_last_step last;
+    int looked;         /* an implicit method has the Jacobian of the present state, found before it began */
     lag_attempt attempt;
     lag_step_counts counts;
     lag_trouble trouble;
-    lag_fixed_steps fixed;
     lag_passing passing;
 } lag_stepper;
 
@@ -93,7 +88,7 @@ struct lag_method {
     unsigned dense_order; /* of the dense output */
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
-    unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `length` */
+    unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `h_fixed` */
     size_t (*memory)(size_t size);
     void (*begin)(lag_stepper *s);
     lag_status (*step)(lag_stepper *s, double limit);
@@ -104,7 +99,7 @@ struct lag_method {
 extern const lag_method lag_dop853; /* explicit, order 8 */
 extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
 /*
- * The methods of lag/fixed.h with steps of `length`, without error estimate; the last step is shorter or a little longer, to
+ * The methods of lag/fixed.h with steps of `h_fixed`, without error estimate; the last step is shorter or a little longer, to
  * hit the limit.
  */
 extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;

@@ -45,7 +45,9 @@
 #include "lag/elimination/band.c"
 #undef least
 
+#define number cuthill_mckee_number
 #include "lag/elimination/cuthill_mckee.c"
+#undef number
 
 #define swap_rows lu_swap_rows
 #include "lag/elimination/lu.c"
@@ -133,7 +135,9 @@
 #undef multiply
 #undef scale
 
+#define put_in_order rank_order_put_in_order
 #include "lag/equations/rank_order.c"
+#undef put_in_order
 
 #define find_excess system_find_excess
 #define least system_least
@@ -232,6 +236,14 @@
 #undef error_of
 #undef factor_of
 
+#define EXPLICIT radau_effort_EXPLICIT
+#define ITERATIONS radau_effort_ITERATIONS
+#define SWEEPS radau_effort_SWEEPS
+#include "lag/methods/radau_effort.c"
+#undef EXPLICIT
+#undef ITERATIONS
+#undef SWEEPS
+
 #define MOST radau_gmres_MOST
 #define STAGES radau_gmres_STAGES
 #define rotate radau_gmres_rotate
@@ -248,7 +260,17 @@
 #undef iterate
 #undef prepare
 
+#define SWEEPS radau_systems_SWEEPS
+#define eliminate radau_systems_eliminate
+#define multiply radau_systems_multiply
+#define number radau_systems_number
+#define put_in_order radau_systems_put_in_order
 #include "lag/methods/radau_systems.c"
+#undef SWEEPS
+#undef eliminate
+#undef multiply
+#undef number
+#undef put_in_order
 
 #include "lag/methods/radau_tables.c"
 
@@ -267,10 +289,14 @@
 #undef places
 #undef rates
 
+#define EXPLICIT stiffness_EXPLICIT
+#define ITERATIONS stiffness_ITERATIONS
 #define iterate stiffness_iterate
 #define multiply stiffness_multiply
 #define prepare stiffness_prepare
 #include "lag/methods/stiffness.c"
+#undef EXPLICIT
+#undef ITERATIONS
 #undef iterate
 #undef multiply
 #undef prepare

@@ -2,6 +2,7 @@
 #include "lag/elimination/band.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "lag/elimination/complex.h"
 
@@ -61,18 +62,22 @@ int lag_band_lu(const lag_band *band, double *a, double *pivot)
     for (size_t k = 0; k < band->n; ++k) {
         const size_t end = columns_end(band, k);
         double *row = lag_band_row(band, a, k);
+        double largest = fabs(row[k]);
         size_t best = k;
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            best = fabs(lag_band_row(band, a, i)[k]) > fabs(lag_band_row(band, a, best)[k]) ? i : best;
+            const double size = fabs(lag_band_row(band, a, i)[k]);
+            best = size > largest ? i : best;
+            largest = size > largest ? size : largest;
         }
         exchange(row, lag_band_row(band, a, best), k, end);
         pivot[k] = (double)best;
-        if (!(fabs(row[k]) > 0.0)) {
+        row[k] = 1.0 / row[k];
+        if (!isfinite(row[k])) {
             return 0;
         }
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
             double *other = lag_band_row(band, a, i);
-            const double part = other[k] / row[k];
+            const double part = other[k] * row[k];
             other[k] = part;
             for (size_t j = k + 1; j < end && part != 0.0; ++j) {
                 other[j] -= part * row[j];
@@ -86,16 +91,18 @@ void lag_band_solve(const lag_band *band, double *a, const double *pivot, double
 {
     for (size_t k = 0; k < band->n; ++k) {
         exchange(x + k, x + (size_t)pivot[k], 0, 1);
+        const double part = x[k];
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            x[i] -= lag_band_row(band, a, i)[k] * x[k];
+            x[i] -= lag_band_row(band, a, i)[k] * part;
         }
     }
     for (size_t i = band->n; i-- > 0;) {
         const double *row = lag_band_row(band, a, i);
+        double rest = x[i];
         for (size_t j = i + 1; j < columns_end(band, i); ++j) {
-            x[i] -= row[j] * x[j];
+            rest -= row[j] * x[j];
         }
-        x[i] /= row[i];
+        x[i] = rest * row[i];
     }
 }
 
@@ -107,24 +114,29 @@ static double *row_of_pairs(const lag_band *band, double *a, size_t i)
 
 int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
 {
+    static const double one[2] = {1.0, 0.0};
     for (size_t k = 0; k < band->n; ++k) {
         const size_t end = columns_end(band, k);
         double *row = row_of_pairs(band, a, k);
+        double largest = lag_complex_size(row + 2 * k);
         size_t best = k;
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
             const double size = lag_complex_size(row_of_pairs(band, a, i) + 2 * k);
-            best = size > lag_complex_size(row_of_pairs(band, a, best) + 2 * k) ? i : best;
+            best = size > largest ? i : best;
+            largest = size > largest ? size : largest;
         }
         exchange(row, row_of_pairs(band, a, best), 2 * k, 2 * end);
         pivot[k] = (double)best;
-        if (!(lag_complex_size(row + 2 * k) > 0.0)) {
+        lag_complex_divide(one, row + 2 * k, row + 2 * k);
+        if (!isfinite(lag_complex_size(row + 2 * k))) {
             return 0;
         }
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
             double *other = row_of_pairs(band, a, i);
-            double *part = other + 2 * k;
-            lag_complex_divide(part, row + 2 * k, part);
-            for (size_t j = k + 1; j < end && lag_complex_size(part) != 0.0; ++j) {
+            double part[2];
+            lag_complex_multiply(other + 2 * k, row + 2 * k, part);
+            memcpy(other + 2 * k, part, sizeof part);
+            for (size_t j = lag_complex_size(part) != 0.0 ? k + 1 : end; j < end; ++j) {
                 lag_complex_subtract_product(other + 2 * j, part, row + 2 * j);
             }
         }
@@ -136,15 +148,17 @@ void lag_band_solve_complex(const lag_band *band, double *a, const double *pivot
 {
     for (size_t k = 0; k < band->n; ++k) {
         exchange(x + 2 * k, x + 2 * (size_t)pivot[k], 0, 2);
+        const double part[2] = {x[2 * k], x[2 * k + 1]};
         for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            lag_complex_subtract_product(x + 2 * i, row_of_pairs(band, a, i) + 2 * k, x + 2 * k);
+            lag_complex_subtract_product(x + 2 * i, row_of_pairs(band, a, i) + 2 * k, part);
         }
     }
     for (size_t i = band->n; i-- > 0;) {
         const double *row = row_of_pairs(band, a, i);
+        double rest[2] = {x[2 * i], x[2 * i + 1]};
         for (size_t j = i + 1; j < columns_end(band, i); ++j) {
-            lag_complex_subtract_product(x + 2 * i, row + 2 * j, x + 2 * j);
+            lag_complex_subtract_product(rest, row + 2 * j, x + 2 * j);
         }
-        lag_complex_divide(x + 2 * i, row + 2 * i, x + 2 * i);
+        lag_complex_multiply(rest, row + 2 * i, x + 2 * i);
     }
 }

@@ -55,7 +55,10 @@ lag_band lag_band_of(size_t n, const double *a, const double *order, double *pla
 /* Multiplications of the elimination in a band; those of a dense matrix are n^3 / 3. */
 double lag_band_operations(const lag_band *band);
 
-/* As lag_lu() and what follows it in lag/elimination/lu.h, in a band; of L only the row that moves is exchanged. */
+/*
+ * As lag_lu() and what follows it in lag/elimination/lu.h, in a band; of L only the row that moves is exchanged, and the diagonal of U is
+ * inverted.
+ */
 int lag_band_lu(const lag_band *band, double *a, double *pivot);
 void lag_band_solve(const lag_band *band, double *a, const double *pivot, double *x);
 int lag_band_lu_complex(const lag_band *band, double *a, double *pivot);

@@ -19,6 +19,13 @@ static inline void lag_complex_divide(const double *z, const double *w, double *
     quotient[0] = re;
 }
 
+/* z w into a place of neither */
+static inline void lag_complex_multiply(const double *z, const double *w, double *product)
+{
+    product[0] = z[0] * w[0] - z[1] * w[1];
+    product[1] = z[0] * w[1] + z[1] * w[0];
+}
+
 /* z -= v w */
 static inline void lag_complex_subtract_product(double *z, const double *v, const double *w)
 {

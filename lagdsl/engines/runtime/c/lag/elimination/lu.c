@@ -2,6 +2,7 @@
 #include "lag/elimination/lu.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "lag/elimination/complex.h"
 
@@ -70,10 +71,12 @@ int lag_lu_complex(size_t n, double *a, double *pivot)
             return 0;
         }
         for (size_t i = k + 1; i < n; ++i) {
-            double *part = a + i * width + 2 * k;
-            lag_complex_divide(part, diagonal, part);
-            for (size_t j = k + 1; j < n && lag_complex_size(part) != 0.0; ++j) {
-                lag_complex_subtract_product(a + i * width + 2 * j, part, a + k * width + 2 * j);
+            double *other = a + i * width;
+            double part[2];
+            lag_complex_divide(other + 2 * k, diagonal, part);
+            memcpy(other + 2 * k, part, sizeof part);
+            for (size_t j = lag_complex_size(part) != 0.0 ? k + 1 : n; j < n; ++j) {
+                lag_complex_subtract_product(other + 2 * j, part, a + k * width + 2 * j);
             }
         }
     }

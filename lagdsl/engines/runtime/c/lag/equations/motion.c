@@ -142,7 +142,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     double *delays = motion->loads + loads_memory(model);
     lag_delays_place(&motion->delays, &motion->model, &motion->at, motion->w + places.delay, motion->w + places.delay_rate, delays);
     motion->until = (double)INFINITY;
-    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian};
+    motion->ode = (lag_ode){lag_motion_size(model), model->nq, motion, rates, jacobian};
 }
 
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)

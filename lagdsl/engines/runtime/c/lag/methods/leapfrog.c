@@ -6,9 +6,10 @@
  */
 #include "lag/fixed.h"
 
-lag_status lag_leapfrog(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
+lag_status lag_leapfrog(const lag_ode *ode, double t, double h, double *x, double *memory)
 {
     const size_t size = ode->size;
+    const size_t nq = ode->nq;
     double *at = memory;
     double *first = at + size;
     double *last = first + size;

@@ -32,7 +32,20 @@ static void begin_radau(lag_stepper *s)
     while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
         ++level;
     }
-    *lag_radau_remembered(s) = (lag_radau_memo){.level = (double)level, .trust = 1.0};
+    lag_radau_memo *memo = lag_radau_remembered(s);
+    const lag_radau_memo found = s->looked ? *memo : (lag_radau_memo){.level = 0.0};
+    *memo = (lag_radau_memo){
+        .level = (double)level,
+        .trust = 1.0,
+        .fresh = found.fresh,
+        .usable = found.usable,
+        .placed = found.placed,
+        .ordered = found.ordered,
+        .lower = found.lower,
+        .upper = found.upper,
+        .entries = found.entries,
+        .banded = found.banded,
+    };
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
@@ -81,7 +94,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
         at->right[i] = sum / h;
         at->error[i] = s->f[i] + at->right[i];
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     const double size = lag_stepper_norm(s, at->error);
     if (size < 1.0 || !again) {
         return size;
@@ -95,7 +108,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
     for (size_t i = 0; i < n; ++i) {
         at->error[i] += at->right[i];
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     return lag_stepper_norm(s, at->error);
 }
 
@@ -142,7 +155,7 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
     for (size_t i = 0; i < n; ++i) {
         at->error[i] -= at->right[i] / h;
     }
-    lag_radau_solve_real(n, at, at->error);
+    lag_radau_solve_real(s->ode, at, at->error);
     return s->method->factor * lag_stepper_norm(s, at->error);
 }
 

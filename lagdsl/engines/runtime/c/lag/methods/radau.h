@@ -12,6 +12,7 @@
 #ifndef LAG_RADAU_H
 #define LAG_RADAU_H
 
+#include "lag/elimination/band.h"
 #include "lag/stepper.h"
 
 enum { LAG_RADAU_STAGES = 7, LAG_RADAU_PAIRS = 3, LAG_RADAU_TABLES = 3 };
@@ -59,12 +60,13 @@ typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
     double *jacobian;               /* (n, n) */
-    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band */
+    double *rows;                   /* (2, n, n) its entries in the order of the matrices */
+    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band, without coordinates */
     double *pivots;                 /* (1 + pairs, n) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
-    double *order;                  /* (3, n) the states in the order of the band, the places of states in it, and a vector */
+    double *order;                  /* (3, n) what the matrices are of, in the order of the band, the places in it, and a vector */
     double *change;                 /* (n, n) of the Jacobian along the step */
     double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
     double *trend;                  /* (n, n) its change along the step before, by time */
@@ -90,23 +92,40 @@ unsigned lag_radau_iterations(unsigned stages); /* at most */
 void lag_radau_transform(
     size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
 
+/* Numbers of the state that are not coordinates: so large are the matrices. */
+static inline size_t lag_radau_others(const lag_ode *ode)
+{
+    return ode->size - ode->nq;
+}
+
+static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places *at)
+{
+    return (lag_band){lag_radau_others(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
+}
+
+/* The entries of the Jacobian at hand in the order of the matrices, and that order. */
+void lag_radau_order(const lag_ode *ode, const lag_radau_places *at);
+
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);
 
-/* This work in evaluations of the rates, by multiplications; matrices are as large as those at hand. */
+/* This work in evaluations of the rates by an explicit method, by multiplications; matrices are as large as those at hand. */
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
 
-/* The work for the matrices of the first few steps from the present state on, in the same measure. The present method need not be one of these. */
-double lag_radau_trial(lag_stepper *s);
+/*
+ * The work of so many steps from the present state on, in the same measure. The present method need not be one of these; if
+ * one of these begins there, it finds the Jacobian.
+ */
+double lag_radau_trial(lag_stepper *s, size_t steps);
 
 /* x (n) becomes the solution of the real system for it. */
-void lag_radau_solve_real(size_t n, const lag_radau_places *at, double *x);
+void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
 
 /* out = part (change + part bend) x */
-void lag_radau_changed(size_t n, const lag_radau_places *at, double part, const double *x, double *out);
+void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out);
 
 /* x (stages, n) becomes the solution of the decomposed systems for it. */
-void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x);
+void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *x);
 
 /* Sum over the stages, by the tolerances. */
 double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b);

@@ -5,6 +5,7 @@
  * Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; the arithmetic as in Saad, Iterative Methods for Sparse Linear
  * Systems, 2nd ed., algorithm 6.9 and section 6.5.3.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -23,17 +24,18 @@ typedef struct least_squares {
 } least_squares;
 
 /* out = v - solution of the decomposed systems for (the change of the Jacobian up to the stages, from the middle on) v */
-static void apply(size_t n, const lag_radau_places *at, const double *v, double *out)
+static void apply(const lag_ode *ode, const lag_radau_places *at, const double *v, double *out)
 {
     const lag_radau_table *table = at->table;
+    const size_t n = ode->size;
     const size_t stages = table->stages;
     double *product = at->basis + (MOST + 1) * STAGES * n;
     lag_radau_transform(n, stages, table->transform, v, out);
     for (size_t k = 0; k < stages; ++k) {
-        lag_radau_changed(n, at, table->node[k] - 0.5, out + k * n, product + k * n);
+        lag_radau_changed(ode, at, table->node[k] - 0.5, out + k * n, product + k * n);
     }
     lag_radau_transform(n, stages, table->inverse, product, out);
-    lag_radau_decomposed(n, at, out);
+    lag_radau_decomposed(ode, at, out);
     for (size_t i = 0; i < stages * n; ++i) {
         out[i] = v[i] - out[i];
     }
@@ -44,7 +46,7 @@ static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, dou
 {
     const size_t size = at->table->stages * s->ode->size;
     double *next = at->basis + (m + 1) * size;
-    apply(s->ode->size, at, at->basis + m * size, next);
+    apply(s->ode, at, at->basis + m * size, next);
     for (size_t k = 0; k <= m; ++k) {
         const double *before = at->basis + k * size;
         column[k] = lag_radau_inner(s, at->table->stages, next, before);
@@ -53,8 +55,9 @@ static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, dou
         }
     }
     column[m + 1] = sqrt(lag_radau_inner(s, at->table->stages, next, next));
-    for (size_t i = 0; i < size && column[m + 1] > 0.0; ++i) {
-        next[i] /= column[m + 1];
+    const double by = column[m + 1] > 0.0 ? 1.0 / column[m + 1] : 0.0;
+    for (size_t i = 0; i < size; ++i) {
+        next[i] *= by;
     }
 }
 
@@ -100,11 +103,12 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x
     const double start = sqrt(lag_radau_inner(s, at->table->stages, x, x));
     least_squares system;
     size_t m = 0;
-    if (!(start > 0.0) || !isfinite(start)) {
+    if (!(start >= DBL_MIN) || !isfinite(start)) {
         return;
     }
+    const double by = 1.0 / start;
     for (size_t i = 0; i < size; ++i) {
-        at->basis[i] = x[i] / start;
+        at->basis[i] = x[i] * by;
     }
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {

@@ -26,7 +26,7 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 
 size_t lag_radau_memory(size_t size)
 {
-    return lag_dop853.memory(size) + MEMO + (5 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+    return lag_dop853.memory(size) + MEMO + (7 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
 }
 
 lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
@@ -41,7 +41,8 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.memo = lag_radau_remembered(s);
     at.table = &lag_radau_tables[(size_t)at.memo->level];
     at.jacobian = (double *)(void *)at.memo + MEMO;
-    at.real = at.jacobian + n * n;
+    at.rows = at.jacobian + n * n;
+    at.real = at.rows + 2 * n * n;
     at.complex = at.real + n * n;
     at.pivots = at.complex + 2 * PAIRS * n * n;
     at.z = at.pivots + (1 + PAIRS) * n;
@@ -100,7 +101,7 @@ static void cut_change(size_t n, const lag_radau_places *at, double part)
         at->change[i] = part * (at->change[i] + (part - 1.0) * at->bend[i]);
         at->bend[i] *= part * part;
     }
-    at->memo->decomposed = 0.0;
+    at->memo->decomposed = at->memo->placed = 0.0;
     at->memo->ahead *= part;
 }
 
@@ -174,9 +175,10 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
 {
     const size_t n = s->ode->size;
     double sum = 0.0;
-    for (size_t k = 0; k < stages; ++k) {
-        for (size_t i = 0; i < n; ++i) {
-            sum += a[k * n + i] / s->tolerance[i] * (b[k * n + i] / s->tolerance[i]);
+    for (size_t i = 0; i < n; ++i) {
+        const double by = 1.0 / s->tolerance[i];
+        for (size_t k = 0; k < stages; ++k) {
+            sum += a[k * n + i] * by * (b[k * n + i] * by);
         }
     }
     return sum;
@@ -188,7 +190,7 @@ static double correction(const lag_stepper *s, const lag_radau_places *at, doubl
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
     residual(n, at, h);
-    lag_radau_decomposed(n, at, at->slope);
+    lag_radau_decomposed(s->ode, at, at->slope);
     if (at->memo->turning > 0.0) {
         lag_radau_gmres(s, at, at->slope);
     }

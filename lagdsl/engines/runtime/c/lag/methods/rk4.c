@@ -6,7 +6,7 @@
  */
 #include "lag/fixed.h"
 
-lag_status lag_rk4(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
+lag_status lag_rk4(const lag_ode *ode, double t, double h, double *x, double *memory)
 {
     static const double node[4] = {0.0, 0.5, 0.5, 1.0};
     static const double weight[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
@@ -14,7 +14,6 @@ lag_status lag_rk4(const lag_ode *ode, size_t nq, double t, double h, double *x,
     double *at = memory;
     double *slope = at + size;
     double *sum = slope + size;
-    (void)nq;
     for (size_t i = 0; i < size; ++i) {
         sum[i] = slope[i] = 0.0;
     }

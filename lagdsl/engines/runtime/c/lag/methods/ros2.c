@@ -12,7 +12,7 @@ size_t lag_fixed_memory(size_t size)
     return size * size + 4 * size;
 }
 
-lag_status lag_ros2(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
+lag_status lag_ros2(const lag_ode *ode, double t, double h, double *x, double *memory)
 {
     static const double gamma = 0.29289321881345254;
     const size_t size = ode->size;
@@ -21,7 +21,6 @@ lag_status lag_ros2(const lag_ode *ode, size_t nq, double t, double h, double *x
     double *at = pivot + size;
     double *first = at + size;
     double *second = first + size;
-    (void)nq;
     lag_status status = ode->jacobian(ode->context, t, x, matrix);
     if (status == LAG_OK) {
         status = ode->rates(ode->context, t, x, first);

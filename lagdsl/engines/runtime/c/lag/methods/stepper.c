@@ -101,18 +101,19 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
     }
     lag_stepper_pass(s, LAG_PASSED_BEGIN, s->t);
     if (!(s->h > 0.0)) {
-        s->h = method->error_order > 0 ? first_length(s, span) : s->fixed.length;
+        s->h = method->error_order > 0 ? first_length(s, span) : s->h_fixed;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
     s->t_before = s->t;
     method->begin(s);
+    s->looked = 0;
     return LAG_OK;
 }
 
 lag_status lag_stepper_step(lag_stepper *s, double limit)
 {
-    s->last.dense_ready = 0;
+    s->last.dense_ready = s->looked = 0;
     const lag_status status = s->method->step(s, limit);
     s->counts.steps += status == LAG_OK;
     return status;
@@ -135,7 +136,7 @@ void lag_stepper_undo(lag_stepper *s, double h)
     s->h = h;
     s->last.error = s->last.h = 0.0;
     s->last.dense_ready = 0;
-    s->attempt.begun = s->attempt.bare = 0;
+    s->attempt.begun = s->attempt.bare = s->looked = 0;
     s->method->begin(s);
 }
 

@@ -36,7 +36,7 @@ static void begin_fixed(lag_stepper *s)
 {
     const places at = place(s);
     *at.start = s->t;
-    *at.first = s->h > 0.0 ? fmin(s->h, s->fixed.length) : s->fixed.length;
+    *at.first = s->h > 0.0 ? fmin(s->h, s->h_fixed) : s->h_fixed;
     *at.count = 0.0;
 }
 
@@ -67,13 +67,13 @@ static lag_status jacobian_fixed(void *context, double t, const double *x, doubl
 static lag_status step_fixed(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
-    const lag_ode ode = {s->ode->size, s, rates, jacobian_fixed};
-    double end = *at.start + *at.first + *at.count * s->fixed.length;
+    const lag_ode ode = {s->ode->size, s->ode->nq, s, rates, jacobian_fixed};
+    double end = *at.start + *at.first + *at.count * s->h_fixed;
     if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;
     }
     memcpy(at.x, s->x, s->ode->size * sizeof(double));
-    lag_status status = formula(&ode, s->fixed.nq, s->t, end - s->t, at.x, at.memory);
+    lag_status status = formula(&ode, s->t, end - s->t, at.x, at.memory);
     if (status == LAG_OK) {
         status = lag_stepper_rates(s, end, at.x, at.f);
     }
@@ -81,7 +81,7 @@ static lag_status step_fixed(lag_stepper *s, double limit, lag_fixed_step *formu
         return LAG_STEP_TOO_SMALL;
     }
     *at.count += 1.0;
-    s->h = s->fixed.length;
+    s->h = s->h_fixed;
     lag_stepper_accept(s, end, at.x, at.f);
     return LAG_OK;
 }

@@ -14,22 +14,24 @@ enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 enum { PRODUCTS = ITERATIONS + 2 };
 /* Evaluations of an explicit step. */
 enum { EXPLICIT = 12 };
+/* Trials in vain take no more than one of so many parts of the explicit work of a run. */
+enum { PARTS = 4 };
 
 /* Numbers of the matrix. */
-static size_t entries(size_t size)
+static size_t matrix_numbers(size_t size)
 {
     return size <= PRODUCTS ? size * size : 0;
 }
 
 size_t lag_stiffness_memory(size_t size)
 {
-    return entries(size) + 5 * size;
+    return matrix_numbers(size) + 5 * size;
 }
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
 {
     *stiffness = (lag_stiffness){.needed = BACK, .matrix = memory};
-    stiffness->v = memory + entries(size);
+    stiffness->v = memory + matrix_numbers(size);
     stiffness->f = stiffness->v + 3 * size;
     stiffness->point = stiffness->f + size;
 }
@@ -146,8 +148,8 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int
     return fabs(value);
 }
 
-/* Progress of the implicit method since the last question, for each evaluation's worth of work. */
-static double progress(const lag_stiffness *stiffness, const lag_stepper *s)
+/* The work of the implicit method since the last question, in evaluations. */
+static double effort_since(const lag_stiffness *stiffness, const lag_stepper *s)
 {
     const lag_step_counts *before = &stiffness->before;
     const lag_step_counts done = {
@@ -155,7 +157,7 @@ static double progress(const lag_stiffness *stiffness, const lag_stepper *s)
         .jacobians = s->counts.jacobians - before->jacobians,
         .decompositions = s->counts.decompositions - before->decompositions,
     };
-    return (s->t - stiffness->t) / lag_radau_effort(s, &done);
+    return lag_radau_effort(s, &done);
 }
 
 static void mark(lag_stiffness *stiffness, const lag_stepper *s)
@@ -164,17 +166,38 @@ static void mark(lag_stiffness *stiffness, const lag_stepper *s)
     stiffness->before = s->counts;
 }
 
-/*
- * Explicit steps until the implicit method is worth a trial: its matrices of a few steps take no longer than what the explicit one has done since it
- * began, so that a trial in vain costs no more than as much again.
- */
-static unsigned steps_to_trial(const lag_stiffness *stiffness, lag_stepper *s)
+/* Evaluations of the explicit method so far. */
+static double spent(const lag_stiffness *stiffness, const lag_stepper *s)
 {
-    const double spent = (double)(s->counts.evaluations - stiffness->before.evaluations);
-    return (unsigned)fmin(ceil(fmax(lag_radau_trial(s) - spent, 0.0) / EXPLICIT), PAUSE);
+    return stiffness->spent + (double)(s->counts.evaluations - stiffness->before.evaluations);
 }
 
-const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
+/*
+ * Evaluations that a trial of the implicit method may cost: a part of what the explicit one takes to `stop`, without what was lost before. As nobody
+ * knows what comes behind `stop`, it may also cost as much again as was spent; if anything was lost, it has to be that part of it.
+ */
+static double budget(const lag_stiffness *stiffness, const lag_stepper *s, double stop)
+{
+    const double ahead = EXPLICIT * (stop - s->t) / (s->t - s->t_before);
+    const double so_far = spent(stiffness, s);
+    return fmax(so_far - PARTS * stiffness->lost, (so_far + ahead) / PARTS - stiffness->lost);
+}
+
+/* True if the implicit method is to be tried; else the explicit one goes on for some steps. */
+static int is_worth_a_trial(lag_stiffness *stiffness, lag_stepper *s, double stop)
+{
+    const double most = budget(stiffness, s, stop);
+    int decays = 0;
+    stiffness->wait = PAUSE;
+    if (stiffness->trial > most || (s->t - s->t_before) * lag_stiffness_fastest(stiffness, s, &decays) <= BORDER || !decays) {
+        return 0;
+    }
+    stiffness->trial = lag_radau_trial(s, EVERY * BACK);
+    stiffness->wait = (unsigned)fmin(ceil(fmax(stiffness->trial - most, 0.0) / EXPLICIT), PAUSE);
+    return stiffness->wait == 0;
+}
+
+const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
     const double h = s->t - s->t_before;
     int decays = 0;
@@ -187,28 +210,31 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s)
         if (stiffness->signs < SIGNS) {
             return s->method;
         }
-        const int stiff = h * lag_stiffness_fastest(stiffness, s, &decays) > BORDER && decays;
         stiffness->signs = 0;
-        stiffness->wait = stiff ? steps_to_trial(stiffness, s) : PAUSE;
-        if (stiffness->wait > 0) {
+        if (!is_worth_a_trial(stiffness, s, stop)) {
             return s->method;
         }
+        stiffness->spent = spent(stiffness, s);
+        stiffness->visit = 0.0;
         stiffness->wait = EVERY;
         stiffness->progress = h / EXPLICIT;
         mark(stiffness, s);
         return &lag_radau;
     }
     stiffness->wait = EVERY;
-    const int slow = progress(stiffness, s) < stiffness->progress;
+    const double effort = effort_since(stiffness, s);
+    const int slow = s->t - stiffness->t < stiffness->progress * effort;
+    stiffness->visit += effort;
     mark(stiffness, s);
     const int easy = fmin(s->h, h) * lag_stiffness_fastest(stiffness, s, &decays) < EASY;
     stiffness->signs = easy || slow ? stiffness->signs + 1 : 0;
     if (stiffness->signs < stiffness->needed) {
         return s->method;
     }
+    stiffness->lost += slow ? stiffness->visit : 0.0;
+    stiffness->needed *= slow ? 1 : 2;
     stiffness->signs = 0;
     stiffness->wait = 0;
-    stiffness->needed *= 2;
     mark(stiffness, s);
     return &lag_dop853;
 }

@@ -3,8 +3,8 @@
  * stays near the border of its stability region, the Jacobian tells whether its fastest eigenvalue decays, so that an implicit
  * method may step over it, or oscillates, which every method has to follow.
  *
- * An implicit step costs more: it is tried where its matrices cost no more than the work so far, and given up where it makes less of the same work
- * than the explicit one did. Work is counted in evaluations of the rates.
+ * An implicit step costs more: it is tried where that costs no more than a part of the explicit steps to the end, and given up where it makes less
+ * of the same work than the explicit one did. Work is counted in evaluations of the rates.
  *
  * Source of the test: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2, (2.38).
  */
@@ -16,10 +16,13 @@
 typedef struct lag_stiffness {
     unsigned signs;     /* steps in a row that speak for a change */
     unsigned wait;      /* steps until the next question */
-    unsigned needed;    /* signs for a change back to the explicit method; doubled by every change */
+    unsigned needed;    /* signs for a change back to the explicit method; doubled by every one to a motion that is not stiff */
     double t;           /* at the last question to the implicit method, or when the explicit one began, */
     lag_step_counts before; /* and the work then */
     double progress;    /* of the explicit method for each evaluation, when it was left */
+    double spent;       /* evaluations of the explicit method before it began last, */
+    double visit, lost; /* and the work of the implicit one, in the same measure: since it began, and all that was in vain */
+    double trial;       /* what a trial was found to cost last */
     double *matrix;     /* (size, size) the Jacobian of a small system */
     double *v;          /* (3, size) */
     double *f, *point;  /* (size) the rates at the present state, and another state */
@@ -30,8 +33,8 @@ size_t lag_stiffness_memory(size_t size);
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 
-/* The method for the next step; to be asked after every accepted one. */
-const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s);
+/* The method for the next step of a motion to `stop`; to be asked after every accepted one. */
+const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop);
 
 /*
  * The eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the tolerances of

@@ -123,8 +123,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.along.tell = options->callbacks.along;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
-    run->stepper.fixed.length = options->h_fixed;
-    run->stepper.fixed.nq = model->nq;
+    run->stepper.h_fixed = options->h_fixed;
     run->stepper.passing = (lag_passing){options->results != NULL && model->ny > 0 ? pass : NULL, run};
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->sizes.group = lag_take(&memory, size);

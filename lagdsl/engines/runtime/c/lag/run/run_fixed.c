@@ -22,7 +22,7 @@ static lag_status step_once(lag_run *run, double h, double end, lag_fixed_step *
     int moved = 0;
     s->t_before = s->t;
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
-    const lag_status status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
+    const lag_status status = step(s->ode, s->t, h, s->x, memory);
     if (status != LAG_OK) {
         return status;
     }
@@ -39,7 +39,7 @@ static lag_status run_in_pieces(lag_run *run, double h, double end, lag_fixed_st
     const lag_method *chosen = run->options.method;
     const lag_method *method = run->stepper.method;
     run->options.method = run->stepper.method = method_of(step);
-    run->stepper.fixed.length = run->stepper.h = h;
+    run->stepper.h_fixed = run->stepper.h = h;
     run->instants.contacts.flight = h;
     const lag_status status = lag_run_to(run, end, MOST_PIECES);
     run->instants.contacts.flight = 0.0;

@@ -148,7 +148,7 @@ static lag_status follow(lag_run *run, double stop)
     if (s->method == &lag_collocation && s->t < stop) {
         return restart(run, run->ranks.behind, stop - s->t);
     }
-    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->methods.stiffness, s) : s->method;
+    const lag_method *method = run->options.method == NULL && s->method != &lag_collocation ? lag_stiffness_method(&run->methods.stiffness, s, stop) : s->method;
     if (method == s->method || s->t >= stop) {
         lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
         return LAG_OK;

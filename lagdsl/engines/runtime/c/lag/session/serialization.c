@@ -140,6 +140,10 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.t);
     RECORD(run->methods.stiffness.before);
     RECORD(run->methods.stiffness.progress);
+    RECORD(run->methods.stiffness.spent);
+    RECORD(run->methods.stiffness.visit);
+    RECORD(run->methods.stiffness.lost);
+    RECORD(run->methods.stiffness.trial);
     RECORD(run->guards.pieces.span);
     RECORD(run->guards.pieces.reach);
     RECORD(run->guards.pieces.limit);
