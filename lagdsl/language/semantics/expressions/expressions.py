@@ -19,17 +19,33 @@ from lagdsl.language.semantics.scope.constants import NoValue, evaluate
 from lagdsl.language.semantics.scope.context import Context
 from lagdsl.language.semantics.scope.naming import braces
 from lagdsl.language.semantics.scope.scope import Scope
-from lagdsl.language.semantics.scope.values import POISON, Scalar, Text, Value, is_structural
+from lagdsl.language.semantics.scope.values import POISON, Poison, Scalar, Text, Value, is_structural
 from lagdsl.language.semantics.variables import scale_points
 from lagdsl.language.syntax import nodes
 
 
-def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:  # noqa: C901, PLR0912 one case for each node
+def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:
     """The typed value of `node`.
 
     `adopt`: the expression is a whole binding, modifier or array element of a declared quantity, so that a bare number
-    takes the declared unit.
+    takes the declared unit. A text that stands in `scope` again is the value of the first one, unless that left more
+    than a value behind.
     """
+    number = ctx.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
+    if number is None:
+        return _elaborated(ctx, scope, node, adopt)
+    values, key = ctx.common.of(scope, ctx.current), (number, adopt)
+    known = values.get(key)
+    if known is not None:
+        return known
+    effects = ctx.effects
+    value = _elaborated(ctx, scope, node, adopt)
+    if not isinstance(value, Poison) and ctx.effects == effects:
+        values[key] = value
+    return value
+
+
+def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool) -> Value:  # noqa: C901, PLR0912 one case for each node
     match node:
         case nodes.Number():
             return _number(ctx, node, adopt)
