@@ -49,10 +49,10 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
     match node:
         case nodes.Number():
             return _number(ctx, node, adopt)
-        case nodes.Quantity():
-            return _quantity(ctx, node)
         case nodes.Reference():
             return references.reference(ctx, scope, node)
+        case nodes.Parenthesized():
+            return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Binary():
             scale_points.check_operator(ctx, node)
             left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
@@ -60,6 +60,8 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
                 left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
             angles.check_operator(ctx, scope, node)
             return arithmetic.binary(ctx, scope, node, left, right)
+        case nodes.Quantity():
+            return _quantity(ctx, node)
         case nodes.Unary(operand=nodes.Quantity() as literal) if scale_points.is_signed_point(node):
             return _quantity(ctx, literal, node.operator)
         case nodes.Unary():
@@ -67,8 +69,6 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
             adopt = adopt and node.operator != "not"
             value = elaborate(ctx, scope, node.operand, adopt)
             return arithmetic.unary(ctx, node, geometry.operand(ctx, value, node.operand.span))
-        case nodes.Parenthesized():
-            return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Call():
             scale_points.check_call(ctx, scope, node)
             angles.check_call(ctx, scope, node)

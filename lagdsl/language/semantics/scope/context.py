@@ -149,8 +149,8 @@ class Context:
     assembly: Places | None = None
 
     @property
-    def effects(self) -> tuple[int, ...]:
-        """Counts of what an elaboration leaves behind beside its value: reports, discontinuities, loops, calls."""
-        counts, reports = self.counts, self.reports
-        done = (len(self.product.met), counts.turns, counts.calls, counts.motions, counts.components)
-        return (*done, self.sink.count, len(reports.reported), id(reports.withheld))
+    def effects(self) -> int:
+        """Count of what elaborations left behind beside their values: reports, discontinuities, loops, calls. It grows."""
+        counts = self.counts
+        done = counts.turns + counts.calls + counts.motions + counts.components
+        return done + len(self.product.met) + self.sink.count + len(self.reports.reported)
