@@ -34,7 +34,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
     number = ctx.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
     if number is None:
         return _elaborated(ctx, scope, node, adopt)
-    values, key = ctx.common.of(scope, ctx.current), (number, adopt)
+    values, key = ctx.common.of(scope, ctx.current, number), (number, adopt)
     known = values.get(key)
     if known is not None:
         return known
