@@ -18,7 +18,7 @@ def disjoint_columns(rows: Indices, columns: Indices, shape: tuple[int, int]) ->
         return np.arange(n)
     order = np.argsort(columns, kind="stable")
     starts = np.searchsorted(columns[order], np.arange(n + 1))
-    taken = np.zeros((m, 2 * widest), dtype=np.bool_)  # by row; it grows
+    taken = np.zeros((m, 2 * widest + 1), dtype=np.bool_)  # by row; it grows
     groups = np.zeros(n, dtype=np.intp)
     for column in range(n):
         own = rows[order[starts[column] : starts[column + 1]]]

@@ -150,7 +150,7 @@ class Context:
 
     @property
     def effects(self) -> int:
-        """Count of what elaborations left behind beside their values: reports, discontinuities, loops, calls. It grows."""
+        """Count of what elaborations left behind beside their values: reports, discontinuities, turns, calls."""
         counts = self.counts
         done = counts.turns + counts.calls + counts.motions + counts.components
         return done + len(self.product.met) + self.sink.count + len(self.reports.reported)

@@ -175,8 +175,7 @@ def latest(*values: Scalar | Vector | Array | FrameValue) -> Variability:
 def highest(*values: Scalar | Vector | Array | FrameValue) -> Order:
     found = Order.STILL
     for value in values:
-        if value.order > found:
-            found = value.order
+        found = max(found, value.order)
     return found
 
 
