@@ -6,7 +6,7 @@ import pytest
 from flattening import run
 
 from lagdsl.language.flat import expression as fx
-from lagdsl.language.flat.nonnegative import NonNegative
+from lagdsl.language.flat.semidefinite import Semidefinite
 from lagdsl.language.flat.traversal import records
 
 BEAM = """model M
@@ -105,4 +105,4 @@ def test_energies_that_show_that_they_are_not_negative(energy: str, shown: bool)
 end M;
 """)
     assert flat is not None
-    assert NonNegative(flat).of(flat.energies[1].value) is shown
+    assert Semidefinite(flat).of(flat.energies[1].value) is shown

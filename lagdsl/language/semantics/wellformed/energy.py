@@ -12,8 +12,8 @@ from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.degree import RateDegree
 from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.language.flat.nonnegative import NonNegative
 from lagdsl.language.flat.probe import ProbeState, probes
+from lagdsl.language.flat.semidefinite import Semidefinite
 from lagdsl.language.flat.spans import around, place
 from lagdsl.language.semantics.wellformed.damping import check_damping
 
@@ -80,7 +80,7 @@ def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
     terms = [term for term in flat.energies if term.kind == "kinetic"]
     if not terms or flat.masses or flat.bodies or any(term.kind == "lagrangian" for term in flat.energies):
         return
-    if _are_nonnegative(flat, terms):
+    if _are_semidefinite(flat, terms):
         return
     for moment in range(_POINTS):
         parts = []
@@ -96,16 +96,16 @@ def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
             return
 
 
-def _are_nonnegative(flat: fm.FlatModel, terms: list[fm.EnergyTerm]) -> bool:
+def _are_semidefinite(flat: fm.FlatModel, terms: list[fm.EnergyTerm]) -> bool:
     """True if none needs to be tried, as most are sums of squares."""
-    known = NonNegative(flat)
+    known = Semidefinite(flat)
     return all(known.of(term.value) for term in terms)
 
 
 def _check_dissipation(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
     """W0522 where the dissipation functions together are negative for some rates."""
     terms = [term for term in flat.energies if term.kind == "dissipation"]
-    if _are_nonnegative(flat, terms):
+    if _are_semidefinite(flat, terms):
         return
     for moment in range(_POINTS):
         try:

@@ -1,4 +1,4 @@
-"""Expressions that show by their form that they are not negative: sums of squares, with factors that are positive."""
+"""Expressions that are positive semidefinite by their form: sums of squares, with factors that are not negative."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from lagdsl.language.flat.traversal import postorder
 _FUNCTIONS = frozenset({"abs", "sqrt", "exp", "cosh"})
 
 
-class NonNegative:
+class Semidefinite:
     """Answers for one flat model, with the defaults of its parameters; shared nodes are looked at once."""
 
     def __init__(self, flat: fm.FlatModel) -> None:
