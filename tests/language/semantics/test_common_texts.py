@@ -6,8 +6,8 @@ import pytest
 from flattening import run
 
 from lagdsl.language.flat import expression as fx
-from lagdsl.language.flat.semidefinite import Semidefinite
 from lagdsl.language.flat.traversal import records
+from lagdsl.language.semantics.wellformed.semidefinite import Semidefinite
 
 BEAM = """model M
   parameter Mass m = 1 kg;

@@ -31,10 +31,11 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
     takes the declared unit. A text that stands in `scope` again is the value of the first one, unless that left more
     than a value behind.
     """
-    number = ctx.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
+    current = ctx.current
+    number = current.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
     if number is None:
         return _elaborated(ctx, scope, node, adopt)
-    values, key = ctx.common.of(scope, ctx.current, number), (number, adopt)
+    values, key = current.common.of(scope, (current.quiet, current.in_clause), number), (number, adopt)
     known = values.get(key)
     if known is not None:
         return known

@@ -6,16 +6,31 @@ node in the flat model: later passes remember what they know of a node by its id
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import field
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from lagdsl.foundation.record import mutable_record
-from lagdsl.language.semantics.scope.current import Current
 from lagdsl.language.semantics.scope.scope import Scope
 from lagdsl.language.semantics.scope.values import Value
 from lagdsl.language.syntax import nodes
 
-_Spelling: TypeAlias = tuple[object, ...]
+_Form: TypeAlias = tuple[tuple[str, ...], tuple[nodes.Node, ...]]
+
+# Words and parts of a node by its class. Loops are not among them, which have a scope of their own, nor what is rare.
+_FORMS: dict[type[nodes.Node], Callable[[Any], _Form]] = {
+    nodes.Reference: lambda node: ((node.name,), ()),
+    nodes.Number: lambda node: ((node.text,), ()),
+    nodes.Quantity: lambda node: ((node.number, node.unit), ()),
+    nodes.Binary: lambda node: ((node.operator,), (node.left, node.right)),
+    nodes.Unary: lambda node: ((node.operator,), (node.operand,)),
+    nodes.Parenthesized: lambda node: ((), (node.inner,)),
+    nodes.Call: lambda node: ((), (node.function, *node.arguments)),
+    nodes.Index: lambda node: ((), (node.target, *node.subscripts)),
+    nodes.Member: lambda node: ((node.name,), (node.target,)),
+    nodes.Branch: lambda node: ((), (node.condition, node.value)),
+    nodes.Conditional: lambda node: ((), (*node.branches, node.otherwise)),
+}
 
 
 @mutable_record()
@@ -24,17 +39,17 @@ class Common:
     instances of classes are elaborated one after the other, each in a scope of its own."""
 
     _scope: Scope | None = None
-    _mode: tuple[bool, bool] = (False, False)
+    _mode: tuple[bool, ...] = ()
     _values: dict[int, dict[tuple[int, bool], Value]] = field(default_factory=dict)
-    _spellings: dict[_Spelling, int] = field(default_factory=dict)
+    _spellings: dict[tuple[object, ...], int] = field(default_factory=dict)
     _names: list[frozenset[str]] = field(default_factory=list)
     # A node is kept with its number, so that its identity is not given to another one.
     _numbers: dict[int, tuple[int | None, nodes.Node]] = field(default_factory=dict)
 
-    def of(self, scope: Scope, current: Current, number: int) -> dict[tuple[int, bool], Value]:
+    def of(self, scope: Scope, mode: tuple[bool, ...], number: int) -> dict[tuple[int, bool], Value]:
         """The values, by number of the spelling and by the literals that adopt a unit, of the outermost scope in which
-        the text of this number means the same as in `scope`: what does not name the index is one in all turns."""
-        mode = (current.quiet, current.in_clause)
+        the text of this number means the same as in `scope`: what does not name the index is one in all turns. In
+        another `mode` texts have other values."""
         if scope is not self._scope or mode != self._mode:
             before = self._values if mode == self._mode else {}
             self._scope, self._mode = scope, mode
@@ -45,59 +60,22 @@ class Common:
         return self._values[id(scope)]
 
     def number(self, node: nodes.Node) -> int | None:
-        """The same for all nodes of one spelling; None for loops and names of arguments, which have their own scope."""
+        """The same for all nodes of one spelling; None for what has none."""
         found = self._numbers.get(id(node))
         if found is None:
-            spelling = self._spelling(node)
-            number = None if spelling is None else self._spellings.setdefault(spelling, len(self._spellings))
-            if number == len(self._names):
-                self._names.append(self._names_in(node))
-            found = self._numbers[id(node)] = number, node
+            found = self._numbers[id(node)] = self._numbered(node), node
         return found[0]
 
-    def _names_in(self, node: nodes.Node) -> frozenset[str]:
-        """The names that a text of known spelling begins to read with."""
-        if isinstance(node, nodes.Reference):
-            return frozenset((node.name,))
-        numbers = (self.number(part) for part in _parts(node))
-        return frozenset().union(*(self._names[number] for number in numbers if number is not None))
-
-    def _spelling(self, node: nodes.Node) -> _Spelling | None:
-        match node:
-            case nodes.Reference():
-                return ("name", node.name)
-            case nodes.Number():
-                return ("number", node.text)
-            case nodes.Quantity():
-                return ("quantity", node.number, node.unit)
-            case nodes.Binary() | nodes.Unary():
-                word = node.operator
-            case nodes.Member():
-                word = f".{node.name}"
-            case nodes.Parenthesized() | nodes.Call() | nodes.Index() | nodes.Conditional():
-                word = ""
-            case _:
-                return None
-        numbers = tuple(self.number(part) for part in _parts(node))
-        return None if None in numbers else (type(node), word, *numbers)
-
-
-def _parts(node: nodes.Node) -> tuple[nodes.Node, ...]:
-    match node:
-        case nodes.Binary():
-            return (node.left, node.right)
-        case nodes.Unary():
-            return (node.operand,)
-        case nodes.Parenthesized():
-            return (node.inner,)
-        case nodes.Call():
-            return (node.function, *node.arguments)
-        case nodes.Index():
-            return (node.target, *node.subscripts)
-        case nodes.Member():
-            return (node.target,)
-        case nodes.Conditional():
-            parts = [part for branch in node.branches for part in (branch.condition, branch.value)]
-            return (*parts, node.otherwise)
-        case _:
-            return ()
+    def _numbered(self, node: nodes.Node) -> int | None:
+        form = _FORMS.get(type(node))
+        if form is None:
+            return None
+        words, parts = form(node)
+        numbers = [number for part in parts if (number := self.number(part)) is not None]
+        if len(numbers) < len(parts):
+            return None
+        number = self._spellings.setdefault((type(node), *words, *numbers), len(self._spellings))
+        if number == len(self._names):
+            own = words if isinstance(node, nodes.Reference) else ()
+            self._names.append(frozenset(own).union(*(self._names[part] for part in numbers)))
+        return number

@@ -13,9 +13,9 @@ from lagdsl.language.flat.degree import RateDegree
 from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.probe import ProbeState, probes
-from lagdsl.language.flat.semidefinite import Semidefinite
 from lagdsl.language.flat.spans import around, place
 from lagdsl.language.semantics.wellformed.damping import check_damping
+from lagdsl.language.semantics.wellformed.semidefinite import Semidefinite
 
 _POINTS = 6
 # Through zero for abs(v); on one side of it for what is defined there only.
