@@ -30,7 +30,15 @@ class _Pause:
         with self._lock:
             self._blocks -= 1
             if self._blocks == 0 and self._was_enabled:
+                _make_old()
                 gc.enable()
+
+
+def _make_old() -> None:
+    """What there is stays, and is looked at seldom: the next search would begin with all that was made."""
+    if gc.get_freeze_count() == 0:  # nobody has put objects aside, which would come back
+        gc.freeze()
+        gc.unfreeze()
 
 
 _PAUSE = _Pause()
