@@ -16,6 +16,7 @@ from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
+from lagdsl.foundation.collection import without_collection
 from lagdsl.foundation.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import SourceFile
@@ -73,6 +74,7 @@ def parse_file(file: SourceFile, sink: Sink) -> nodes.Unit | None:
     return None if sink.has_errors else unit
 
 
+@without_collection()
 def flatten_unit(
     unit: nodes.Unit,
     sink: Sink,
@@ -103,6 +105,7 @@ def _checked(flat: FlatModel | None, sink: Sink) -> FlatModel | None:
     return None if sink.has_errors else flat
 
 
+@without_collection()
 def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
     """The same with `pairs`, `{"m": "2 kg"}`, as if they stood in the text: nothing is said of the values there.
 
@@ -137,6 +140,7 @@ def _structured(
     return None if sink.has_errors else flat
 
 
+@without_collection()
 def flatten_for_runs(
     file: SourceFile, sink: Sink, *, model: str | None, pairs: Mapping[str, str], read: Reading | None = None
 ) -> FlatModel | None:
@@ -155,6 +159,7 @@ def flatten_file(
     return None if unit is None else flatten_unit(unit, sink, model=model, structural=structural)
 
 
+@without_collection()
 def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compilation | None:
     """The equations of `flat`, their ranks and their program; None after errors. The model of the result has the
     balances of forces along directions without inertia among its constraints.

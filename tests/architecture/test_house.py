@@ -20,7 +20,7 @@ GENERATED = {"vocabulary.py"}
 CHECKED = {
     *("source", "diagnostics", "units", "syntax", "semantics", "flat", "settings", "graph", "numerics", "structure"),
     *("mechanics", "eliminate", "program", "backends", "runtime", "signals", "simulate", "pipeline", "cli"),
-    *("record", "resources", "version"),
+    *("collection", "record", "resources", "version"),
 }
 RUN = {"columns", "api", "plot"}
 

@@ -76,7 +76,7 @@ def strength(
     parts = _forward(graph, terms, steps, row, Budget(graph, None))
     given, taken = [], []
     for step in steps:
-        if isinstance(step, Pivoted):
+        if isinstance(step, Pivoted) and parts[step.variable] != graph.zero:
             part = parts[step.variable]
             own = graph.multiply(graph.multiply(part, part), step.pivot)
             if is_multiplier(step.variable):
@@ -93,32 +93,37 @@ def _forward(
     side: Mapping[int, int],
     budget: Budget,
 ) -> dict[int, int]:
-    """h / pivot of every variable with an equation of its own."""
+    """h / pivot of every variable with an equation of its own. Most of a side may be zero: one row of many."""
     left = dict(side)
     parts: dict[int, int] = {}
+    zero = graph.zero
 
     def move(source: int, shares: Mapping[int, int]) -> None:
+        if source == zero:
+            return
+        budget.check()
         for p, share in shares.items():
             moved = graph.multiply(share, source)
-            if moved != graph.zero:
-                left[p] = graph.add(left.get(p, graph.zero), moved)
+            if moved != zero:
+                left[p] = graph.add(left.get(p, zero), moved)
 
     for step in steps:
-        budget.check()
         match step:
             case Defined(variable):
-                move(left.pop(variable, graph.zero), terms[variable])
+                move(left.pop(variable, zero), terms[variable])
             case Pivoted(variable, pivot, shares):
-                own = left.pop(variable, graph.zero)
-                parts[variable] = graph.multiply(own, graph.divide(graph.one, pivot))
-                move(graph.negate(own), shares)
+                own = left.pop(variable, zero)
+                parts[variable] = zero
+                if own != zero:
+                    parts[variable] = graph.multiply(own, graph.divide(graph.one, pivot))
+                    move(graph.negate(own), shares)
             case Exchanged(rate, variable, factor):
-                own = graph.divide(left.pop(rate, graph.zero), factor)
+                own = graph.divide(left.pop(rate, zero), factor)
                 move(own, {variable: graph.one})
                 move(graph.negate(own), {p: c for p, c in terms[variable].items() if p != rate})
             case Weightless(rate, multiplier, factor, row, column):
-                parts[rate] = graph.negate(graph.divide(left.pop(multiplier, graph.zero), factor))
-                parts[multiplier] = graph.negate(graph.divide(left.pop(rate, graph.zero), factor))
+                parts[rate] = graph.negate(graph.divide(left.pop(multiplier, zero), factor))
+                parts[multiplier] = graph.negate(graph.divide(left.pop(rate, zero), factor))
                 move(parts[multiplier], row)
                 move(parts[rate], column)
     return parts
@@ -132,12 +137,18 @@ def _backward(
     budget: Budget,
 ) -> dict[int, int]:
     known: dict[int, int] = {}
+    zero = graph.zero
 
     def total(shares: Mapping[int, int]) -> int:
-        return graph.sum(graph.multiply(c, known[p]) for p, c in shares.items())
+        found = zero
+        for p, c in shares.items():
+            if known[p] != zero:
+                found = graph.add(found, graph.multiply(c, known[p]))
+        if found != zero:
+            budget.check()
+        return found
 
     for step in reversed(steps):
-        budget.check()
         match step:
             case Pivoted(variable, _, shares):
                 known[variable] = graph.subtract(parts[variable], total(shares))

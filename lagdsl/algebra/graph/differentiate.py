@@ -14,6 +14,10 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import FIRST_BINARY, FIRST_UNARY, STEPS, Group, Op
 from lagdsl.algebra.graph.partial import binary_partial, unary_partial
 
+# Looking a member up in its enumeration costs as much as the rest of a rule.
+_SYMBOL, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.SYMBOL, Op.NEGATE, Op.ADD, Op.SUBTRACT, Op.MULTIPLY
+_DIVIDE, _SELECT = Op.DIVIDE, Op.SELECT
+
 
 def mask_of(groups: Iterable[Group]) -> int:
     """Bits of `Graph.groups` for these groups."""
@@ -40,7 +44,7 @@ def adjoints(graph: Graph, seeds: Mapping[int, int], groups: Sequence[Group]) ->
         adjoint = collected.pop(node)
         if adjoint == zero:
             continue
-        if ops[node] is Op.SYMBOL:
+        if ops[node] is _SYMBOL:
             result[node] = adjoint
             continue
         for argument, contribution in _pull(graph, node, adjoint, wanted):
@@ -58,14 +62,14 @@ def _pull(graph: Graph, node: int, adjoint: int, wanted: int) -> list[tuple[int,
     op, masks = graph.op[node], graph.groups
     a = graph.a[node]
     if op < FIRST_BINARY:
-        return [(a, graph.negate(adjoint) if op is Op.NEGATE else graph.multiply(adjoint, unary_partial(graph, node)))]
+        return [(a, graph.negate(adjoint) if op is _NEGATE else graph.multiply(adjoint, unary_partial(graph, node)))]
     b = graph.b[node]
-    if op is Op.SELECT:
+    if op is _SELECT:
         c = graph.c[node]
         branches = ((b, graph.select(a, adjoint, graph.zero)), (c, graph.select(a, graph.zero, adjoint)))
         return [pair for pair in branches if masks[pair[0]] & wanted]
     contributions = []
-    if op is Op.DIVIDE:
+    if op is _DIVIDE:
         adjoint = graph.divide(adjoint, b)
     if masks[a] & wanted:
         contributions.append((a, _weigh(graph, op, node, 0, adjoint)))
@@ -76,13 +80,13 @@ def _pull(graph: Graph, node: int, adjoint: int, wanted: int) -> list[tuple[int,
 
 def _weigh(graph: Graph, op: Op, node: int, position: int, adjoint: int) -> int:
     """Adjoint times the partial derivative of a two-argument node (a quotient's adjoint is divided already)."""
-    if op is Op.ADD:
+    if op is _ADD:
         return adjoint
-    if op is Op.MULTIPLY:
+    if op is _MULTIPLY:
         return graph.multiply(adjoint, graph.a[node] if position else graph.b[node])
-    if op is Op.SUBTRACT:
+    if op is _SUBTRACT:
         return graph.negate(adjoint) if position else adjoint
-    if op is Op.DIVIDE:
+    if op is _DIVIDE:
         return graph.negate(graph.multiply(adjoint, node)) if position else adjoint
     return graph.multiply(adjoint, binary_partial(graph, node, position))
 
@@ -110,16 +114,17 @@ class Tangent:
             if node in known:
                 stack.pop()
                 continue
-            if ops[node] is Op.SYMBOL:
+            if ops[node] is _SYMBOL:
                 known[node] = self._seed(node)
                 stack.pop()
                 continue
-            missing = [x for x in moved_arguments(graph, node) if masks[x] & mask and x not in known]
-            if missing:
-                stack += missing
-                continue
-            known[node] = push(graph, node, known)
-            stack.pop()
+            before = len(stack)
+            for x in moved_arguments(graph, node):
+                if x not in known and masks[x] & mask:
+                    stack.append(x)
+            if len(stack) == before:
+                known[node] = push(graph, node, known)
+                stack.pop()
         return known[root]
 
     def of_all(self, roots: Iterable[int]) -> list[int]:
@@ -135,7 +140,7 @@ def moved_arguments(graph: Graph, node: int) -> tuple[int, ...]:
     op = graph.op[node]
     if op in STEPS:
         return ()
-    return (graph.b[node], graph.c[node]) if op is Op.SELECT else graph.arguments(node)
+    return (graph.b[node], graph.c[node]) if op is _SELECT else graph.operands[node]
 
 
 def push(graph: Graph, node: int, tangents: Mapping[int, int]) -> int:
@@ -147,19 +152,19 @@ def push(graph: Graph, node: int, tangents: Mapping[int, int]) -> int:
         assert op >= FIRST_UNARY
         if tangent_a == zero:
             return zero
-        return graph.negate(tangent_a) if op is Op.NEGATE else graph.multiply(unary_partial(graph, node), tangent_a)
+        return graph.negate(tangent_a) if op is _NEGATE else graph.multiply(unary_partial(graph, node), tangent_a)
     tangent_b = tangents.get(b, zero)
-    if op is Op.SELECT:
+    if op is _ADD:
+        return graph.add(tangent_a, tangent_b)
+    if op is _MULTIPLY:
+        return graph.add(graph.multiply(tangent_a, b), graph.multiply(a, tangent_b))
+    if op is _SUBTRACT:
+        return graph.subtract(tangent_a, tangent_b)
+    if op is _SELECT:
         return graph.select(a, tangent_b, tangents.get(graph.c[node], zero))
     if tangent_a == zero and tangent_b == zero:
         return zero
-    if op is Op.ADD:
-        return graph.add(tangent_a, tangent_b)
-    if op is Op.MULTIPLY:
-        return graph.add(graph.multiply(tangent_a, b), graph.multiply(a, tangent_b))
-    if op is Op.SUBTRACT:
-        return graph.subtract(tangent_a, tangent_b)
-    if op is Op.DIVIDE:
+    if op is _DIVIDE:
         return graph.divide(graph.subtract(tangent_a, graph.multiply(node, tangent_b)), b)
     total = zero
     if tangent_a != zero:

@@ -8,7 +8,7 @@ graph is one loop over lists.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Hashable, Iterable, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Sequence
 
 from lagdsl.algebra.graph.fold import fold
 from lagdsl.algebra.graph.operation import FIRST_BINARY, FIRST_TERNARY, FIRST_UNARY, Group, Op
@@ -261,7 +261,7 @@ class Graph:
         """True if a symbol of one of `groups` occurs in the expression of `node`."""
         return any(self.groups[node] >> group & 1 for group in groups)
 
-    def live(self, roots: Iterable[int], given: Container[int] = ()) -> list[int]:
+    def live(self, roots: Iterable[int], given: Collection[int] = ()) -> list[int]:
         """Ids of all nodes that `roots` are computed from, themselves included, ascending; what only `given` nodes are
         computed from is left out."""
         roots = list(roots)
@@ -273,10 +273,12 @@ class Graph:
         node = mark.rfind(1)
         while node >= 0:
             found.append(node)
-            if node not in given:
+            if not given or node not in given:
                 for argument in operands[node]:
                     mark[argument] = 1
-            node = mark.rfind(1, 0, node)
+            node -= 1
+            if not mark[node]:  # mostly the one before is
+                node = mark.rfind(1, 0, node + 1)
         found.reverse()
         return found
 
@@ -310,17 +312,19 @@ class Graph:
         key = (a, b)
         node = table.get(key)
         if node is None:
-            node = table[key] = self._append(op, a, b, -1, key, self.groups[a] | self.groups[b])
+            groups = self.groups
+            node = table[key] = self._append(op, a, b, -1, key, groups[a] | groups[b])
         return node
 
     def _append(self, op: Op, a: int, b: int, c: int, operands: tuple[int, ...], groups: int) -> int:
+        node = len(self.op)
         self.op.append(op)
         self.a.append(a)
         self.b.append(b)
         self.c.append(c)
         self.operands.append(operands)
         self.groups.append(groups)
-        return len(self.op) - 1
+        return node
 
 
 _ARITHMETIC: dict[Op, Callable[[Graph, int, int], int]] = {

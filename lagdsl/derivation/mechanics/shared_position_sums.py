@@ -72,14 +72,14 @@ class _Plain:
 
     def _is_plain(self, node: FlatExpression) -> bool:
         match node:
-            case fx.Number() | fx.Unary("-") | fx.Vector() | fx.Component() | fx.Cross():
-                return True
-            case fx.Variable(name):
-                return name not in self._others
-            case fx.PointReference(name):
-                return name in self._points
             case fx.Binary(operator):
                 return operator in _ARITHMETIC
+            case fx.Variable(name):
+                return name not in self._others
+            case fx.Number() | fx.Unary("-") | fx.Vector() | fx.Component() | fx.Cross():
+                return True
+            case fx.PointReference(name):
+                return name in self._points
             case fx.Function(name):
                 return name in _SMOOTH
             case fx.Previous() | fx.Derivative() | fx.Operation() | fx.OfFrame() | fx.Mechanical() | fx.OfMechanism():

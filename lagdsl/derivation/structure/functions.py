@@ -7,8 +7,10 @@ from dataclasses import field, replace
 import numpy as np
 
 from lagdsl.algebra.graph.evaluate import evaluate
+from lagdsl.algebra.graph.occurrence import occurrences
 from lagdsl.algebra.graph.tape import Tape
 from lagdsl.derivation.program.program import Layout, Program
+from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -71,16 +73,20 @@ class ProgramFunctions:
         return tuple(blocks)
 
     def _mass_by_columns(self, *state: Floats | float) -> Floats:
-        """M, from its products with many unit vectors at once."""
+        """M, from its products with many vectors at once. Columns that share no row are the ones of one vector."""
         definition = self.program.function("momentum_tangent")
         (momentum,) = definition.results
-        n = len(momentum.elements)
+        graph, n = self.program.graph, len(momentum.elements)
+        rows, columns = occurrences(graph, momentum.elements, definition.arguments[-1])
+        groups = disjoint_columns(rows, columns, (n, n))
         mass = np.zeros((n, n))
-        for first in range(0, n, _AT_ONCE):
-            given = (*state, np.eye(min(_AT_ONCE, n - first), n, first))
-            symbols = dict(zip(definition.arguments, given, strict=True))
-            for row, product in zip(mass, evaluate(self.program.graph, momentum.elements, symbols), strict=True):
-                row[first : first + _AT_ONCE] = product
+        for first in range(0, int(np.max(groups, initial=-1)) + 1, _AT_ONCE):
+            vectors = (groups == np.arange(first, min(first + _AT_ONCE, int(np.max(groups)) + 1))[:, None]) * 1.0
+            symbols = dict(zip(definition.arguments, (*state, vectors), strict=True))
+            found = evaluate(graph, momentum.elements, symbols)
+            products = np.array([np.broadcast_to(row, len(vectors)) for row in found])
+            here = (groups[columns] >= first) & (groups[columns] < first + len(vectors))
+            mass[rows[here], columns[here]] = products[rows[here], groups[columns[here]] - first]
         return mass
 
     def along(self, function: str, result: int, *arguments: Floats | float) -> Floats:

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lagdsl.derivation.structure.points import Geometry, Probe
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats
 
 # M, scaled to a unit diagonal, is singular in directions with eigenvalues below this.
@@ -31,7 +32,9 @@ def stiffened(
     """
     left = np.delete(np.arange(len(space.q)), [column for _, column in exchanged])
     known = [(point.rows, point.mass) for point in points if point.mass is not None]
-    free = [_weightless(mass[np.ix_(left, left)], space.sizes[left]) for _, mass in known]
+    masses = {id(mass): mass for _, mass in known}  # points may share a constant one
+    weightless = {key: _weightless(mass[np.ix_(left, left)], space.sizes[left]) for key, mass in masses.items()}
+    free = [weightless[id(mass)] for _, mass in known]
     if not any(directions.shape[1] for directions in free):
         return {}
     reach = [_without(rows, exchanged)[:, left] @ directions for (rows, _), directions in zip(known, free, strict=True)]
@@ -73,13 +76,19 @@ def _weightless(mass: Floats, sizes: Floats) -> Floats:
     heavy = diagonal > _WEIGHTLESS**2 * np.max(diagonal, initial=0.0)
     scale = np.where(heavy, 1.0 / np.sqrt(np.where(heavy, diagonal, 1.0)), 1.0)
     scaled = np.where(heavy[:, None] & heavy, mass * scale[:, None] * scale, 0.0)
-    try:  # ten times faster than eigenvalues, and mostly all that is needed
-        np.linalg.cholesky(scaled - _WEIGHTLESS * np.eye(len(mass)))
-    except np.linalg.LinAlgError:
-        values, directions = np.linalg.eigh(scaled)
-        columns = (scale / sizes)[:, None] * directions[:, values <= _WEIGHTLESS]
-        return np.asarray(np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0])
-    return np.zeros((len(mass), 0))
+    found = [np.zeros((len(mass), 0))]
+    for parts in connected_blocks((scaled != 0.0) | np.eye(len(mass), dtype=np.bool_)).parts:
+        blocks = entries(scaled, parts)
+        try:  # ten times faster than eigenvalues, and mostly all that is needed
+            np.linalg.cholesky(blocks - _WEIGHTLESS * np.eye(blocks.shape[1]))
+        except np.linalg.LinAlgError:
+            values, directions = np.linalg.eigh(blocks)
+            block, number = np.nonzero(values <= _WEIGHTLESS)
+            columns = np.zeros((len(mass), len(block)))
+            columns[parts.columns[block].T, np.arange(len(block))] = directions[block, :, number].T
+            found.append((scale / sizes)[:, None] * columns)
+    columns = np.hstack(found)
+    return np.asarray(np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0]) if columns.shape[1] else columns
 
 
 def _held(reach: Floats, rows: Sequence[int]) -> Floats:

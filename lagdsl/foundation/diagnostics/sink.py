@@ -19,6 +19,11 @@ class Sink:
         return tuple(self._diagnostics)
 
     @property
+    def count(self) -> int:
+        """Diagnostics so far."""
+        return len(self._diagnostics)
+
+    @property
     def has_errors(self) -> bool:
         return any(d.severity is Severity.ERROR for d in self._diagnostics)
 

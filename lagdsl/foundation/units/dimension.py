@@ -26,6 +26,7 @@ class Dimension:
         return Dimension(tuple(map(sub, self.exponents, other.exponents)))
 
     def __pow__(self, exponent: Exponent) -> "Dimension":
+        exponent = _whole(exponent)
         return Dimension(tuple(_whole(a * exponent) for a in self.exponents))
 
     @property

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.foundation.collection import without_collection
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.interfaces.api.model import Model
@@ -41,6 +42,7 @@ def compile(
     return compile_file(file, sink, model=model, engine=engine, derivation=derivation, structural=structural, fix=fix)
 
 
+@without_collection()
 def compile_file(
     file: SourceFile | None,
     sink: Sink,

@@ -55,7 +55,9 @@ class Orders(Mapping[str, int]):
 
     def merged(self, *others: Orders) -> Orders:
         """Of what depends on this and on the others."""
-        levels = [orders._levels for orders in (self, *others)]
+        levels = {orders._levels: None for orders in (self, *others) if orders._levels}
+        if len(levels) < 2:
+            return Orders(self._variables, *levels)
         return Orders(self._variables, tuple(reduce(or_, masks) for masks in zip_longest(*levels, fillvalue=0)))
 
 
@@ -137,8 +139,12 @@ class Dependence:
 
     def _compute(self, expression: fx.FlatExpression) -> Orders:
         match expression:
+            case fx.Operation():
+                return self.of_all(operands(expression))
             case fx.Variable(name):
                 return self._variable(name)
+            case fx.Number():
+                return self.nothing
             case fx.Derivative(operand):
                 return self.of(operand).raised()
             case fx.PointReference(name):
@@ -152,7 +158,7 @@ class Dependence:
                 return self.of_frame(frame, turning_only=True).raised()
             case fx.MaterialVelocity(point_expression, frame):
                 return self.of(point_expression).merged(self.of_frame(frame).raised())
-            case fx.Number() | fx.Previous() | fx.Operation() | fx.Mechanical() | fx.Motion():
+            case fx.Previous() | fx.Mechanical() | fx.Motion():
                 return self.of_all(operands(expression))
             case fx.RequiredForce(motion):
                 return self.of(motion).merged(self._of_mechanism())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeAlias, assert_never
 
+from lagdsl.foundation.record import remembered
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.traversal import operands, step_expressions
@@ -18,7 +19,7 @@ def reached(
     below: Below = operands,
 ) -> Iterator[fx.FlatExpression]:
     """Every expression below the roots, also behind names, once; `below` gives the operands that are followed."""
-    named = {item.name: item for item in flat.named}
+    named = _named(flat)
     # Keeps what it has seen: the identity of an expression that nobody holds is given to the next one.
     seen: dict[int, fx.FlatExpression] = {}
     stack = list(roots)
@@ -29,6 +30,12 @@ def reached(
             yield expression
             stack += below(expression)
             stack += _behind(expression, named)
+
+
+@remembered
+def _named(flat: fm.FlatModel) -> dict[str, fm.Named]:
+    """The items by name: each of many constraints may be followed by itself."""
+    return {item.name: item for item in flat.named}
 
 
 def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[fx.FlatExpression]:

@@ -17,15 +17,19 @@ Part = TypeVar("Part")
 
 def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  # noqa: C901, PLR0912 a case per node
     """The direct subexpressions, in the order of the text."""
-    match expression:
-        case fx.Number() | fx.Variable() | fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
-            return ()
-        case fx.Binary() | fx.Dot() | fx.Cross():
+    match expression:  # those that models consist of stand first
+        case fx.Binary():
             return (expression.left, expression.right)
+        case fx.Number() | fx.Variable():
+            return ()
         case fx.Unary() | fx.Derivative():
             return (expression.operand,)
         case fx.Function():
             return expression.arguments
+        case fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
+            return ()
+        case fx.Dot() | fx.Cross():
+            return (expression.left, expression.right)
         case fx.Conditional():
             return (expression.condition, expression.value, expression.otherwise)
         case fx.Component() | fx.Norm():
@@ -78,19 +82,24 @@ def postorder(expression: fx.FlatExpression, done: Container[int] = ()) -> Itera
     `done` may grow while this runs. Long sums are deep trees: passes that use this need no deep recursion.
     """
     seen: set[int] = set()
-    stack = [(expression, False)]
+    stack: list[fx.FlatExpression | None] = [expression]
+    waiting: list[fx.FlatExpression] = []  # nodes above the stack, each until None shows that its operands are done
     while stack:
-        node, ready = stack.pop()
-        if ready:
+        node = stack.pop()
+        if node is None:
+            yield waiting.pop()
+            continue
+        key = id(node)
+        if key in seen or key in done:
+            continue
+        seen.add(key)
+        below = operands(node)
+        if not below:
             yield node
-        elif id(node) not in seen and id(node) not in done:
-            seen.add(id(node))
-            below = operands(node)
-            if below:
-                stack.append((node, True))
-                stack += [(operand, False) for operand in reversed(below)]
-            else:
-                yield node
+            continue
+        waiting.append(node)
+        stack.append(None)
+        stack.extend(below[::-1])
 
 
 # ---- records that hold expressions -----------------------------------------------------------------------------------

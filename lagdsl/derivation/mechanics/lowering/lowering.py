@@ -100,7 +100,8 @@ class Lowering:
                 continue
             missing = [x for x in self._needed(current) if x not in values]
             if missing:
-                stack += reversed(missing)
+                missing.reverse()
+                stack += missing
                 continue
             values[current] = self._combine(current)
             stack.pop()
@@ -128,11 +129,13 @@ class Lowering:
 
     # ---- order of lowering -------------------------------------------------------------------------------------------
 
-    def _needed(self, expression: FlatExpression) -> list[FlatExpression]:
+    def _needed(self, expression: FlatExpression) -> Sequence[FlatExpression]:
         """Expressions to lower before `expression`: operands, and the binding of a name."""
         match expression:
+            case flat.Operation():
+                return operands(expression)
             case flat.Variable(name):
-                return [self._items.definitions[name].value] if name in self._items.definitions else []
+                return [self._items.definitions[name].value] if name in self._items.definitions else ()
             case flat.PointReference(name):
                 return [self._items.points[name].position]
             case flat.FrameOrigin(frame):
@@ -142,9 +145,9 @@ class Lowering:
             case flat.MaterialVelocity(point, frame):
                 return [point, *([self._items.origins[frame]] if frame in self._items.origins else [])]
             case flat.RequiredForce(motion):
-                return list(operands(motion))
-            case flat.Number() | flat.Previous() | flat.Derivative() | flat.Operation() | flat.Mechanical():
-                return list(operands(expression))
+                return operands(motion)
+            case flat.Number() | flat.Previous() | flat.Derivative() | flat.Mechanical():
+                return operands(expression)
             case flat.Motion():
                 raise AssertionError(expression)
             case _:
@@ -162,6 +165,8 @@ class Lowering:
 
     def _combine(self, expression: FlatExpression) -> Value:
         match expression:
+            case flat.Binary():
+                return self._binary(expression)
             case (
                 flat.Number()
                 | flat.Variable()
@@ -171,7 +176,7 @@ class Lowering:
                 | flat.Component()
             ):
                 return self._simple(expression)
-            case flat.Unary() | flat.Binary() | flat.Conditional():
+            case flat.Unary() | flat.Conditional():
                 return self._operator(expression)
             case flat.Dot() | flat.Norm() | flat.Vector() | flat.Cross():
                 return self._product(expression)
@@ -209,7 +214,7 @@ class Lowering:
                 return self.values.triple(vector)[axis]
         assert_never(expression)
 
-    def _operator(self, expression: flat.Unary | flat.Binary | flat.Conditional) -> Value:
+    def _operator(self, expression: flat.Unary | flat.Conditional) -> Value:
         graph = self.graph
         match expression:
             case flat.Unary("-", operand):
@@ -217,8 +222,6 @@ class Lowering:
                 return vectors.negate(graph, value) if isinstance(value, tuple) else graph.negate(value)
             case flat.Unary(_, operand):
                 return graph.unary(Op.NOT, self.values.node(operand))
-            case flat.Binary():
-                return self._binary(expression)
             case flat.Conditional(condition, value_, otherwise):
                 test, first, second = self.values.node(condition), self.values[value_], self.values[otherwise]
                 if isinstance(first, tuple):

@@ -16,6 +16,9 @@ from lagdsl.algebra.graph.operation import Group, Op
 _LATENCY = {Op.NEGATE: 0, Op.ADD: 1, Op.SUBTRACT: 1, Op.MULTIPLY: 1, Op.DIVIDE: 3}
 _SLOW = 5
 _PARAMETERS = 1 << Group.P
+_MULTIPLY = Op.MULTIPLY
+# 1 of sums, 2 of products, 0 of what is neither.
+_LEVELS = {op: 1 if op in (Op.ADD, Op.SUBTRACT) else 2 if op is Op.MULTIPLY else 0 for op in Op}
 
 
 def reassociate(graph: Graph, roots: Sequence[int], kept: Collection[int]) -> list[int]:
@@ -39,9 +42,9 @@ class _Pass:
         self.roots = [self._new[root] for root in roots]
 
     def _counted(self, live: Sequence[int], roots: Sequence[int]) -> dict[int, int]:
-        uses = dict.fromkeys(live, 0)
+        uses, operands = dict.fromkeys(live, 0), self._graph.operands
         for node in live:
-            for operand in self._graph.operands[node]:
+            for operand in operands[node]:
                 uses[operand] += 1
         for root in roots:
             uses[root] += 1
@@ -49,18 +52,13 @@ class _Pass:
 
     def _absorb(self, live: Sequence[int]) -> None:
         """Sums in sums and products in products that nothing else uses."""
-        ops = self._graph.op
+        ops, operands, groups, uses = self._graph.op, self._graph.operands, self._graph.groups, self._uses
         for node in live:
-            level = _level(ops[node])
+            level = _LEVELS[ops[node]]
             if not level or node in self._kept:
                 continue
-            for x in self._graph.operands[node]:
-                if (
-                    self._uses[x] == 1
-                    and _level(ops[x]) == level
-                    and x not in self._kept
-                    and not self._is_parametric(x)
-                ):
+            for x in operands[node]:
+                if uses[x] == 1 and _LEVELS[ops[x]] == level and x not in self._kept and groups[x] & ~_PARAMETERS:
                     self._inner.add(x)
 
     def _is_parametric(self, node: int) -> bool:
@@ -71,10 +69,10 @@ class _Pass:
         operands = graph.operands[node]
         if not operands or self._is_parametric(node) or node in self._kept:
             return node
-        if any(x in self._inner for x in operands):
-            return self._sum(node) if _level(graph.op[node]) == 1 else self._product(self._factors(node))
+        if not self._inner.isdisjoint(operands):
+            return self._sum(node) if _LEVELS[graph.op[node]] == 1 else self._product(self._factors(node))
         new = [self._new[x] for x in operands]
-        if graph.op[node] is Op.MULTIPLY:
+        if graph.op[node] is _MULTIPLY:
             return self._gathered(*new)
         return graph.rebuild(node, new)
 
@@ -82,7 +80,7 @@ class _Pass:
         """x*y; a parameter goes to the parameter that is a factor of the other already."""
         graph = self._graph
         for first, second in ((x, y), (y, x)):
-            if self._is_parametric(first) and graph.op[second] is Op.MULTIPLY:
+            if self._is_parametric(first) and graph.op[second] is _MULTIPLY:
                 for which, factor in enumerate(graph.operands[second]):
                     if self._is_parametric(factor):
                         return graph.multiply(graph.multiply(first, factor), graph.operands[second][1 - which])
@@ -137,36 +135,37 @@ class _Pass:
 
     def _wanted(self, node: int) -> int:
         """When the operands of a product are there, since its sum comes with it; else when the node is."""
-        is_product = self._graph.op[node] is Op.MULTIPLY and not self._is_parametric(node)
+        is_product = self._graph.op[node] is _MULTIPLY and not self._is_parametric(node)
         return self._time(node) - (1 if is_product else 0)
 
     def _time(self, node: int) -> int:
         """When a node is there, in additions."""
+        when, graph = self._when, self._graph
+        if node in when:
+            return when[node]
         stack = [node]
         while stack:
             x = stack[-1]
-            if x in self._when:
+            if x in when:
                 stack.pop()
                 continue
-            operands = self._graph.operands[x]
-            if not operands or self._is_parametric(x):
-                self._when[x] = 0
+            operands = graph.operands[x]
+            if not graph.groups[x] & ~_PARAMETERS:
+                when[x] = 0
                 continue
-            missing = [y for y in operands if y not in self._when]
+            missing = [y for y in operands if y not in when]
             if missing:
                 stack += missing
                 continue
-            self._when[x] = self._after(x, operands)
-        return self._when[node]
+            when[x] = self._after(x, operands) if operands else 0
+        return when[node]
 
     def _after(self, node: int, operands: Sequence[int]) -> int:
-        op, when = self._graph.op[node], self._when
-        if _level(op) == 1:
-            first, second = (when[x] - (1 if self._graph.op[x] is Op.MULTIPLY else 0) for x in operands)
-            return 1 + max(first, second, min(when[x] for x in operands))
-        return max(when[x] for x in operands) + _LATENCY.get(op, _SLOW)
-
-
-def _level(op: Op) -> int:
-    """1 of sums, 2 of products, 0 of what is neither."""
-    return 1 if op in (Op.ADD, Op.SUBTRACT) else 2 if op is Op.MULTIPLY else 0
+        op, ops, when = self._graph.op[node], self._graph.op, self._when
+        if _LEVELS[op] == 1:
+            x, y = operands
+            at_x, at_y = when[x], when[y]
+            first = at_x - 1 if ops[x] is _MULTIPLY else at_x
+            second = at_y - 1 if ops[y] is _MULTIPLY else at_y
+            return 1 + max(first, second, min(at_x, at_y))
+        return max([when[x] for x in operands]) + _LATENCY.get(op, _SLOW)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from hashlib import blake2b
 from typing import Final
 
 import numpy as np
@@ -80,7 +81,7 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     codes, ends = [first], [row]
     made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
     for name, live, own in zip(FUNCTIONS, lives, blocks, strict=False):
-        key = tuple((number, block.tobytes()) for number, block in enumerate(own) if len(block))
+        key = tuple((number, blake2b(block.tobytes()).digest()) for number, block in enumerate(own) if len(block))
         if program.has(name) and key not in made:
             made[key] = words_of(nodes, live, own, settled)
         words, end = made[key] if program.has(name) else (_NONE, 0)

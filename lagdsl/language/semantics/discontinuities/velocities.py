@@ -26,13 +26,15 @@ def branching(flat: fm.FlatModel, functions: Sequence[Met], truths: Set[int]) ->
 
     gaps = [contact.gap for contact in flat.events.contacts if not contact.one_way]
     bending = {id(x) for x in reached(flat, [*ways(flat), *gaps], below)}
-    for row in held(flat):
+    rows = held(flat)
+    met_in_rows = {id(each.expression) for each in functions} & {id(x) for x in reached(flat, rows, below)}
+    for row in rows if met_in_rows else ():
         inside = {id(x) for x in reached(flat, [row], below)}
         met = (each.expression for each in functions if id(each.expression) in inside)
         bending |= {id(corner) for corner in met if _stands_beside(flat, row, corner, below)}
     energies = [term.value for term in flat.energies if term.kind != "dissipation"]
-    rows = [x for each in flat.constraints for x in each.residuals]
-    jumping = {id(x) for x in reached(flat, [*ways(flat), *gaps, *energies, *rows])}
+    residuals = [x for each in flat.constraints for x in each.residuals]
+    jumping = {id(x) for x in reached(flat, [*ways(flat), *gaps, *energies, *residuals])}
     return frozenset(
         id(each.expression)
         for each in functions

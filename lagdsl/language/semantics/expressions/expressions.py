@@ -19,24 +19,41 @@ from lagdsl.language.semantics.scope.constants import NoValue, evaluate
 from lagdsl.language.semantics.scope.context import Context
 from lagdsl.language.semantics.scope.naming import braces
 from lagdsl.language.semantics.scope.scope import Scope
-from lagdsl.language.semantics.scope.values import POISON, Scalar, Text, Value, is_structural
+from lagdsl.language.semantics.scope.values import POISON, Poison, Scalar, Text, Value, is_structural
 from lagdsl.language.semantics.variables import scale_points
 from lagdsl.language.syntax import nodes
 
 
-def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:  # noqa: C901, PLR0912 one case for each node
+def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:
     """The typed value of `node`.
 
     `adopt`: the expression is a whole binding, modifier or array element of a declared quantity, so that a bare number
-    takes the declared unit.
+    takes the declared unit. A text that stands in `scope` again is the value of the first one, unless that left more
+    than a value behind.
     """
+    current = ctx.current
+    number = current.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
+    if number is None:
+        return _elaborated(ctx, scope, node, adopt)
+    values, key = current.common.of(scope, (current.quiet, current.in_clause), number), (number, adopt)
+    known = values.get(key)
+    if known is not None:
+        return known
+    effects = ctx.effects
+    value = _elaborated(ctx, scope, node, adopt)
+    if not isinstance(value, Poison) and ctx.effects == effects:
+        values[key] = value
+    return value
+
+
+def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool) -> Value:  # noqa: C901, PLR0912 one case for each node
     match node:
         case nodes.Number():
             return _number(ctx, node, adopt)
-        case nodes.Quantity():
-            return _quantity(ctx, node)
         case nodes.Reference():
             return references.reference(ctx, scope, node)
+        case nodes.Parenthesized():
+            return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Binary():
             scale_points.check_operator(ctx, node)
             left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
@@ -44,6 +61,8 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
                 left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
             angles.check_operator(ctx, scope, node)
             return arithmetic.binary(ctx, scope, node, left, right)
+        case nodes.Quantity():
+            return _quantity(ctx, node)
         case nodes.Unary(operand=nodes.Quantity() as literal) if scale_points.is_signed_point(node):
             return _quantity(ctx, literal, node.operator)
         case nodes.Unary():
@@ -51,8 +70,6 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
             adopt = adopt and node.operator != "not"
             value = elaborate(ctx, scope, node.operand, adopt)
             return arithmetic.unary(ctx, node, geometry.operand(ctx, value, node.operand.span))
-        case nodes.Parenthesized():
-            return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Call():
             scale_points.check_call(ctx, scope, node)
             angles.check_call(ctx, scope, node)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 
 from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.language.flat import expression as flat
@@ -48,10 +49,15 @@ def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) ->
     return Scalar(flat.Binary("^", base.expression, exponent.expression), dimension, variability, order)
 
 
+@cache
+def _literal(text: str) -> Fraction:
+    return Fraction(text)
+
+
 def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
     """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
     if isinstance(node, nodes.Number) and len(node.text) < 30:
-        ratio = Fraction(node.text)
+        ratio = _literal(node.text)
         return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
     if isinstance(node, nodes.Parenthesized):
         return _rational(node.inner, value)

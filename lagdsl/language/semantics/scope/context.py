@@ -145,3 +145,10 @@ class Context:
     reports: Reports = field(default_factory=Reports)
     splits: Splits = field(default_factory=Splits)
     assembly: Places | None = None
+
+    @property
+    def effects(self) -> int:
+        """Count of what elaborations left behind beside their values: reports, discontinuities, turns, calls."""
+        counts = self.counts
+        done = counts.turns + counts.calls + counts.motions + counts.components
+        return done + len(self.product.met) + self.sink.count + len(self.reports.reported)

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import field
 
 from lagdsl.foundation.record import mutable_record
+from lagdsl.language.semantics.scope.common import Common
 from lagdsl.language.semantics.scope.scope import Indices, Scope, Symbol
 from lagdsl.language.syntax import nodes
 
@@ -15,13 +16,14 @@ from lagdsl.language.syntax import nodes
 class Current:
     """`active` are the symbols that get their values, `scopes` the instances whose items are elaborated, `functions`
     those that are expanded, outermost first. Relations are not located while `quiet`. `in_clause`: it is the text of a
-    `when`."""
+    `when`. `common` are texts that are spelled alike."""
 
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
     functions: list[nodes.Function] = field(default_factory=list)
     quiet: bool = False
     in_clause: bool = False
+    common: Common = field(default_factory=Common)
 
     @contextmanager
     def inside(self, scope: Scope) -> Iterator[None]:

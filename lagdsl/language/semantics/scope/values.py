@@ -165,11 +165,18 @@ def is_structural(value: Scalar | Vector | Array) -> bool:
 
 
 def latest(*values: Scalar | Vector | Array | FrameValue) -> Variability:
-    return max((value.variability for value in values), key=rank, default=Variability.CONSTANT)
+    found = Variability.CONSTANT
+    for value in values:
+        if _RANK[value.variability] > _RANK[found]:
+            found = value.variability
+    return found
 
 
 def highest(*values: Scalar | Vector | Array | FrameValue) -> Order:
-    return max((value.order for value in values), default=Order.STILL)
+    found = Order.STILL
+    for value in values:
+        found = max(found, value.order)
+    return found
 
 
 def is_zero(value: Value) -> bool:

@@ -113,6 +113,8 @@ def _refuse(ctx: Context, node: nodes.Expression, where: str) -> None:
 def _point(node: nodes.Expression) -> nodes.Quantity | nodes.Unary | None:
     """The first point among what the value of `node` may be, with its sign."""
     match node:
+        case nodes.Number() | nodes.Binary() | nodes.Designator() | nodes.Call():
+            return None
         case nodes.Quantity():
             return node if _unit(node) is not None else None
         case nodes.Unary() if is_signed_point(node):
@@ -127,9 +129,7 @@ def _point(node: nodes.Expression) -> nodes.Quantity | nodes.Unary | None:
             return _first(part for row in rows for part in row)
         case nodes.Conditional(branches=branches, otherwise=otherwise):
             return _first([*(branch.value for branch in branches), otherwise])
-        case nodes.Number() | nodes.String() | nodes.Boolean() | nodes.Designator():
-            return None
-        case nodes.Call() | nodes.Reduction() | nodes.Tuple() | nodes.Binary():
+        case nodes.String() | nodes.Boolean() | nodes.Reduction() | nodes.Tuple():
             return None
         case _:
             assert_never(node)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
 
 from lagdsl.foundation.diagnostics import Sink
@@ -72,12 +72,13 @@ def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
     """E0508 for positions made of rates, W0514 for items that change neither the motion nor what the model reads of
     reactions and energies."""
     readings = cache(lambda: read_by(flat))
+    coordinates = {coordinate.name: number for number, coordinate in enumerate(flat.coordinates)}
     for mass in flat.masses:
         where = _Place("mass", "position of this mass", partial(_place_of_mass, mass))
-        _check_place(flat, mass, where, dependence, readings, sink)
+        _check_place(coordinates, mass, where, dependence, readings, sink)
     for body in flat.bodies:
         where = _Place("body", "frame of this body", partial(_place_of_body, body))
-        _check_place(flat, body, where, dependence, readings, sink)
+        _check_place(coordinates, body, where, dependence, readings, sink)
     for load in flat.loads:
         keyword = load_keyword(load)
         idle = _idle(load)
@@ -85,7 +86,7 @@ def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
             sink.report("W0514", place(load), *around(load), keyword=keyword, reason=idle)
             continue
         where = _Place(keyword, "place of this load", partial(displaced, load))
-        _check_place(flat, load, where, dependence, readings, sink)
+        _check_place(coordinates, load, where, dependence, readings, sink)
 
 
 def _place_of_mass(mass: fm.PointMass, dependence: Dependence) -> Orders:
@@ -153,7 +154,7 @@ def displaced(load: fm.Load, dependence: Dependence) -> Orders:
 
 
 def _check_place(
-    flat: fm.FlatModel,
+    coordinates: Mapping[str, int],
     item: fm.PointMass | fm.RigidBody | fm.Load,
     where: _Place,
     dependence: Dependence,
@@ -161,17 +162,17 @@ def _check_place(
     sink: Sink,
 ) -> None:
     orders = where.orders(dependence)
-    rates = set(orders.differentiated())
     if isinstance(item, fm.RateForce):
-        if rates.isdisjoint(coordinate.name for coordinate in flat.coordinates):
+        if coordinates.keys().isdisjoint(orders.differentiated()):
             reason = "no coordinate changes the rate on which it acts"
             sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
         return
-    rate = next((coordinate.name for coordinate in flat.coordinates if coordinate.name in rates), None)
+    rates = (name for name in orders.differentiated() if name in coordinates)
+    rate = min(rates, key=coordinates.__getitem__, default=None)
     if rate is not None:
         sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rate})", base=rate)
         return
-    if any(coordinate.name in orders for coordinate in flat.coordinates):
+    if not coordinates.keys().isdisjoint(orders):
         return
     read = readings()
     of_all_masses = read.masses and isinstance(item, fm.PointMass | fm.RigidBody)

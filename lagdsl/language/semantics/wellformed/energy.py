@@ -15,6 +15,7 @@ from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.probe import ProbeState, probes
 from lagdsl.language.flat.spans import around, place
 from lagdsl.language.semantics.wellformed.damping import check_damping
+from lagdsl.language.semantics.wellformed.semidefinite import Semidefinite
 
 _POINTS = 6
 # Through zero for abs(v); on one side of it for what is defined there only.
@@ -79,6 +80,8 @@ def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
     terms = [term for term in flat.energies if term.kind == "kinetic"]
     if not terms or flat.masses or flat.bodies or any(term.kind == "lagrangian" for term in flat.energies):
         return
+    if _are_semidefinite(flat, terms):
+        return
     for moment in range(_POINTS):
         parts = []
         for term in terms:
@@ -93,10 +96,18 @@ def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
             return
 
 
+def _are_semidefinite(flat: fm.FlatModel, terms: list[fm.EnergyTerm]) -> bool:
+    """True if none needs to be tried, as most are sums of squares."""
+    known = Semidefinite(flat)
+    return all(known.of(term.value) for term in terms)
+
+
 def _check_dissipation(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
     """W0522 where the dissipation functions together are negative for some rates."""
     terms = [term for term in flat.energies if term.kind == "dissipation"]
-    for moment in range(_POINTS if terms else 0):
+    if _are_semidefinite(flat, terms):
+        return
+    for moment in range(_POINTS):
         try:
             parts = [trials.value(term, moment, 1.0) for term in terms]
         except NotEvaluable:
