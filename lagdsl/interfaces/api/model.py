@@ -15,10 +15,10 @@ from lagdsl.engines.backends.python.support.values import Entries, given_once
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
+from lagdsl.interfaces.api.fitted import Fitted
 from lagdsl.interfaces.api.inputs.values import signals_of
 from lagdsl.interfaces.api.names import Value, known
 from lagdsl.interfaces.api.one_state import calls_at_one_state
-from lagdsl.interfaces.api.stepped import Stepped
 from lagdsl.interfaces.api.unknowns import with_starts
 from lagdsl.interfaces.api.watch import watched
 from lagdsl.language.settings.aliases import by_own_names
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Stepped):
+class Model(Fitted):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -164,6 +164,7 @@ class Model(Stepped):
         *,
         stop: float | None = None,
         interval: float | None = None,
+        times: ArrayLike | None = None,
         tolerance: float | None = None,
         parameters: Mapping[str, Value] | None = None,
         start: Mapping[str, Value] | None = None,
@@ -175,7 +176,8 @@ class Model(Stepped):
         sink: Sink | None = None,
     ) -> Trajectory:
         """The motion from the initial state, a row every `interval` and two at each event, which `.events` lists; the
-        model's experiment says what is left out.
+        model's experiment says what is left out. With `times`, which increase from the start time on, the rows are
+        there and the last one is the end.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
@@ -188,7 +190,8 @@ class Model(Stepped):
         from lagdsl.motion.simulate.simulate import simulate
 
         controllers = control if isinstance(control, Sequence) else [control]
-        own = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        end = stop if times is None else float(np.max(times))
+        own = partial(self._page, stop=end, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         page = None if controllers else own
         try:
             motion = simulate(
@@ -196,6 +199,7 @@ class Model(Stepped):
                 self._compilation.flat,
                 stop=stop,
                 interval=interval,
+                times=None if times is None else np.array(times, dtype=np.float64),
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
                 inputs=signals_of(self._compilation.flat, inputs),

@@ -1,0 +1,77 @@
+"""Standard deviations of what was measured: those that are given, and those that residuals show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.units.dimension import TIME
+from lagdsl.foundation.units.parse import parse_unit
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.settings.literal import literal, require_dimension
+from lagdsl.motion.fit.data import Series, events_of
+from lagdsl.motion.fit.problem import Problem
+from lagdsl.motion.fit.statistics import deviation_of
+from lagdsl.motion.simulate.table import called_heads
+
+
+def sigma_in_si(flat: FlatModel, name: str, value: float | str) -> float:
+    """A standard deviation of a column, or of the times of an event. Raises ValueError for what is none,
+    CompilationFailed (E1109) for a name that nothing has."""
+    heads = called_heads(flat)
+    events = events_of(flat)
+    if name not in heads and name not in events:
+        known = [*heads, *events]
+        sink = Sink()
+        help = did_you_mean(name, known, f"there are {listing(name, known)}")
+        sink.report("E1109", None, help=help, name=name)
+        sink.raise_if_errors()
+    unit = heads[name][1] if name in heads else "s"
+    if isinstance(value, str):
+        given = literal(f"sigma of {name}", value)
+        require_dimension(f"sigma of {name}", given, parse_unit(unit).dimension if name in heads else TIME, unit)
+        value = given.value
+    if not (np.isfinite(value) and value > 0.0):
+        raise ValueError(f"the standard deviation of `{name}` must be positive, not {value:g}")
+    return float(value)
+
+
+def first_sigmas(
+    problem: Problem, given: Mapping[str, float], values: Floats | None = None, robust: bool = False
+) -> dict[str, float]:
+    """By the names of series: `given` ones; else, where `values` (n,) are computed, what their residuals show, else the
+    spread of the data."""
+    data = problem.measured if values is None else values - problem.measured
+    parts: dict[str, list[Floats]] = {}
+    first = 0
+    for series in _all_series(problem):
+        part = data[first : first + len(series.values)]
+        if values is None:
+            part = np.diff(part) if series.event else part - np.mean(part)
+        parts.setdefault(series.name, []).append(part)
+        first += len(series.values)
+    found = {}
+    for name, each in parts.items():
+        whole = np.concatenate(each)
+        deviation = deviation_of(whole, robust and values is not None) if len(whole) else 0.0
+        found[name] = given.get(name, max(deviation, np.finfo(float).eps * _size(problem, name)))
+    return found
+
+
+def _size(problem: Problem, name: str) -> float:
+    return max(float(np.max(np.abs(s.values), initial=0.0)) for s in _all_series(problem) if s.name == name) or 1.0
+
+
+def with_sigmas(problem: Problem, sigmas: Mapping[str, float]) -> Problem:
+    """The problem with these standard deviations."""
+    each = [np.full(len(series.values), sigmas[series.name]) for series in _all_series(problem)]
+    return replace(problem, sigmas=np.concatenate(each))
+
+
+def _all_series(problem: Problem) -> list[Series]:
+    return [series for rollout in problem.rollouts for series in rollout.series]
