@@ -71,7 +71,7 @@ class Fitted(Stepped):
         from lagdsl.motion.fit.fit import Method, fit
 
         method = Method(
-            free=[] if free is None else free,
+            free=free,
             own=own,
             sigma=sigma or {},
             renamed=columns or {},

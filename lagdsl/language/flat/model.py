@@ -23,10 +23,11 @@ class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1. `structural`
     ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the expressions and
     never in `p`. A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a
-    large change."""
+    large change. A `fitted` one is found from data; a run takes the guess."""
 
     value: float
     free: bool = False
+    fitted: bool = False
     nominal: float | None = None
     minimum: float | None = None
     maximum: float | None = None
@@ -350,6 +351,20 @@ class InitialEquation(Item):
 
 
 @record(kw_only=True)
+class Measurement(Item):
+    """Data have a column `name` with values of the result column `of`, or, of an `event`, with the instants at which
+    something happens to the contact or friction of that name. `sigma` is their standard deviation, in SI units; None:
+    it is not known. `stated`: the text gives the column a name of its own."""
+
+    name: str
+    of: str
+    event: bool
+    dimension: Dimension
+    sigma: float | None
+    stated: bool
+
+
+@record(kw_only=True)
 class Drawing(Item):
     """A shape of the viewer; `anchors` are vectors (points) or the name of a frame."""
 
@@ -396,3 +411,4 @@ class FlatModel:
     events: Events = Events()
     observed: tuple[Definition, ...] = ()
     aliases: tuple[Alias, ...] = ()
+    measurements: tuple[Measurement, ...] = ()

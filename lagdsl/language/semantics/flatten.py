@@ -167,7 +167,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     return FlatModel(
         name=node.name,
         doc=node.doc,
-        parameters=_in_order(ctx, contents),
+        parameters=_found_by(ctx, physics, _in_order(ctx, contents)),
         coordinates=assembly.coordinates(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),
@@ -189,7 +189,15 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         events=ctx.product.occurrences.events(),
         observed=tuple(ctx.product.observed),
         aliases=assembly.aliases(coordinates),
+        measurements=tuple(ctx.product.measurements),
     )
+
+
+def _found_by(ctx: Context, physics: Physics, parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    """Initial equations decide about free parameters; in a model that has none, its measurements do."""
+    if physics.initial or not ctx.product.measurements:
+        return parameters
+    return tuple(replace(each, free=False, fitted=True) if each.free else each for each in parameters)
 
 
 def _outputs(ctx: Context, contents: Contents, discretes: Mapping[str, list[Discrete]]) -> list[Output]:

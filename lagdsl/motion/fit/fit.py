@@ -21,7 +21,7 @@ from lagdsl.motion.fit.problem import Problem, Residuals, places_of
 from lagdsl.motion.fit.result import Fit
 from lagdsl.motion.fit.rollout import Derivatives, Rollout, instants, rows_of
 from lagdsl.motion.fit.search import LOSSES, Loss, Searched, best_of, sampled, search
-from lagdsl.motion.fit.sigmas import first_sigmas, sigma_in_si, with_sigmas
+from lagdsl.motion.fit.sigmas import first_sigmas, sigmas_of, with_sigmas
 from lagdsl.motion.fit.unknowns import Free, Unknown, bounded, found_targets, of_runs, unknown_of
 from lagdsl.motion.pipeline import Compilation
 from lagdsl.motion.signals.inputs import Signal
@@ -45,10 +45,10 @@ class RunGiven:
 
 @record(kw_only=True)
 class Method:
-    """Options of a fit. `own` are names of unknowns that each run has for itself, `sigma` standard deviations by name
+    """Options of a fit. `free` are the unknowns; None: those that the text frees. `own` are names of unknowns that each run has for itself, `sigma` standard deviations by name
     as numbers in SI units or texts, `renamed` names of the model by those of columns."""
 
-    free: Free
+    free: Free | None = None
     own: Sequence[str] = ()
     sigma: Mapping[str, float | str] = field(default_factory=dict)
     renamed: Mapping[str, str | None] = field(default_factory=dict)
@@ -79,12 +79,14 @@ def fit(
     _require_sound(method, runs)
     flat = compilation.flat
     own = Sink()
-    read = Reading(flat=flat, renamed=method.renamed, sink=own)
+    stated = {each.name: each.of for each in flat.measurements if each.stated}
+    read = Reading(flat=flat, renamed={**stated, **method.renamed}, sink=own)
     measured = [read.run(run.name, run.data) for run in runs]
     own.raise_if_errors()
     problem = _problem(compilation, engine, runs, measured, method, own, derivatives or DifferencesOfRuns())
     own.raise_if_errors()
-    given = {name: sigma_in_si(flat, name, value) for name, value in method.sigma.items()}
+    given = sigmas_of(flat, method.sigma, problem.all_series, own)
+    own.raise_if_errors()
     problem = with_sigmas(problem, first_sigmas(problem, given))
     x = np.array([unknown.value for unknown in problem.unknowns])
     residuals = _first_residuals(problem, x, own)
@@ -135,7 +137,8 @@ def _problem(
     derivatives: Derivatives,
 ) -> Problem:
     flat = compilation.flat
-    free = bounded(flat, method.free, sink)
+    fitted = [each.name for each in flat.parameters if each.fitted]
+    free = bounded(flat, fitted if method.free is None else method.free, sink)
     own = {target.name for target in found_targets(flat, method.own)}
     lost = [name for name in own if name not in free]
     if lost:

@@ -9,6 +9,7 @@ import numpy as np
 from lagdsl.foundation.diagnostics import CompilationFailed
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
+from lagdsl.motion.fit.data import Series
 from lagdsl.motion.fit.rollout import Derivatives, Differentiated, Rollout
 from lagdsl.motion.fit.unknowns import Unknown
 from lagdsl.motion.simulate.failure import SimulationFailed
@@ -26,9 +27,14 @@ class Problem:
     derivatives: Derivatives
 
     @property
+    def all_series(self) -> list[Series]:
+        """Those of all runs, in their order."""
+        return [series for rollout in self.rollouts for series in rollout.series]
+
+    @property
     def measured(self) -> Floats:
         """All values (n,) that were measured."""
-        return np.concatenate([series.values for rollout in self.rollouts for series in rollout.series])
+        return np.concatenate([series.values for series in self.all_series])
 
     @property
     def sizes(self) -> Floats:

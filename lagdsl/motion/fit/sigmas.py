@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,6 +18,20 @@ from lagdsl.motion.fit.data import Series, events_of
 from lagdsl.motion.fit.problem import Problem
 from lagdsl.motion.fit.statistics import deviation_of
 from lagdsl.motion.simulate.table import called_heads
+
+
+def sigmas_of(
+    flat: FlatModel, given: Mapping[str, float | str], series: Sequence[Series], sink: Sink
+) -> dict[str, float]:
+    """By the names of series: what the text states, and what is `given` instead. E1109 for what no data have; raises
+    as `sigma_in_si`."""
+    found = {each.of: each.sigma for each in flat.measurements if each.sigma is not None}
+    names = {each.name for each in series}
+    for name, value in given.items():
+        found[name] = sigma_in_si(flat, name, value)
+        if name not in names:
+            sink.report("E1109", None, help=f"the data have {listing(name, sorted(names))}", name=name)
+    return found
 
 
 def sigma_in_si(flat: FlatModel, name: str, value: float | str) -> float:
@@ -49,7 +63,7 @@ def first_sigmas(
     data = problem.measured if values is None else values - problem.measured
     parts: dict[str, list[Floats]] = {}
     first = 0
-    for series in _all_series(problem):
+    for series in problem.all_series:
         part = data[first : first + len(series.values)]
         if values is None:
             part = np.diff(part) if series.event else part - np.mean(part)
@@ -64,14 +78,10 @@ def first_sigmas(
 
 
 def _size(problem: Problem, name: str) -> float:
-    return max(float(np.max(np.abs(s.values), initial=0.0)) for s in _all_series(problem) if s.name == name) or 1.0
+    return max(float(np.max(np.abs(s.values), initial=0.0)) for s in problem.all_series if s.name == name) or 1.0
 
 
 def with_sigmas(problem: Problem, sigmas: Mapping[str, float]) -> Problem:
     """The problem with these standard deviations."""
-    each = [np.full(len(series.values), sigmas[series.name]) for series in _all_series(problem)]
+    each = [np.full(len(series.values), sigmas[series.name]) for series in problem.all_series]
     return replace(problem, sigmas=np.concatenate(each))
-
-
-def _all_series(problem: Problem) -> list[Series]:
-    return [series for rollout in problem.rollouts for series in rollout.series]

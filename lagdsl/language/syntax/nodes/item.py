@@ -225,6 +225,16 @@ class Invariant(Physics):
 
 
 @record(kw_only=True)
+class Measure(Physics):
+    """`measure encoder: theta with sigma = 0.2 deg;`: `column` is the name in data, None: that of the value."""
+
+    column: str | None
+    value: Expression
+    options: tuple[Named, ...]
+    doc: str | None
+
+
+@record(kw_only=True)
 class Draw(Physics):
     """`draw rod(radius = r) from A to B;`: `place` is at, on, between or None with one or two expressions."""
 
@@ -386,7 +396,7 @@ class Import(Node):
 
 Item: TypeAlias = (
     "Import | Class | ShortClass | TypeDefinition | Function | Component | Coordinate | Geometry | Energy "
-    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Friction | Invariant | Draw "
+    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Friction | Invariant | Measure | Draw "
     "| Connect | Extends | Annotation | Equation | CallEquation | For | If | When"
 )
 
