@@ -12,7 +12,7 @@ from lagdsl.language.flat.display import Display
 from lagdsl.motion.fit.identifiability import hidden_of, seen_directions
 from lagdsl.motion.fit.problem import Problem
 from lagdsl.motion.fit.result import Estimate, Fit, SeriesResiduals
-from lagdsl.motion.fit.rollout import Differentiated, Signature, happened
+from lagdsl.motion.fit.rollout import Differentiated, Signature
 from lagdsl.motion.fit.search import Searched
 from lagdsl.motion.fit.statistics import correlation_of, uncertainty, weights_of, whiteness
 from lagdsl.motion.simulate.failure import SimulationFailed
@@ -21,6 +21,8 @@ from lagdsl.motion.simulate.table import called_heads
 # Residuals with autocorrelations that are so improbable are not white.
 _CHANCE = 0.01
 _TOLD = 4  # events
+# Residuals below so many tolerances of the values are errors of the integration.
+_NOISE = 1e3
 
 
 def findings_of(
@@ -80,6 +82,8 @@ def _series(problem: Problem, runs: list[Differentiated]) -> tuple[SeriesResidua
         for series in rollout.series:
             count = len(series.values)
             computed = run.values[begin : begin + count]
+            noise = _NOISE * rollout.tolerance * float(np.max(np.abs(computed), initial=0.0))
+            is_seen = float(np.max(np.abs(computed - series.values), initial=0.0)) > noise
             found.append(
                 SeriesResiduals(
                     run=rollout.name,
@@ -89,7 +93,7 @@ def _series(problem: Problem, runs: list[Differentiated]) -> tuple[SeriesResidua
                     measured=series.values,
                     computed=computed,
                     sigma=float(problem.sigmas[first]) if count else np.nan,
-                    white=whiteness(computed - series.values),
+                    white=whiteness(computed - series.values) if is_seen else np.nan,
                     event=series.event,
                 )
             )
@@ -108,12 +112,10 @@ def told(result: Fit, problem: Problem, found: Searched, sink: Sink) -> None:
             which = "lower" if side < 0 else "upper"
             text = f"{bound:.6g} {estimate.display.unit}".rstrip()
             sink.report("W1111", None, name=estimate.name, which=which, bound=text)
-    x = np.array([unknown.value for unknown in problem.unknowns])
-    for rollout, at, motion in zip(problem.rollouts, problem.places, result.motions, strict=True):
-        before = happened(rollout.motion(x[list(at)]), rollout.series)
-        after = happened(motion, rollout.series)
-        if before != after:
-            sink.report("W1112", None, run=rollout.name, before=_order_text(before), after=_order_text(after))
+    for rollout, orders in zip(problem.rollouts, found.orders, strict=True):
+        if len(orders) > 1:
+            before, after = _order_text(orders[0]), _order_text(orders[-1])
+            sink.report("W1112", None, run=rollout.name, before=before, after=after)
     for hidden in result.hidden:
         sink.report("W1113", None, text=str(hidden))
     for series in result.series:

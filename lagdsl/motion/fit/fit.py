@@ -45,7 +45,8 @@ class RunGiven:
 
 @record(kw_only=True)
 class Method:
-    """Options of a fit. `free` are the unknowns; None: those that the text frees. `own` are names of unknowns that each run has for itself, `sigma` standard deviations by name
+    """Options of a fit. `free` are the unknowns; None: those that the text frees. `own` are names of unknowns that
+    each run has for itself, `sigma` standard deviations by name
     as numbers in SI units or texts, `renamed` names of the model by those of columns."""
 
     free: Free | None = None

@@ -10,8 +10,9 @@ from lagdsl.foundation.diagnostics import CompilationFailed
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.motion.fit.data import Series
-from lagdsl.motion.fit.rollout import Derivatives, Differentiated, Rollout
+from lagdsl.motion.fit.rollout import Derivatives, Differentiated, Rollout, Signature, happened
 from lagdsl.motion.fit.unknowns import Unknown
+from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.failure import SimulationFailed
 
 
@@ -43,7 +44,11 @@ class Problem:
 
     def values(self, x: Floats) -> Floats:
         """What would be measured (n,) for the unknowns x. Raises CompilationFailed and SimulationFailed."""
-        return np.concatenate([r.observed(r.motion(x[list(at)])) for r, at in self._each()])
+        return np.concatenate([r.observed(motion) for r, motion in zip(self.rollouts, self.motions(x), strict=True)])
+
+    def motions(self, x: Floats) -> list[Trajectory]:
+        """The motions of all runs for the unknowns x. Raises CompilationFailed and SimulationFailed."""
+        return [rollout.motion(x[list(at)]) for rollout, at in self._each()]
 
     def differentiated(self, x: Floats, *, exact: bool = False) -> tuple[list[Differentiated], Floats]:
         """Every run with its derivatives, and those of all values (n, unknowns). Raises as `values`."""
@@ -61,21 +66,27 @@ class Problem:
 
 class Residuals:
     """The function that a search calls with scaled unknowns s = x / size; motions that fail have no residuals, so that
-    the search takes a shorter step. `failures` are the reasons."""
+    the search takes a shorter step. `failures` are the reasons, `orders` those of the events of each run, in the order
+    in which they were met."""
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         self._measured, self._sizes = problem.measured, problem.sizes
         self.failures: list[str] = []
+        self.orders: list[dict[Signature, None]] = [{} for _ in problem.rollouts]
         self._last: tuple[bytes, Floats] | None = None
 
     def __call__(self, s: Floats) -> Floats:
         """Residuals (n,), infinite where there is no motion or an event is missing."""
         try:
-            values = self._problem.values(s * self._sizes)
+            motions = self._problem.motions(s * self._sizes)
         except (CompilationFailed, SimulationFailed) as failure:
             self.failures.append(failure.diagnostics[0].message)
             return np.full(len(self._measured), np.inf)
+        pairs = list(zip(self._problem.rollouts, motions, strict=True))
+        for met, (rollout, motion) in zip(self.orders, pairs, strict=True):
+            met[happened(motion, rollout.series)] = None
+        values = np.concatenate([rollout.observed(motion) for rollout, motion in pairs])
         found = (values - self._measured) / self._problem.sigmas
         return np.where(np.isfinite(found), found, np.inf)
 

@@ -16,6 +16,7 @@ from scipy.stats import qmc
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.motion.fit.problem import Problem, Residuals
+from lagdsl.motion.fit.rollout import Signature
 
 Loss: TypeAlias = Literal["linear", "soft_l1", "huber", "cauchy", "arctan"]
 LOSSES: tuple[str, ...] = get_args(Loss)
@@ -30,7 +31,8 @@ _FOLLOWED = 3
 @record(kw_only=True)
 class Searched:
     """`x` (unknowns,) in SI units with its `cost`, half the sum of squares; `active` is -1 or 1 for an unknown at its
-    lower or upper bound, else 0. `failures` are reasons of trials without a motion."""
+    lower or upper bound, else 0. `failures` are reasons of trials without a motion, `orders` those of the events of each
+    run that were met."""
 
     x: Floats
     cost: float
@@ -38,6 +40,7 @@ class Searched:
     trials: int
     converged: bool
     failures: tuple[str, ...]
+    orders: tuple[tuple[Signature, ...], ...]
 
 
 def search(problem: Problem, x: Floats, loss: Loss, progress: Callable[[float], None] | None = None) -> Searched:
@@ -80,6 +83,7 @@ def search(problem: Problem, x: Floats, loss: Loss, progress: Callable[[float], 
         trials=count,
         converged=found.status > 0,
         failures=tuple(residuals.failures),
+        orders=tuple(map(tuple, residuals.orders)),
     )
 
 

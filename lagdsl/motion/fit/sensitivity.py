@@ -8,7 +8,7 @@ import numpy as np
 
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
 from lagdsl.foundation.diagnostics import Sink
-from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.display import Display
@@ -81,8 +81,7 @@ def sensitivity(
     """
     flat = compilation.flat
     of, by = (names_in(each) if isinstance(each, str) else list(each) for each in names)
-    columns = _columns(compilation, of, sink)
-    sink.raise_if_errors()
+    columns = _columns(compilation, of)
     known = values_of(flat, engine, [run])[0]
     unknowns = [unknown_of(t, known[t.name], *limits_of(t), sink) for t in found_targets(flat, by)]
     stop, tolerance, solver = options
@@ -121,14 +120,13 @@ def sensitivity(
     )
 
 
-def _columns(compilation: Compilation, names: Sequence[str], sink: Sink) -> list[str]:
-    """Names of columns, arrays as their elements. E1117."""
+def _columns(compilation: Compilation, names: Sequence[str]) -> list[str]:
+    """Names of columns, arrays as their elements. Raises UnknownName."""
     heads = [name for name in called_heads(compilation.flat) if name != "time"]
     found: dict[str, None] = {}
     for name in names:
         elements = [name] if name in heads else family(name, heads)
         if not elements:
-            help = did_you_mean(name, heads, f"there are {listing(name, heads)}")
-            sink.report("E1117", None, help=help, name=name)
+            raise unknown_among("column", name, heads)
         found |= dict.fromkeys(elements)
     return list(found)

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from lagdsl.foundation.diagnostics import Sink
-from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.diagnostics.suggest import listing
+from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.dimension import TIME
 from lagdsl.foundation.units.parse import parse_unit
@@ -30,21 +31,17 @@ def sigmas_of(
     for name, value in given.items():
         found[name] = sigma_in_si(flat, name, value)
         if name not in names:
-            sink.report("E1109", None, help=f"the data have {listing(name, sorted(names))}", name=name)
+            sink.report("E1109", None, name=name, known=listing(name, sorted(names)))
     return found
 
 
 def sigma_in_si(flat: FlatModel, name: str, value: float | str) -> float:
     """A standard deviation of a column, or of the times of an event. Raises ValueError for what is none,
-    CompilationFailed (E1109) for a name that nothing has."""
+    UnknownName."""
     heads = called_heads(flat)
     events = events_of(flat)
     if name not in heads and name not in events:
-        known = [*heads, *events]
-        sink = Sink()
-        help = did_you_mean(name, known, f"there are {listing(name, known)}")
-        sink.report("E1109", None, help=help, name=name)
-        sink.raise_if_errors()
+        raise unknown_among("column or contact", name, [*heads, *events])
     unit = heads[name][1] if name in heads else "s"
     if isinstance(value, str):
         given = literal(f"sigma of {name}", value)

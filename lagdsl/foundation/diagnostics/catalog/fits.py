@@ -45,9 +45,9 @@ ROWS: dict[str, Row] = {
         "begin at values with which it happens as often, or let the run end later with `stop`",
     ),
     "E1109": error(
-        "there is nothing to measure that is called `{name}`",
+        "the data have no column `{name}`, of which a standard deviation is given",
         None,
-        "a standard deviation belongs to a column, or to a contact whose times are measured",
+        "the data have {known}",
     ),
     "W1110": warning(
         "the search ended after {trials} trials, before the sum of squares was least",
@@ -60,7 +60,7 @@ ROWS: dict[str, Row] = {
         "the others are the best ones for this bound; widen it, or look for what the model lacks",
     ),
     "W1112": warning(
-        "the order of events of `{run}` changed along the search: {before} at its begin, {after} at its end",
+        "the order of events of `{run}` changed along the search: {before} at its begin, {after} later",
         None,
         "between orders of events the sum of squares has corners and may have other minima: begin nearer, or try many "
         "starts",
@@ -84,10 +84,5 @@ ROWS: dict[str, Row] = {
         "cannot write `{name}` into the text: {reason}",
         None,
         "write its number where the value is stated, or use the values with `--set`",
-    ),
-    "E1117": error(
-        "there is no column `{name}`",
-        None,
-        "columns are those of the results of a run",
     ),
 }

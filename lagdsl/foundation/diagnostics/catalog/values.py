@@ -239,7 +239,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0363": error(
         "`{text}` cannot be measured: {why}",
-        label="no column of the results",
+        label="not among the columns",
         help="coordinates, rates, states, outputs and contacts are measured: write `output Length x = ...;` and "
         "measure `x`",
     ),
