@@ -54,6 +54,8 @@ class DifferencesOfRuns:
                 seen.append(same)
                 return found
 
+            if exact:
+                self._steps.pop((rollout.name, unknown.label), None)
             step = self._step(rollout, unknown, float(x[k]), values, watched)
             seen.clear()
             jacobian[:, k] = _difference(float(x[k]), step, (unknown.low, unknown.high), values, watched, exact)

@@ -23,6 +23,8 @@ _CHANCE = 0.01
 _TOLD = 4  # events
 # Residuals below so many tolerances of the values are errors of the integration.
 _NOISE = 1e3
+# Between directions that change values and those that do not, singular values fall by this factor.
+_CLEAR = 1e-4
 
 
 def findings_of(
@@ -50,7 +52,18 @@ def findings_of(
         series=_series(problem, runs),
         motions=tuple(each.motion for each in runs),
         hidden=hidden_of(
-            [u.label for u in problem.unknowns], found.x, sizes, unseen, lambda x: _changed(problem, values, x)
+            [u.label for u in problem.unknowns],
+            found.x,
+            sizes,
+            unseen,
+            lambda x: _changed(problem, values, x),
+            lambda x: _unseen_at(problem, x, unseen.shape[1]),
+        ),
+        corners=tuple(
+            (unknown.label, rollout.name)
+            for rollout, run in zip(problem.rollouts, runs, strict=True)
+            for unknown, steady in zip(rollout.unknowns, run.steady, strict=True)
+            if not steady
         ),
         notes=(),
         cost=found.cost,
@@ -58,6 +71,21 @@ def findings_of(
         trials=found.trials,
         converged=found.converged,
     )
+
+
+def _unseen_at(problem: Problem, x: Floats, count: int) -> Floats | None:
+    """So many directions (k, count) in x / sizes that change no value at x; None where there is no motion, and where
+    errors of the derivatives hide them."""
+    try:
+        _, jacobian = problem.differentiated(x, exact=True)
+    except (CompilationFailed, SimulationFailed):
+        return None
+    scaled = jacobian * problem.sizes / problem.sigmas[:, None]
+    if not np.isfinite(scaled).all():
+        return None
+    _, found, across = np.linalg.svd(scaled, full_matrices=False)
+    clear = len(found) > count and found[-count] < _CLEAR * found[-count - 1]
+    return across[-count:].T if clear else None
 
 
 def _changed(problem: Problem, values: Floats, x: Floats) -> float:
@@ -114,8 +142,10 @@ def told(result: Fit, problem: Problem, found: Searched, sink: Sink) -> None:
             sink.report("W1111", None, name=estimate.name, which=which, bound=text)
     for rollout, orders in zip(problem.rollouts, found.orders, strict=True):
         if len(orders) > 1:
-            before, after = _order_text(orders[0]), _order_text(orders[-1])
-            sink.report("W1112", None, run=rollout.name, before=before, after=after)
+            where = f"along the search: {_order_text(orders[0])} at its begin, {_order_text(orders[-1])} later"
+            sink.report("W1112", None, run=rollout.name, where=where)
+    for name, run in result.corners:
+        sink.report("W1112", None, run=run, where=f"with `{name}` near the value that was found")
     for hidden in result.hidden:
         sink.report("W1113", None, text=str(hidden))
     for series in result.series:

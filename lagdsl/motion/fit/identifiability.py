@@ -2,7 +2,7 @@
 
 Directions that leave all values as they are, from the singular values of the Jacobian. In the logarithms of the
 unknowns they belong to products of powers, in the unknowns themselves to sums. Both can look alike at one point, so a
-motion at a distance along the direction decides.
+motion at a distance along the direction decides. Where it refutes both, sums of products are left.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import numpy as np
 
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
+from lagdsl.motion.fit.combinations import visible_sums
 
 # Entries of directions below this part are errors of the derivatives.
 _NOTHING = 1e-3
@@ -53,22 +54,34 @@ def seen_directions(jacobian: Floats, error: float) -> tuple[Floats, Floats]:
 
 
 def hidden_of(
-    names: Sequence[str], x: Floats, sizes: Floats, unseen: Floats, changed: Callable[[Floats], float]
+    names: Sequence[str],
+    x: Floats,
+    sizes: Floats,
+    unseen: Floats,
+    changed: Callable[[Floats], float],
+    unseen_at: Callable[[Floats], Floats | None],
 ) -> tuple[Hidden, ...]:
-    """Groups of unknowns that are seen together only. `unseen` (k, d) are directions in x / sizes; `changed` is the
-    largest change of a value at other unknowns, as a part of its range, infinite where there is no motion."""
+    """Groups of unknowns that are seen together only. `unseen` (k, d) are directions in x / sizes, `unseen_at` those of
+    other unknowns, None where there is no motion; `changed` is the largest change of a value at other unknowns, as a
+    part of its range, infinite where there is no motion."""
     if not unseen.shape[1]:
         return ()
     directions = _reduced(unseen.T).T
     found = []
     for group, columns in _groups(directions):
         null = directions[np.ix_(group, columns)]
-        found.append(_hidden([names[i] for i in group], group, x, sizes, null, changed))
+        found.append(_hidden([names[i] for i in group], group, x, sizes, null, changed, unseen_at))
     return tuple(found)
 
 
 def _hidden(
-    names: list[str], group: list[int], x: Floats, sizes: Floats, null: Floats, changed: Callable[[Floats], float]
+    names: list[str],
+    group: list[int],
+    x: Floats,
+    sizes: Floats,
+    null: Floats,
+    changed: Callable[[Floats], float],
+    unseen_at: Callable[[Floats], Floats | None],
 ) -> Hidden:
     own, steps = x[group], null * sizes[group][:, None]
 
@@ -85,9 +98,27 @@ def _hidden(
             return Hidden(names=tuple(names), visible=tuple(_product(names, row) for row in powers), exact=True)
     far = _FAR * steps / np.max(np.abs(null), axis=0)
     exact = all(there(own + each) < _SAME for each in far.T)
+    if not exact:
+        sums = visible_sums(names, own, sizes[group], _restricted(x, group, unseen_at), len(group) - null.shape[1])
+        if sums is not None:
+            return Hidden(names=tuple(names), visible=tuple(sums), exact=True)
     rows = _reduced(_across(null)) / sizes[group]
     visible = tuple(_sum(names, row / row[np.flatnonzero(row)[0]]) for row in rows)
     return Hidden(names=tuple(names), visible=visible, exact=exact)
+
+
+def _restricted(
+    x: Floats, group: list[int], unseen_at: Callable[[Floats], Floats | None]
+) -> Callable[[Floats], Floats | None]:
+    """The directions of a group of unknowns at values of these."""
+
+    def found(own: Floats) -> Floats | None:
+        whole = x.copy()
+        whole[group] = own
+        directions = unseen_at(whole)
+        return None if directions is None else directions[group]
+
+    return found
 
 
 def _across(columns: Floats) -> Floats:

@@ -71,7 +71,8 @@ class Fit:
 
     `covariance` and `correlation` (k, k) are those of the `estimates`, in SI units; intervals have the probability
     `confidence`. `deviation` is the standard deviation of residuals in units of the sigmas: 1 where those were right.
-    `hidden` are groups of unknowns that data show only together. `motions` are those of the runs. `notes` are all
+    `hidden` are groups of unknowns that data show only together, `corners` unknowns near whose values the order of
+    events of a run changes, with its name. `motions` are those of the runs. `notes` are all
     warnings.
     """
 
@@ -85,6 +86,7 @@ class Fit:
     series: tuple[SeriesResiduals, ...]
     motions: tuple[Trajectory, ...]
     hidden: tuple[Hidden, ...]
+    corners: tuple[tuple[str, str], ...]
     notes: tuple[Diagnostic, ...]
     cost: float
     first_cost: float

@@ -31,8 +31,8 @@ _FOLLOWED = 3
 @record(kw_only=True)
 class Searched:
     """`x` (unknowns,) in SI units with its `cost`, half the sum of squares; `active` is -1 or 1 for an unknown at its
-    lower or upper bound, else 0. `failures` are reasons of trials without a motion, `orders` those of the events of each
-    run that were met."""
+    lower or upper bound, else 0. `failures` are reasons of trials without a motion, `orders` those of events that were
+    met, of each run."""
 
     x: Floats
     cost: float

@@ -60,7 +60,7 @@ ROWS: dict[str, Row] = {
         "the others are the best ones for this bound; widen it, or look for what the model lacks",
     ),
     "W1112": warning(
-        "the order of events of `{run}` changed along the search: {before} at its begin, {after} later",
+        "the order of events of `{run}` changes {where}",
         None,
         "between orders of events the sum of squares has corners and may have other minima: begin nearer, or try many "
         "starts",
