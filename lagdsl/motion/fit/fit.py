@@ -16,6 +16,7 @@ from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.fit.data import Measured, Reading
 from lagdsl.motion.fit.differences import DifferencesOfRuns
 from lagdsl.motion.fit.findings import findings_of, told
+from lagdsl.motion.fit.identifiability import seen_directions
 from lagdsl.motion.fit.many_starts import costs_of
 from lagdsl.motion.fit.problem import Problem, Residuals, places_of
 from lagdsl.motion.fit.result import Fit
@@ -29,6 +30,8 @@ from lagdsl.motion.simulate.failure import SimulationFailed
 
 # Passes in which unknown sigmas follow from residuals, and the part by which they may still change.
 _PASSES, _SAME = 6, 1e-2
+# Of values that data leave open the search comes back to the first ones, so often, and to this part of a size.
+_RETURNS, _NEAR = 3, 0.02
 
 
 @record(kw_only=True)
@@ -94,6 +97,7 @@ def fit(
     own.raise_if_errors()
     found = _searched(problem, x, method, progress)
     problem, found = _with_own_sigmas(problem, found, method, given)
+    found = _nearest(problem, found, x, method.loss)
     result = findings_of(problem, found, residuals, method.loss, method.confidence, given)
     told(result, problem, found, own)
     for diagnostic in own.diagnostics:
@@ -114,6 +118,24 @@ def _with_own_sigmas(
             break
         found = search(problem, found.x, method.loss)
     return problem, found
+
+
+def _nearest(problem: Problem, found: Searched, x: Floats, loss: Loss) -> Searched:
+    """Of the minima that data do not tell apart, one that is near to x (unknowns,), where the search began."""
+    sizes = problem.sizes
+    for _ in range(_RETURNS):
+        _, jacobian = problem.differentiated(found.x, exact=True)
+        scaled = jacobian * sizes / problem.sigmas[:, None]
+        unseen = seen_directions(scaled, problem.derivatives.error)[1]
+        away = unseen @ (unseen.T @ ((found.x - x) / sizes))
+        if not np.any(np.abs(away) > _NEAR):
+            break
+        moved = np.clip(found.x - sizes * away, [u.low for u in problem.unknowns], [u.high for u in problem.unknowns])
+        again = search(problem, moved, loss) if np.isfinite(Residuals(problem)(moved / sizes)).all() else found
+        if again.cost > found.cost + _SAME * max(found.cost, 1.0):
+            break
+        found = again
+    return found
 
 
 def _require_sound(method: Method, runs: Sequence[RunGiven]) -> None:

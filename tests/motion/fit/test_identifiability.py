@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from fit.models import DAMPED, compiled
 
+from lagdsl.motion.fit.combinations import visible_sums
+
 # Two links in a vertical plane: I1 and I2 about the joints, h1 and h2 first moments, m2 the mass of the second link.
 ARM = """model Arm
   parameter Length l1 = 0.5 m;
@@ -56,3 +58,40 @@ def test_what_has_no_effect():
     seen = {"time": times, "theta": 1e-3 * np.sin(times)}
     found = compiled(text).fit(seen, "l")
     assert [str(each) for each in found.hidden] == ["the data do not depend on l"]
+
+
+# Two links with masses, mass centres and inertias: what their motion shows (Gautier and Khalil), with l1 = 1/2.
+LINKS = ["m1", "c1", "I1", "m2", "c2", "I2"]
+
+
+def links_shown(x):
+    """Gradients of the base parameters at x."""
+    m1, c1, _, m2, c2, _ = x
+    return np.array([
+        [c1**2, 2.0 * m1 * c1, 1.0, 0.25, 0.0, 0.0],
+        [c1, m1, 0.0, 0.5, 0.0, 0.0],
+        [0.0, 0.0, 0.0, c2, m2, 0.0],
+        [0.0, 0.0, 0.0, c2**2, 2.0 * m2 * c2, 1.0],
+    ])  # fmt: skip
+
+
+def test_base_parameters_of_masses_and_centres():
+    x = np.array([2.0, 0.25, 0.05, 1.0, 0.2, 0.03])
+    noise = np.random.default_rng(0)
+
+    def unseen(there):
+        found = np.linalg.svd(links_shown(there) * x)[2][4:].T
+        return found + noise.normal(0.0, 1e-7, found.shape)
+
+    found = visible_sums(LINKS, x, x, unseen, 4)
+    assert sorted(found) == ["0.5*m2 + m1*c1", "I1 + 0.25*m2 + m1*c1^2", "I2 + m2*c2^2", "m2*c2"]
+
+
+def test_no_sum_is_made_up():
+    x = np.array([2.0, 0.5, 0.7])
+
+    def unseen(there):
+        shown = np.array([[np.cos(there[0]), there[1] ** 3, np.exp(there[2])]])
+        return np.linalg.svd(shown * x)[2][1:].T
+
+    assert visible_sums(["a", "b", "c"], x, x, unseen, 1) is None
