@@ -58,13 +58,13 @@ class Fit(result.Fit):
 
     def report(self, path: Path | str) -> None:
         """Write a page with values, residuals and the motions over the data to `path`. Raises OSError."""
-        from lagdsl.documents.report.fit import fit_page
+        from lagdsl.documents.report.fits.fit_page import fit_page
 
         with whole_file(Path(path)) as draft:
             draft.write_text(fit_page(self), encoding="utf-8", newline="\n")
 
     def _repr_html_(self) -> str:
-        from lagdsl.documents.report.fit import fit_page
+        from lagdsl.documents.report.fits.fit_page import fit_page
         from lagdsl.interfaces.api.shown import framed
 
         return framed(fit_page(self), self.model)

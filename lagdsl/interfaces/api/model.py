@@ -15,7 +15,7 @@ from lagdsl.engines.backends.python.support.values import Entries, given_once
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
-from lagdsl.interfaces.api.fitted import Fitted
+from lagdsl.interfaces.api.estimation import Estimation
 from lagdsl.interfaces.api.inputs.values import signals_of
 from lagdsl.interfaces.api.names import Value, known
 from lagdsl.interfaces.api.one_state import calls_at_one_state
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Fitted):
+class Model(Estimation):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs

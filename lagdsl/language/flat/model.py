@@ -15,19 +15,18 @@ from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
 from lagdsl.language.flat.expression import FlatExpression
-from lagdsl.language.flat.quantity import Item, Quantity, Variability
+from lagdsl.language.flat.quantity import Item, Measurement, Quantity, Variability
 
 
 @record(kw_only=True)
 class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1. `structural`
-    ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the expressions and
-    never in `p`. A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a
-    large change. A `fitted` one is found from data; a run takes the guess."""
+    and `constant` ones are listed for reports, folded into the expressions and never in `p`. A `free` one is found with
+    the start of the motion, an `estimated` one from data: its value is a guess, `nominal` a large change of it."""
 
     value: float
     free: bool = False
-    fitted: bool = False
+    estimated: bool = False
     nominal: float | None = None
     minimum: float | None = None
     maximum: float | None = None
@@ -348,20 +347,6 @@ class InitialEquation(Item):
 
     residual: FlatExpression
     dimension: Dimension
-
-
-@record(kw_only=True)
-class Measurement(Item):
-    """Data have a column `name` with values of the result column `of`, or, of an `event`, with the instants at which
-    something happens to the contact or friction of that name. `sigma` is their standard deviation, in SI units; None:
-    it is not known. `stated`: the text gives the column a name of its own."""
-
-    name: str
-    of: str
-    event: bool
-    dimension: Dimension
-    sigma: float | None
-    stated: bool
 
 
 @record(kw_only=True)

@@ -18,7 +18,7 @@ from lagdsl.language.flat.display import display
 from lagdsl.language.flat.event_text import event_sections
 from lagdsl.language.flat.expression_text import flat_expression_text as text_of
 from lagdsl.language.flat.expression_text import number_text
-from lagdsl.language.flat.quantity import Item, Quantity
+from lagdsl.language.flat.quantity import Item, Measurement, Quantity
 from lagdsl.language.flat.spans import place
 
 _WIDEST = 72  # columns after which a place is no longer aligned with the others
@@ -196,7 +196,7 @@ def _parameter(parameter: fm.Parameter) -> _Line:
     if parameter.text is not None:
         value = f'"{parameter.text}"'
     bounds = "".join(f", {bound}" for bound in _bounds(parameter.minimum, parameter.maximum, parameter.nominal))
-    guess = ", found with the start" if parameter.free else ", found from data" if parameter.fitted else ""
+    guess = ", found with the start" if parameter.free else ", found from data" if parameter.estimated else ""
     line = _quantity(parameter, f"{value}{guess}{bounds}")
     return _Line(f"structural {line.text}", parameter) if parameter.structural else line
 
@@ -241,7 +241,7 @@ def _invariant(invariant: fm.Invariant) -> _Line:
     return _Line(text, invariant)
 
 
-def _measurement(measurement: fm.Measurement) -> _Line:
+def _measurement(measurement: Measurement) -> _Line:
     means = f": {measurement.of}" if measurement.stated else ""
     sigma = f" with sigma = {number_text(measurement.sigma)}" if measurement.sigma is not None else ""
     return _Line(f"{measurement.name} [{unit_text(measurement.dimension)}]{means}{sigma}", measurement)

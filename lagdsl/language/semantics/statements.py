@@ -12,7 +12,7 @@ from lagdsl.foundation.units.dimension import ACCELERATION, DIMENSIONLESS, MASS
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.flat import model as flat_model
 from lagdsl.language.semantics.events.whens import elaborate_when
-from lagdsl.language.semantics.items import constraints, contacts, drawings, frictions, labels, loads, measurements
+from lagdsl.language.semantics.items import constraints, contacts, drawings, frictions, labels, loads
 from lagdsl.language.semantics.items.bodies import rigid_body
 from lagdsl.language.semantics.operators.arithmetic import Operand, boolean
 from lagdsl.language.semantics.operators.conditions import condition_of, structural_condition, where_active
@@ -58,8 +58,6 @@ def elaborate_item(ctx: Context, physics: Physics, placed: Placed) -> None:
         _contact(ctx, placed, node)
     elif isinstance(node, nodes.Friction):
         _friction(ctx, placed, node)
-    elif isinstance(node, nodes.Measure):
-        ctx.product.measurements += measurements.make(ctx, scope, node)
     elif condition_of(ctx, scope, _condition(node)) not in (False, None):
         _conditional_item(ctx, physics, placed)
 

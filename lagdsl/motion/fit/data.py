@@ -46,7 +46,7 @@ class Measured:
 
 @record(kw_only=True)
 class Reading:
-    """How columns are understood: `renamed` has names of the model by names of columns, None for those that are left
+    """Meaning of columns: `renamed` has names of the model by names of columns, None for those that are left
     out."""
 
     flat: FlatModel

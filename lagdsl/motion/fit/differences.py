@@ -78,7 +78,7 @@ class DifferencesOfRuns:
 
 
 def _ranges(rollout: Rollout, values: Floats) -> Floats:
-    """How far the values (n,) of each series range, in its rows; for events the mean time between them."""
+    """Ranges of the values (n,) of each series, in its rows; for events the mean time between them."""
     found, first = [], 0
     for series in rollout.series:
         own = values[first : first + len(series.values)]

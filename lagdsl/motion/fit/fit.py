@@ -22,6 +22,7 @@ from lagdsl.motion.fit.problem import Problem, Residuals, places_of
 from lagdsl.motion.fit.result import Fit
 from lagdsl.motion.fit.rollout import Derivatives, Rollout, instants, rows_of
 from lagdsl.motion.fit.search import LOSSES, Loss, Searched, best_of, sampled, search
+from lagdsl.motion.fit.shooting import require_segments, shot
 from lagdsl.motion.fit.sigmas import first_sigmas, sigmas_of, with_sigmas
 from lagdsl.motion.fit.unknowns import Free, Unknown, bounded, found_targets, of_runs, unknown_of
 from lagdsl.motion.pipeline import Compilation
@@ -61,6 +62,7 @@ class Method:
     solver: str = "auto"
     loss: Loss = "linear"
     starts: int = 1
+    segments: int = 1
     seed: int = 0
     confidence: float = 0.95
 
@@ -95,7 +97,7 @@ def fit(
     x = np.array([unknown.value for unknown in problem.unknowns])
     residuals = _first_residuals(problem, x, own)
     own.raise_if_errors()
-    found = _searched(problem, x, method, progress)
+    found = _searched(problem, _shot(problem, x, method.segments, own), method, progress)
     problem, found = _with_own_sigmas(problem, found, method, given)
     found = _nearest(problem, found, x, method.loss)
     result = findings_of(problem, found, residuals, method.loss, method.confidence, given)
@@ -146,6 +148,8 @@ def _require_sound(method: Method, runs: Sequence[RunGiven]) -> None:
         raise ValueError(f"there is no loss `{method.loss}`; there are {', '.join(LOSSES)}")
     if method.starts < 1:
         raise ValueError(f"the number of starts must be at least 1, not {method.starts}")
+    if method.segments < 1:
+        raise ValueError(f"the number of segments must be at least 1, not {method.segments}")
     if not 0.0 < method.confidence < 1.0:
         raise ValueError(f"the confidence {method.confidence:g} must be between 0 and 1")
 
@@ -160,8 +164,8 @@ def _problem(
     derivatives: Derivatives,
 ) -> Problem:
     flat = compilation.flat
-    fitted = [each.name for each in flat.parameters if each.fitted]
-    free = bounded(flat, fitted if method.free is None else method.free, sink)
+    estimated = [each.name for each in flat.parameters if each.estimated]
+    free = bounded(flat, estimated if method.free is None else method.free, sink)
     own = {target.name for target in found_targets(flat, method.own)}
     lost = [name for name in own if name not in free]
     if lost:
@@ -263,6 +267,15 @@ def _first_residuals(problem: Problem, x: Floats, sink: Sink) -> Floats:
     if sink.has_errors:
         return x
     return Residuals(problem)(x / problem.sizes)
+
+
+def _shot(problem: Problem, x: Floats, segments: int, sink: Sink) -> Floats:
+    """Unknowns to go on with: x, or what multiple shooting makes of it. Raises CompilationFailed (E1117)."""
+    if segments == 1:
+        return x
+    require_segments(problem.rollouts[0].flat, sink)
+    sink.raise_if_errors()
+    return shot(problem, x, segments)
 
 
 def _searched(problem: Problem, x: Floats, method: Method, progress: Callable[[float], None] | None) -> Searched:

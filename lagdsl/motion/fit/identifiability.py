@@ -1,4 +1,4 @@
-"""Which combinations of the unknowns data determine, in words: `only m*l^2 is visible`.
+"""Combinations of the unknowns that data determine, in words: `only m*l^2 is visible`.
 
 Directions that leave all values as they are, from the singular values of the Jacobian. In the logarithms of the
 unknowns they belong to products of powers, in the unknowns themselves to sums. Both can look alike at one point, so a

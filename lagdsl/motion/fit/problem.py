@@ -29,7 +29,7 @@ class Problem:
 
     @property
     def all_series(self) -> list[Series]:
-        """Those of all runs, in their order."""
+        """Series of all runs, in their order."""
         return [series for rollout in self.rollouts for series in rollout.series]
 
     @property
@@ -43,7 +43,7 @@ class Problem:
         return np.array([unknown.size for unknown in self.unknowns])
 
     def values(self, x: Floats) -> Floats:
-        """What would be measured (n,) for the unknowns x. Raises CompilationFailed and SimulationFailed."""
+        """Values (n,) that would be measured for the unknowns x. Raises CompilationFailed and SimulationFailed."""
         return np.concatenate([r.observed(motion) for r, motion in zip(self.rollouts, self.motions(x), strict=True)])
 
     def motions(self, x: Floats) -> list[Trajectory]:

@@ -34,15 +34,16 @@ class Estimate:
 
     @property
     def before(self) -> float:
-        """Where the search began."""
+        """The value at which the search began."""
         return self.unknown.value
 
 
 @record(kw_only=True)
 class SeriesResiduals:
-    """What was `measured` and `computed` at `times` [s] of a column of a run, or of an event, in SI units; `sigma` is
-    the standard deviation that was given, or found. `white` is the probability of autocorrelations as large as those of
-    the residuals, if these were independent; nan for too few."""
+    """Values of a column of a run, or times of an event, `measured` and `computed` at `times` [s], in SI units.
+
+    `sigma` is the standard deviation that was given, or found. `white` is the probability of autocorrelations as large
+    as those of the residuals, if these were independent; nan for too few."""
 
     run: str
     name: str

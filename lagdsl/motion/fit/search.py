@@ -51,7 +51,7 @@ def search(problem: Problem, x: Floats, loss: Loss, progress: Callable[[float], 
     high = np.array([unknown.high for unknown in problem.unknowns]) / sizes
     count = 0
 
-    # What data do not determine stays where it was: its weight is below what is a direction that they do.
+    # Values that data do not determine stay where they were: the weight is below that of directions that they do.
     pull = problem.derivatives.error * float(np.linalg.norm(residuals.jacobian(begin), 2)) * np.eye(len(x))
 
     def watched(s: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""How the end of a motion changes with parameters and start values."""
+"""Changes of the end of a motion with parameters and start values."""
 
 from __future__ import annotations
 

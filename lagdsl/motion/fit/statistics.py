@@ -1,4 +1,4 @@
-"""What residuals tell of a fit: variance, covariance, intervals, whiteness."""
+"""Statistics of residuals: variance, covariance, intervals, whiteness."""
 
 from __future__ import annotations
 

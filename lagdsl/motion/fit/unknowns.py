@@ -44,7 +44,7 @@ def names_in(text: str) -> list[str]:
 
 
 def found_targets(flat: FlatModel, names: Collection[str], what: str = "parameter or start value") -> list[Target]:
-    """What can be set by these names, arrays as their elements. Raises UnknownName."""
+    """Targets of these names, arrays as their elements. Raises UnknownName."""
     known = targets(flat, ("parameter", "start"))
     found: dict[str, Target] = {}
     for given in names:
@@ -111,7 +111,7 @@ def unknown_of(target: Target, value: float, low: float, high: float, sink: Sink
 
 
 def of_runs(unknowns: Sequence[Unknown], own: Collection[str], runs: Sequence[str]) -> list[Unknown]:
-    """Those with names in `own` once for each run."""
+    """The unknowns, those with names in `own` once for each run."""
     found: list[Unknown] = []
     for each in unknowns:
         if each.target.name not in own or len(runs) == 1:

@@ -113,7 +113,7 @@ def _path(target: Target) -> list[str]:
     if target.kind == "start":
         name = target.key[4:-1] if target.rate else target.key
         return [*without_subscripts(name).split("."), *(["der", "start"] if target.rate else ["start"])]
-    guess = isinstance(target.quantity, Parameter) and (target.quantity.free or target.quantity.fitted)
+    guess = isinstance(target.quantity, Parameter) and (target.quantity.free or target.quantity.estimated)
     return [*without_subscripts(target.key).split("."), *(["start"] if guess else [])]
 
 

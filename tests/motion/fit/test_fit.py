@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from choice import ALL
-from fit.models import BALL, DAMPED, LINE, compiled
+from fit.measured_models import BALL, DAMPED, LINE, compiled
 from scipy.stats import t as student
 
 

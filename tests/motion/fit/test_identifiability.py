@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fit.models import DAMPED, compiled
+from fit.measured_models import DAMPED, compiled
 
 from lagdsl.motion.fit.combinations import visible_sums
 

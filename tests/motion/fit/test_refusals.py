@@ -1,8 +1,8 @@
-"""What stops a fit, and what is told of one that ends."""
+"""Messages of a fit: of one that cannot begin, and of one that ends."""
 
 import numpy as np
 import pytest
-from fit.models import BALL, DAMPED, LINE, compiled
+from fit.measured_models import BALL, DAMPED, LINE, compiled
 
 import lagdsl
 

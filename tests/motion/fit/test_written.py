@@ -1,7 +1,7 @@
 """`-o fitted.lag`: numbers in the text, and nothing else."""
 
 import pytest
-from fit.models import DAMPED
+from fit.measured_models import DAMPED
 
 import lagdsl
 from lagdsl.foundation.diagnostics import Sink

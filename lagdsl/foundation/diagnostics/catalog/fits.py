@@ -85,4 +85,9 @@ ROWS: dict[str, Row] = {
         None,
         "write its number where the value is stated, or use the values with `--set`",
     ),
+    "E1117": error(
+        "the motion cannot be cut into segments: {what} makes its state more than free coordinates, rates and states",
+        None,
+        "segments are for motions without events and constraints; leave `segments` out",
+    ),
 }

@@ -52,6 +52,7 @@ class Wanted:
     columns: tuple[str, ...]
     loss: Loss
     starts: int
+    segments: int
     seed: int
 
 
@@ -80,6 +81,14 @@ _takes_unknowns: Decorator = group(
     click.option("--loss", type=click.Choice(LOSSES), default="linear", show_default=True, help="Weight of outliers."),
     click.option(
         "--starts", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Starts of the search."
+    ),
+    click.option(
+        "--segments",
+        type=click.IntRange(min=1),
+        default=1,
+        show_default=True,
+        metavar="N",
+        help="Segments of each run (multiple shooting), for motions that are chaotic or unstable.",
     ),
     click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the starts."),
 )
@@ -141,6 +150,7 @@ def command(
                 solver=method.solver,
                 loss=wanted.loss,
                 starts=wanted.starts,
+                segments=wanted.segments,
                 seed=wanted.seed,
                 progress=report,
                 sink=sink,

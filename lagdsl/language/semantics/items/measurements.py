@@ -8,8 +8,7 @@ from itertools import product
 
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.language.flat import expression as flat
-from lagdsl.language.flat import model as flat_model
-from lagdsl.language.flat.quantity import Variability
+from lagdsl.language.flat.quantity import Measurement, Variability
 from lagdsl.language.semantics.items.options import option_value, options_of
 from lagdsl.language.semantics.operators.arguments import labelled
 from lagdsl.language.semantics.operators.arrays import subscript_indices
@@ -24,7 +23,7 @@ from lagdsl.language.syntax import nodes
 OPTIONS = ("sigma",)
 
 
-def make(ctx: Context, scope: Scope, node: nodes.Measure) -> list[flat_model.Measurement]:
+def make(ctx: Context, scope: Scope, node: nodes.Measure) -> list[Measurement]:
     """One for each element of what is measured; E0363 for what is no column, none after a diagnostic."""
     found = _measured(ctx, scope, node)
     options = options_of(ctx, node, "measure", OPTIONS)
@@ -44,7 +43,7 @@ def make(ctx: Context, scope: Scope, node: nodes.Measure) -> list[flat_model.Mea
         ctx.sink.report("E0363", node.value.span, text=node.value.span.text, why="it is an array: measure each element")
         return []
     return [
-        flat_model.Measurement(
+        Measurement(
             spans=(node.span, *scope.spans),
             name=name if node.column is None else node.column,
             of=name,
@@ -97,10 +96,6 @@ def _elements(ctx: Context, scope: Scope, node: nodes.Expression, symbol: Symbol
 
 
 def _name(expression: flat.FlatExpression) -> str | None:
-    match expression:
-        case flat.Variable(name):
-            return name
-        case flat.Derivative(flat.Variable(name)):
-            return f"der({name})"
-        case _:
-            return None
+    if isinstance(expression, flat.Derivative) and isinstance(expression.operand, flat.Variable):
+        return f"der({expression.operand.name})"
+    return expression.name if isinstance(expression, flat.Variable) else None

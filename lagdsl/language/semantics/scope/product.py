@@ -63,7 +63,6 @@ class Product:
     occurrences: Occurrences = field(default_factory=Occurrences)
     met: list[Met] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
-    measurements: list[flat_model.Measurement] = field(default_factory=list)
     unlabelled: Counter[str] = field(default_factory=Counter)
 
     def number(self, what: str) -> str:

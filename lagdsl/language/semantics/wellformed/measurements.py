@@ -1,9 +1,10 @@
-"""What is measured is a column of the results, and no column means two things (E0363, E0364)."""
+"""Measurements name columns of the results, and no name stands for two (E0363, E0364)."""
 
 from __future__ import annotations
 
 from lagdsl.foundation.diagnostics import Label, Sink
 from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.quantity import Measurement
 from lagdsl.language.flat.spans import place
 
 
@@ -11,7 +12,7 @@ def check_measurements(model: fm.FlatModel, sink: Sink) -> None:
     """E0363 for quantities without a column, E0364 for two meanings of one."""
     columns = {item.name for item in (*model.coordinates, *model.states, *model.outputs, *model.events.discretes)}
     columns |= {f"der({item.name})" for item in model.coordinates}
-    seen: dict[str, fm.Measurement] = {}
+    seen: dict[str, Measurement] = {}
     for each in model.measurements:
         span = place(each)
         if not each.event and each.of not in columns:

@@ -1,4 +1,4 @@
-"""The syntax tree: items of files and classes, with their modifiers and sections."""
+"""The syntax tree: items of files and classes, with their sections."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
+from lagdsl.language.syntax.nodes.declarator import AnyModifier, Declarator, Name
 from lagdsl.language.syntax.nodes.expression import (
     Expression,
     Iterator,
@@ -46,59 +47,6 @@ class Block(Node):
     """Items under an index or a condition."""
 
     __slots__ = ()
-
-
-# ---- names, modifiers, declarators -----------------------------------------------------------------------------------
-
-
-@record(kw_only=True)
-class Name(Node):
-    """Dotted name: `Lag.Planar.Revolute`."""
-
-    parts: tuple[str, ...]
-
-
-@record(kw_only=True)
-class Modifier(Node):
-    """`each final name[dims](nested) = value`; also `der(start = 2)` as name `der` with nested modifiers."""
-
-    prefixes: tuple[str, ...]
-    name: Name
-    subscripts: tuple[Subscript, ...]
-    modifiers: tuple[AnyModifier, ...]
-    value: Expression | None
-
-
-@record(kw_only=True)
-class RedeclareComponent(Node):
-    type_name: Name
-    name: str
-    subscripts: tuple[Subscript, ...]
-    modifiers: tuple[AnyModifier, ...]
-
-
-@record(kw_only=True)
-class RedeclareClass(Node):
-    kind: str
-    name: str
-    type_name: Name
-    modifiers: tuple[AnyModifier, ...]
-
-
-AnyModifier: TypeAlias = "Modifier | RedeclareComponent | RedeclareClass"
-
-
-@record(kw_only=True)
-class Declarator(Node):
-    """`name[dims](modifiers) = value if condition "doc"`; `name_span` covers the identifier."""
-
-    name: str
-    name_span: Span = field(compare=False, repr=False)
-    subscripts: tuple[Subscript, ...] = ()
-    modifiers: tuple[AnyModifier, ...] = ()
-    value: Expression | None = None
-    condition: Expression | None = None
-    doc: str | None = None
 
 
 # ---- declarations and physics items ----------------------------------------------------------------------------------

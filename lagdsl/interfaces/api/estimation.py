@@ -25,7 +25,7 @@ Data: TypeAlias = "Path | str | Sequence[Path | str] | Mapping[str, Any]"
 _SETTINGS = ("data", "parameters", "start", "inputs")
 
 
-class Fitted(Stepped):
+class Estimation(Stepped):
     """A model that is compared with data."""
 
     def fit(
@@ -44,6 +44,7 @@ class Fitted(Stepped):
         solver: str = "auto",
         loss: Loss = "linear",
         starts: int = 1,
+        segments: int = 1,
         seed: int = 0,
         confidence: float = 0.95,
         progress: Callable[[float], None] | None = None,
@@ -61,7 +62,8 @@ class Fitted(Stepped):
         `free` are names as for `sweep`, `theta.start`, with bounds or None, or names alone; left out, those that the
         text frees. Unknowns of `own` are found for each run. `sigma` are standard deviations, numbers or texts with
         units; those that are missing follow from the residuals. `loss` is one of SciPy's: linear, soft_l1, huber,
-        cauchy, arctan. With `starts` above one, so many starts between the bounds are compared. The rest is as for
+        cauchy, arctan. With `starts` above one, so many starts between the bounds are compared. `segments` cuts every
+        run for a search by multiple shooting, for motions that are chaotic or unstable. The rest is as for
         `simulate`; the motions end with the data, or with `stop`.
 
         Raises CompilationFailed for data and names that do not fit, and where no motion exists to begin with;
@@ -80,6 +82,7 @@ class Fitted(Stepped):
             solver=solver,
             loss=loss,
             starts=starts,
+            segments=segments,
             seed=seed,
             confidence=confidence,
         )
@@ -125,7 +128,7 @@ class Fitted(Stepped):
         solver: str = "auto",
         sink: Sink | None = None,
     ) -> Sensitivity:
-        """How the columns `of` at the end of the motion change with the parameters and start values `by`:
+        """Changes of the columns `of` at the end of the motion with the parameters and start values `by`:
         `.derivatives` (of, by) in SI units, and `.effects`, the change by one percent of a value. `print` it: the
         strongest come first.
 
@@ -143,10 +146,13 @@ class Fitted(Stepped):
 def _runs(data: Any) -> dict[str, Mapping[str, Any]]:
     """Settings of each run by its name."""
     if isinstance(data, (str, Path)):
-        return {str(data): {}}
+        return _runs([data])
     if hasattr(data, "keys"):
         values = {str(name): data[name] for name in data}
         if values and all(each is None or isinstance(each, Mapping) for each in values.values()):
             return {name: each or {} for name, each in values.items()}
         return {"data": {"data": data}}
-    return {str(each): {} for each in data}
+    paths = [Path(each) for each in data]
+    names = [path.name for path in paths]
+    named = names if len(set(names)) == len(names) else list(map(str, paths))
+    return {name: {"data": path} for name, path in zip(named, paths, strict=True)}

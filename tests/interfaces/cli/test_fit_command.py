@@ -52,7 +52,7 @@ def test_files_of_the_result(invoke: Invoke, pendulum: Path, swing: Path) -> Non
     assert result.exit_code == 0, result.output
     old, new = pendulum.read_text().splitlines(), text.read_text().splitlines()
     changed = [b for a, b in zip(old, new, strict=True) if a != b]
-    assert len(changed) == 1 and changed[0].startswith("  parameter Length l = 0.70")
+    assert len(changed) == 1 and changed[0].startswith("  parameter Length l = 0.699")
     html = page.read_text(encoding="utf-8")
     assert html.count("<svg") == 2 and "<script" not in html and "http" not in html.replace("http-equiv", "")
 
@@ -72,7 +72,7 @@ def test_times_of_impacts(invoke: Invoke, tmp_path: Path) -> None:
     np.savetxt(times, table, header="floor [ms]", comments="")
     result = invoke("fit", model, times, "--free", "e")
     assert result.exit_code == 0, result.output
-    assert "  e  0.8" in result.stdout
+    assert "  e    0.8 " in result.stdout and "bounces.csv  floor" in result.stdout
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_sensitivity_ranks(invoke: Invoke, pendulum: Path) -> None:
 
 
 def test_sensitivity_is_that_of_the_closed_form() -> None:
-    text = "model S\n  parameter Real w(unit = \"rad/s\") = 3;\n  coordinate Length x(start = 2 m);\n"
+    text = 'model S\n  parameter Real w(unit = "rad/s") = 3;\n  coordinate Length x(start = 2 m);\n'
     text += "  kinetic 1/2*(1 kg)*der(x)^2;\n  potential 1/2*(1 kg)*w^2*x^2;\nend S;\n"
     found = lagdsl.compile(text).sensitivity("x, der(x)", ["w", "x.start", "der(x).start"], stop=1.5)
     s, c = np.sin(4.5), np.cos(4.5)
