@@ -18,7 +18,7 @@ from lagdsl.motion.signals.trajectory import Trajectory
 # The error of fourth order, (part)^4, equals that of the integration, (tolerance/part), near this part.
 _PART = 0.02
 _FIRST = 1e-4  # of the size of an unknown
-# Runs for differences are this much more accurate than those that are compared with data.
+# Runs for differences of fourth order are this much more accurate than those that are compared with data.
 _FINER, _FINEST = 1e-2, 1e-12
 # Weights of f(x), f(x+h) ... f(x+4h) for h f'(x), of fourth order.
 _ONE_SIDE = np.array([-25.0, 48.0, -36.0, 16.0, -3.0]) / 12.0
@@ -34,7 +34,7 @@ class DifferencesOfRuns:
 
     def __call__(self, rollout: Rollout, x: Floats, *, exact: bool = False) -> Differentiated:
         """See `Derivatives`: of second order along the search, of fourth order with `exact`."""
-        tolerance = max(_FINER * rollout.tolerance, _FINEST)
+        tolerance = max(_FINER * rollout.tolerance, _FINEST) if exact else rollout.tolerance
         motion = rollout.motion(x, tolerance=tolerance)
         values, order = rollout.observed(motion), happened(motion, rollout.series)
         jacobian = np.empty((len(values), len(x)))
