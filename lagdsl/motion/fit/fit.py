@@ -14,7 +14,7 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.fit.data import Measured, Reading
-from lagdsl.motion.fit.differences import DifferencesOfRuns
+from lagdsl.motion.fit.derivatives import derivatives_of_runs
 from lagdsl.motion.fit.findings import findings_of, told
 from lagdsl.motion.fit.identifiability import seen_directions
 from lagdsl.motion.fit.many_starts import costs_of
@@ -89,7 +89,7 @@ def fit(
     read = Reading(flat=flat, renamed={**stated, **method.renamed}, sink=own)
     measured = [read.run(run.name, run.data) for run in runs]
     own.raise_if_errors()
-    problem = _problem(compilation, engine, runs, measured, method, own, derivatives or DifferencesOfRuns())
+    problem = _problem(compilation, engine, runs, measured, method, own, derivatives or derivatives_of_runs())
     own.raise_if_errors()
     given = sigmas_of(flat, method.sigma, problem.all_series, own)
     own.raise_if_errors()

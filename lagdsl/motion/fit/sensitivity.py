@@ -14,7 +14,7 @@ from lagdsl.foundation.record import record
 from lagdsl.language.flat.display import Display
 from lagdsl.language.settings.arrays import family
 from lagdsl.motion.fit.data import Series
-from lagdsl.motion.fit.differences import DifferencesOfRuns
+from lagdsl.motion.fit.derivatives import derivatives_of_runs
 from lagdsl.motion.fit.fit import RunGiven, parameters_of, values_of
 from lagdsl.motion.fit.rollout import Derivatives, Rollout
 from lagdsl.motion.fit.unknowns import found_targets, limits_of, names_in, unknown_of
@@ -106,7 +106,7 @@ def sensitivity(
         solver=solver,
     )
     x = np.array([unknown.value for unknown in unknowns])
-    found = (derivatives or DifferencesOfRuns())(rollout, x, exact=True)
+    found = (derivatives or derivatives_of_runs())(rollout, x, exact=True)
     return Sensitivity(
         model=flat.name,
         of=tuple(columns),

@@ -116,6 +116,16 @@ def test_inputs_of_the_data_are_those_of_the_run():
     assert model.fit(data, "m")["m"] == pytest.approx(2.5, rel=1e-6)
 
 
+def test_intervals_of_bounces_hold_the_truth_as_often_as_they_say():
+    runs, random, truth = 300 if ALL else 15, np.random.default_rng(6), np.array([0.8, 9.81])
+    times, held = impacts(*truth, 1.0, 20), np.zeros(2)
+    for _ in range(runs):
+        found = compiled(BALL).fit({"floor": times + random.normal(0.0, 1e-3, 20)}, ["e", "g"])
+        ends = np.array(list(found.intervals.values()))
+        held += (ends[:, 0] < truth) & (ends[:, 1] > truth)
+    assert np.all(np.abs(held / runs - 0.95) < 4.0 * np.sqrt(0.95 * 0.05 / runs))
+
+
 @pytest.mark.parametrize("runs", [1000 if ALL else 60])
 def test_intervals_hold_the_truth_as_often_as_they_say(runs):
     random = np.random.default_rng(5)
