@@ -45,6 +45,9 @@ def sigma_in_si(flat: FlatModel, name: str, value: float | str) -> float:
     unit = heads[name][1] if name in heads else "s"
     if isinstance(value, str):
         given = literal(f"sigma of {name}", value)
+        if given.dimension is None and unit != "1":
+            shown = heads[name][3].unit if name in heads else unit
+            raise ValueError(f"sigma of `{name}`: write it with a unit, as in `{value.strip()} {shown}`")
         require_dimension(f"sigma of {name}", given, parse_unit(unit).dimension if name in heads else TIME, unit)
         value = given.value
     if not (np.isfinite(value) and value > 0.0):

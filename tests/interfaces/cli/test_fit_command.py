@@ -83,6 +83,7 @@ def test_times_of_impacts(invoke: Invoke, tmp_path: Path) -> None:
         (1, "E0874", [*COLUMNS, "--free", "length"]),
         (2, "LOW:HIGH", [*COLUMNS, "--bounds", "l=1 m"]),
         (2, "COLUMN=NAME", ["--free", "l", "--column", "note"]),
+        (2, "write it with a unit", [*COLUMNS, "--free", "l", "--sigma", "theta=0.1"]),
         (2, "written as .lag", [*COLUMNS, "--free", "l", "-o", "fitted.txt"]),
         (2, "written as .html", [*COLUMNS, "--free", "l", "--report", "fit.pdf"]),
     ],

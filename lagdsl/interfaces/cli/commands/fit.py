@@ -30,7 +30,6 @@ from lagdsl.interfaces.cli.options import (
 from lagdsl.interfaces.cli.output import draft_of, require_ending, require_writable, write_text
 from lagdsl.interfaces.cli.progress import progress
 from lagdsl.language.settings.failure import SettingError
-from lagdsl.language.settings.literal import literal
 from lagdsl.language.settings.settings import split
 from lagdsl.motion.fit.search import LOSSES
 from lagdsl.motion.fit.unknowns import names_in
@@ -139,7 +138,7 @@ def command(
             found = compiled.fit(
                 [str(path) for path in data],
                 _free(wanted),
-                sigma=_sigmas(wanted.sigma),
+                sigma=split(wanted.sigma),
                 own=names_in(wanted.own or ""),
                 columns=_columns(wanted.columns),
                 parameters=chosen.parameters,
@@ -187,16 +186,6 @@ def _free(wanted: Wanted) -> Mapping[str, Bounds] | None:
         low = f"{low.strip()} {unit}" if low.strip() and unit and " " not in low.strip() else low.strip()
         free[name] = (low or None, high.strip() or None)
     return free
-
-
-def _sigmas(texts: tuple[str, ...]) -> dict[str, float | str]:
-    """Raises SettingError for a number without a unit that needs one, as everywhere on the command line."""
-    return {name: _bare(name, text) for name, text in split(texts).items()}
-
-
-def _bare(name: str, text: str) -> float | str:
-    given = literal(name, text)
-    return text if given.dimension is not None else given.value
 
 
 def _columns(texts: tuple[str, ...]) -> dict[str, str | None]:
