@@ -36,6 +36,7 @@ class Estimation(Stepped):
         sigma: Mapping[str, float | str] | None = None,
         own: Sequence[str] = (),
         columns: Mapping[str, str | None] | None = None,
+        hold: bool = False,
         parameters: Mapping[str, Value] | None = None,
         start: Mapping[str, Value] | None = None,
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
@@ -57,7 +58,8 @@ class Estimation(Stepped):
         name `{"data": ..., "parameters": {...}, "start": {...}, "inputs": {...}}`, where the name is the file if there
         is no "data". Columns have the names of those of `simulate` beside `time`, units in their heads; columns of
         inputs become the inputs of the run. Data without `time` have times of events by the name of the contact.
-        `columns` gives other columns the names of the model, or None to leave them out.
+        `columns` gives other columns the names of the model, or None to leave them out; with `hold` inputs
+        keep their values between the rows of the data.
 
         `free` are names as for `sweep`, `theta.start`, with bounds or None, or names alone; left out, those that the
         text frees. Unknowns of `own` are found for each run. `sigma` are standard deviations, numbers or texts with
@@ -77,6 +79,7 @@ class Estimation(Stepped):
             own=own,
             sigma=sigma or {},
             renamed=columns or {},
+            hold=hold,
             stop=stop,
             tolerance=tolerance,
             solver=solver,

@@ -17,6 +17,7 @@ from lagdsl.foundation.units.dimension import TIME, Dimension
 from lagdsl.foundation.units.naming import describe
 from lagdsl.foundation.units.parse import UnknownUnit, counts_otherwise, parse_unit
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.signals.hold import Hold
 from lagdsl.motion.signals.inputs import Signal
 from lagdsl.motion.signals.table_io import parse_inputs
 from lagdsl.motion.simulate.table import called_heads
@@ -47,11 +48,12 @@ class Measured:
 @record(kw_only=True)
 class Reading:
     """Meaning of columns: `renamed` has names of the model by names of columns, None for those that are left
-    out."""
+    out. With `hold` inputs keep their values between the rows."""
 
     flat: FlatModel
     renamed: Mapping[str, str | None]
     sink: Sink
+    hold: bool = False
 
     def run(self, name: str, data: Any) -> Measured:
         """From a path, or from columns by name that are arrays in SI units. Faults go to the sink."""
@@ -92,7 +94,9 @@ class Reading:
                 series.append(Series(name=meant, times=seconds, values=seconds, event=True))
             elif times is not None and meant in items:
                 item = items[meant]
-                inputs[meant] = (times.tolist(), self._in_si(column, values, unit, item.dimension, item.unit).tolist())
+                found = self._in_si(column, values, unit, item.dimension, item.unit)
+                table = (times.tolist(), found.tolist())
+                inputs[meant] = Hold(*table) if self.hold else table
             elif times is not None and meant in heads and meant != _TIME:
                 own = heads[meant][1]
                 found = self._in_si(column, values, unit, parse_unit(own).dimension, own)

@@ -57,6 +57,7 @@ class Method:
     own: Sequence[str] = ()
     sigma: Mapping[str, float | str] = field(default_factory=dict)
     renamed: Mapping[str, str | None] = field(default_factory=dict)
+    hold: bool = False
     stop: float | None = None
     tolerance: float | None = None
     solver: str = "auto"
@@ -86,7 +87,7 @@ def fit(
     flat = compilation.flat
     own = Sink()
     stated = {each.name: each.of for each in flat.measurements if each.stated}
-    read = Reading(flat=flat, renamed={**stated, **method.renamed}, sink=own)
+    read = Reading(flat=flat, renamed={**stated, **method.renamed}, sink=own, hold=method.hold)
     measured = [read.run(run.name, run.data) for run in runs]
     own.raise_if_errors()
     problem = _problem(compilation, engine, runs, measured, method, own, derivatives or derivatives_of_runs())

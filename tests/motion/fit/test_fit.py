@@ -6,6 +6,8 @@ from choice import ALL
 from fit.measured_models import BALL, DAMPED, LINE, compiled
 from scipy.stats import t as student
 
+import lagdsl
+
 
 def line(random, count=40, sigma=0.05):
     times = np.linspace(0.0, 2.0, count)
@@ -114,6 +116,10 @@ def test_inputs_of_the_data_are_those_of_the_run():
     data = {"time": times, "u": force}
     data["x"] = model.simulate(times=times, parameters={"m": 2.5}, inputs={"u": (times, force)})["x"]
     assert model.fit(data, "m")["m"] == pytest.approx(2.5, rel=1e-6)
+    held = {"u": lagdsl.Hold(times.tolist(), force.tolist())}
+    motion = model.simulate(times=times, parameters={"m": 2.5}, inputs=held)
+    data["x"] = motion["x"][np.searchsorted(motion.time, times, side="right") - 1]
+    assert model.fit(data, "m", hold=True)["m"] == pytest.approx(2.5, rel=1e-6)
 
 
 def test_intervals_of_bounces_hold_the_truth_as_often_as_they_say():

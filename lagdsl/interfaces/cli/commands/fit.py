@@ -141,6 +141,7 @@ def command(
                 sigma=split(wanted.sigma),
                 own=names_in(wanted.own or ""),
                 columns=_columns(wanted.columns),
+                hold=inputs.held,
                 parameters=chosen.parameters,
                 start=chosen.start,
                 inputs=signals,
