@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from lagdsl.foundation.diagnostics import CallRefused, CompilationFailed, Diagnostic, UnknownName
     from lagdsl.interfaces.api.check import check
     from lagdsl.interfaces.api.compile import compile
+    from lagdsl.interfaces.api.fit import Fit
     from lagdsl.interfaces.api.import_robot import import_robot
     from lagdsl.interfaces.api.model import Model
     from lagdsl.interfaces.api.trajectory import Trajectory
@@ -29,6 +30,7 @@ _HOMES = {
     "CompilationFailed": "lagdsl.foundation.diagnostics",
     "Diagnostic": "lagdsl.foundation.diagnostics",
     "Event": "lagdsl.motion.signals.trajectory",
+    "Fit": "lagdsl.interfaces.api.fit",
     "Hold": "lagdsl.motion.signals.hold",
     "Model": "lagdsl.interfaces.api.model",
     "Present": "lagdsl.motion.simulate.present",
@@ -50,6 +52,7 @@ __all__ = [
     "CompilationFailed",
     "Diagnostic",
     "Event",
+    "Fit",
     "Hold",
     "Model",
     "Present",

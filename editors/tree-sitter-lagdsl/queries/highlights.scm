@@ -53,6 +53,7 @@
   "lagrangian"
   "loop"
   "mass"
+  "measure"
   "model"
   "not"
   "on"

@@ -15,10 +15,10 @@ from lagdsl.engines.backends.python.support.values import Entries, State, given_
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
+from lagdsl.interfaces.api.estimation import Estimation
 from lagdsl.interfaces.api.inputs.values import signals_of
 from lagdsl.interfaces.api.names import Given, Value, entries, known
 from lagdsl.interfaces.api.one_state import calls_at_one_state
-from lagdsl.interfaces.api.stepped import Stepped
 from lagdsl.interfaces.api.unknowns import with_starts
 from lagdsl.interfaces.api.watch import watched
 from lagdsl.language.settings.aliases import by_own_names
@@ -43,7 +43,7 @@ Floats = NDArray[np.float64]
 Inputs: TypeAlias = "Mapping[str, Signal | str] | Path | str | ArrayLike | None"
 
 
-class Model(Stepped):
+class Model(Estimation):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -194,6 +194,7 @@ class Model(Stepped):
         *,
         stop: float | None = None,
         interval: float | None = None,
+        times: ArrayLike | None = None,
         tolerance: float | None = None,
         parameters: Mapping[str, Value] | None = None,
         start: Mapping[str, Value] | None = None,
@@ -206,7 +207,8 @@ class Model(Stepped):
         sink: Sink | None = None,
     ) -> Trajectory:
         """The motion from the initial state, a row every `interval` and two at each event, which `.events` lists; the
-        model's experiment says what is left out.
+        model's experiment says what is left out. With `times`, which increase from the start time on, the rows are
+        there and the last one is the end.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
@@ -217,7 +219,8 @@ class Model(Stepped):
         """
         simulate, failed, trajectory_of = _simulator()
         controllers = control if isinstance(control, Sequence) else [control]
-        own = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        end = stop if times is None else float(np.max(times))
+        own = partial(self._page, stop=end, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         page = None if controllers else own
         try:
             motion = simulate(
@@ -225,6 +228,7 @@ class Model(Stepped):
                 self._compilation.flat,
                 stop=stop,
                 interval=interval,
+                times=None if times is None else np.array(times, dtype=np.float64),
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
                 inputs=signals_of(self._compilation.flat, inputs),

@@ -22,6 +22,8 @@ _COMMANDS = {
     "run": "Simulate a model.",
     "show": "Show a machine moving, with sliders and equations, on a page.",
     "sweep": "Simulate a model many times, over values of parameters and starts.",
+    "fit": "Find parameters and starts from measured motions.",
+    "sensitivity": "Show how the end of a motion changes with parameters and starts.",
     "linearize": "Show the matrices of the motion about a state.",
     "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",
     "bode": "Show a frequency response, with poles, zeros and margins.",
@@ -54,6 +56,8 @@ _MEANT = {
     **dict.fromkeys(("create", "init"), "lag new"),
     **dict.fromkeys(("man", "doc", "docs", "info"), "lag explain"),
     **dict.fromkeys(("scan", "study", "ensemble"), "lag sweep"),
+    **dict.fromkeys(("calibrate", "identify", "estimate", "sysid", "regress"), "lag fit"),
+    **dict.fromkeys(("gradient", "gradients", "derivatives", "sensitivities"), "lag sensitivity"),
     "help": "lag --help",
     "version": "lag --version",
 }

@@ -26,6 +26,7 @@ SNIPPETS = {
     "contact": "contact ${1:c}: ${2:gap} >= 0 with restitution = ${3:0.5};",
     "friction": "friction ${1:f}: ${2:der(s)} with limit = ${3:1 N};",
     "invariant": "invariant ${1:E}: ${2:energy()};",
+    "measure": "measure ${1:q} with sigma = ${2:0.1 deg};",
     "output": "output ${1:Force} ${2:N} = ${3:value};",
     "input": "input ${1:Torque} ${2:tau};",
     "state": "state ${1:Real} ${2:z}(start = ${3:0});",

@@ -15,18 +15,18 @@ from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
 from lagdsl.language.flat.expression import FlatExpression
-from lagdsl.language.flat.quantity import Item, Quantity, Variability
+from lagdsl.language.flat.quantity import Item, Measurement, Quantity, Variability
 
 
 @record(kw_only=True)
 class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1. `structural`
-    ones (and `constant` ones, which nobody can set) are listed for reports; they are folded into the expressions and
-    never in `p`. A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a
-    large change."""
+    and `constant` ones are listed for reports, folded into the expressions and never in `p`. A `free` one is found with
+    the start of the motion, an `estimated` one from data: its value is a guess, `nominal` a large change of it."""
 
     value: float
     free: bool = False
+    estimated: bool = False
     nominal: float | None = None
     minimum: float | None = None
     maximum: float | None = None
@@ -396,3 +396,4 @@ class FlatModel:
     events: Events = Events()
     observed: tuple[Definition, ...] = ()
     aliases: tuple[Alias, ...] = ()
+    measurements: tuple[Measurement, ...] = ()

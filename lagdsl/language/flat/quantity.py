@@ -1,4 +1,4 @@
-"""Fields of every named or declared item of the flat model."""
+"""Fields of every named or declared item of the flat model, and measurements of such items."""
 
 from __future__ import annotations
 
@@ -77,3 +77,17 @@ class QuantityFields(TypedDict):
 def fields_of(item: Quantity) -> QuantityFields:
     """The fields that a quantity shares with every other one, as arguments of a quantity of another kind."""
     return cast(QuantityFields, {each.name: getattr(item, each.name) for each in fields(Quantity)})
+
+
+@record(kw_only=True)
+class Measurement(Item):
+    """Data have a column `name` with values of the result column `of`, or, of an `event`, with the instants at which
+    something happens to the contact or friction of that name. `sigma` is their standard deviation, in SI units; None:
+    it is not known. `stated`: the text gives the column a name of its own."""
+
+    name: str
+    of: str
+    event: bool
+    dimension: Dimension
+    sigma: float | None
+    stated: bool

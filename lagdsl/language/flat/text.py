@@ -18,7 +18,7 @@ from lagdsl.language.flat.display import display
 from lagdsl.language.flat.event_text import event_sections
 from lagdsl.language.flat.expression_text import flat_expression_text as text_of
 from lagdsl.language.flat.expression_text import number_text
-from lagdsl.language.flat.quantity import Item, Quantity
+from lagdsl.language.flat.quantity import Item, Measurement, Quantity
 from lagdsl.language.flat.spans import place
 
 _WIDEST = 72  # columns after which a place is no longer aligned with the others
@@ -47,6 +47,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     for title, found in event_sections(flat.events):
         lines += _section(title, [_Line(text, source) for text, source in found])
     lines += _section("invariants", [_invariant(invariant) for invariant in flat.invariants])
+    lines += _section("measurements", [_measurement(each) for each in flat.measurements])
     lines += _section("initial equations", [_Line(f"0 = {text_of(e.residual)}", e) for e in flat.initial_equations])
     lines += _section("assertions", [_assertion(assertion) for assertion in flat.assertions])
     lines += _section("drawings", [_drawing(drawing) for drawing in flat.drawings])
@@ -195,7 +196,7 @@ def _parameter(parameter: fm.Parameter) -> _Line:
     if parameter.text is not None:
         value = f'"{parameter.text}"'
     bounds = "".join(f", {bound}" for bound in _bounds(parameter.minimum, parameter.maximum, parameter.nominal))
-    guess = ", found with the start" if parameter.free else ""
+    guess = ", found with the start" if parameter.free else ", found from data" if parameter.estimated else ""
     line = _quantity(parameter, f"{value}{guess}{bounds}")
     return _Line(f"structural {line.text}", parameter) if parameter.structural else line
 
@@ -238,6 +239,12 @@ def _invariant(invariant: fm.Invariant) -> _Line:
     tolerance = f" with tol = {number_text(invariant.tolerance)}" if invariant.tolerance is not None else ""
     text = f"{invariant.name} [{unit_text(invariant.dimension)}]: {text_of(invariant.value)}{tolerance}"
     return _Line(text, invariant)
+
+
+def _measurement(measurement: Measurement) -> _Line:
+    means = f": {measurement.of}" if measurement.stated else ""
+    sigma = f" with sigma = {number_text(measurement.sigma)}" if measurement.sigma is not None else ""
+    return _Line(f"{measurement.name} [{unit_text(measurement.dimension)}]{means}{sigma}", measurement)
 
 
 def _assertion(assertion: fm.Assertion) -> _Line:

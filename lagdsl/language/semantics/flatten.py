@@ -11,6 +11,7 @@ from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.events import Discrete
 from lagdsl.language.flat.limits import check_limits
 from lagdsl.language.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
+from lagdsl.language.flat.quantity import Measurement
 from lagdsl.language.semantics.assembly.assemble import assemble
 from lagdsl.language.semantics.assembly.assembly import Assembly
 from lagdsl.language.semantics.classes import annotations as notes
@@ -27,6 +28,7 @@ from lagdsl.language.semantics.events.event_order import check_events, with_swit
 from lagdsl.language.semantics.events.whens import check_targets
 from lagdsl.language.semantics.expressions.expressions import elaborate
 from lagdsl.language.semantics.expressions.inline import check_function
+from lagdsl.language.semantics.items import measurements
 from lagdsl.language.semantics.scope.contents import Contents
 from lagdsl.language.semantics.scope.context import Context, Conventions, Structural
 from lagdsl.language.semantics.scope.current import Current
@@ -154,10 +156,13 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
             elif symbol.kind == "discrete":
                 discretes[symbol.name] = quantities.discretes(ctx, symbol)
                 ctx.product.occurrences.discretes += discretes[symbol.name]
-    physics = Physics()
+    physics, measured = Physics(), list[Measurement]()
     for placed in contents.items:
         with ctx.current.inside(placed.scope):
-            elaborate_item(ctx, physics, placed)
+            if isinstance(placed.node, nodes.Measure):
+                measured += measurements.make(ctx, placed.scope, placed.node)
+            else:
+                elaborate_item(ctx, physics, placed)
     assembly.close()
     for placed in contents.initial:
         with ctx.current.inside(placed.scope):
@@ -167,7 +172,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     return FlatModel(
         name=node.name,
         doc=node.doc,
-        parameters=_in_order(ctx, contents),
+        parameters=_found_by(physics, measured, _in_order(ctx, contents)),
         coordinates=assembly.coordinates(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),
@@ -189,7 +194,17 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         events=ctx.product.occurrences.events(),
         observed=tuple(ctx.product.observed),
         aliases=assembly.aliases(coordinates),
+        measurements=tuple(measured),
     )
+
+
+def _found_by(
+    physics: Physics, measured: list[Measurement], parameters: tuple[Parameter, ...]
+) -> tuple[Parameter, ...]:
+    """Initial equations decide about free parameters; in a model that has none, its measurements do."""
+    if physics.initial or not measured:
+        return parameters
+    return tuple(replace(each, free=False, estimated=True) if each.free else each for each in parameters)
 
 
 def _outputs(ctx: Context, contents: Contents, discretes: Mapping[str, list[Discrete]]) -> list[Output]:

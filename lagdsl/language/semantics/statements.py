@@ -88,7 +88,7 @@ def _conditional_item(ctx: Context, physics: Physics, placed: Placed) -> None:
             drawing = drawings.drawing(ctx, scope, node)
             if drawing is not None:
                 physics.drawings.append(drawing)
-        case nodes.Gravity() | nodes.Constraint() | nodes.Contact() | nodes.Friction():
+        case nodes.Gravity() | nodes.Constraint() | nodes.Contact() | nodes.Friction() | nodes.Measure():
             raise AssertionError(f"{placed.node!r} has no condition")
         case (
             nodes.Import()

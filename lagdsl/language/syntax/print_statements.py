@@ -26,6 +26,7 @@ Leaf: TypeAlias = (
     | nodes.Contact
     | nodes.Friction
     | nodes.Invariant
+    | nodes.Measure
     | nodes.Draw
     | nodes.Connect
     | nodes.Extends
@@ -179,6 +180,7 @@ class _StatementWriter(ExpressionWriter):
         | nodes.Contact
         | nodes.Friction
         | nodes.Invariant
+        | nodes.Measure
         | nodes.Draw,
     ) -> None:
         match node:
@@ -204,14 +206,15 @@ class _StatementWriter(ExpressionWriter):
             case nodes.Constraint():
                 self._labeled("constraint", node.label, node.left)
                 self.binding(node.right)
-            case nodes.Contact() | nodes.Friction() | nodes.Invariant():
-                self._labeled(_KEYWORDS[type(node)], node.label, node.value)
+            case nodes.Contact() | nodes.Friction() | nodes.Invariant() | nodes.Measure():
+                label = node.column if isinstance(node, nodes.Measure) else node.label
+                self._labeled(_KEYWORDS[type(node)], label, node.value)
                 self._options(node.options)
             case nodes.Draw():
                 self._draw(node)
             case _:
                 assert_never(node)
-        if not isinstance(node, nodes.Gravity):
+        if not isinstance(node, nodes.Gravity | nodes.Measure):
             self.condition(node.condition)
         if not isinstance(node, nodes.Draw):
             self.doc(node.doc)
@@ -274,7 +277,12 @@ class _StatementWriter(ExpressionWriter):
             self.text(quoted(text))
 
 
-_KEYWORDS: dict[type, str] = {nodes.Contact: "contact", nodes.Friction: "friction", nodes.Invariant: "invariant"}
+_KEYWORDS: dict[type, str] = {
+    nodes.Contact: "contact",
+    nodes.Friction: "friction",
+    nodes.Invariant: "invariant",
+    nodes.Measure: "measure",
+}
 
 
 def dotted(name: nodes.Name) -> str:

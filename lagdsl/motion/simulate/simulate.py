@@ -45,6 +45,7 @@ def simulate(
     *,
     stop: float | None = None,
     interval: float | None = None,
+    times: Floats | None = None,
     tolerance: float | None = None,
     p: Floats | None = None,
     inputs: Mapping[str, Signal] | None = None,
@@ -59,7 +60,7 @@ def simulate(
     sink: Sink | None = None,
 ) -> Trajectory:
     """Integrate from the model's start time to `stop` and return rows every `interval`; what is left out comes from
-    the experiment.
+    the experiment. With `times`, which increase from the start time on, the rows are there and the last one is the end.
 
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
     further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. The controllers of
@@ -70,6 +71,8 @@ def simulate(
     """
     experiment = flat.experiment
     t0 = experiment.start_time
+    if times is not None:
+        stop = _last_of(times, t0, stop, interval)
     end = experiment.stop_time if stop is None else float(stop)
     relative = experiment.tolerance if tolerance is None else float(tolerance)
     wanted = experiment.interval if interval is None else float(interval)
@@ -103,7 +106,20 @@ def simulate(
             controls=controls,
             tangents=tuple(tangents),
         )
+        if times is not None:
+            return _Finer(asked, (t0, end)).made(times, progress, own)
         return _shown(asked, (t0, end), wanted, progress, own)
+
+
+def _last_of(times: Floats, t0: float, stop: float | None, interval: float | None) -> float:
+    """The end of a motion with rows at `times` (rows,). Raises ValueError for times that are no rows of it."""
+    if stop is not None or interval is not None:
+        raise ValueError("give either the times of the rows, or the stop time and the interval")
+    if times.ndim != 1 or not 2 <= len(times) < LARGEST_ROWS or not np.all(np.diff(times) > 0.0):
+        raise ValueError(f"the times of the rows must be at least two and at most {LARGEST_ROWS} numbers that increase")
+    if times[0] != t0:
+        raise ValueError(f"the first row is that of the start time, {t0:g} s, not of {times[0]:g} s")
+    return float(times[-1])
 
 
 def _check_parameters(

@@ -18,6 +18,7 @@ from lagdsl.foundation.diagnostics.catalog import (
     engines,
     events,
     export,
+    fits,
     names,
     physics,
     robots,
@@ -31,7 +32,7 @@ from lagdsl.interfaces.cli.main import lag
 FAMILIES = {
     "01": (syntax,), "02": (names,), "03": (values, events), "04": (dimensions,), "05": (physics,),
     "06": (constraints,), "07": (assembly,), "08": (starts_and_runs, analysis), "09": (export, engines),
-    "10": (robots,),
+    "10": (robots,), "11": (fits,),
 }  # fmt: skip
 FILE = SourceFile("a.lag", "one two three")
 HERE, THERE = Span(FILE, 0, 3), Span(FILE, 4, 7)

@@ -32,7 +32,7 @@ class TestGroup:
         context = click.Context(lag)
         found = {name: lag.get_command(context, name) for name in lag.list_commands(context)}
         taken = {name: len(inspect.signature(made.callback).parameters) for name, made in found.items() if made}
-        assert len(taken) == 18
+        assert len(taken) == 20
         assert {name: count for name, count in taken.items() if count > 10} == {}
 
     def test_an_unknown_command_is_answered_with_the_nearest(self, invoke: Invoke) -> None:

@@ -11,6 +11,7 @@ from lagdsl.foundation.diagnostics.catalog import (
     engines,
     events,
     export,
+    fits,
     names,
     physics,
     robots,
@@ -36,6 +37,7 @@ ROWS: dict[str, Row] = {
     **engines.ROWS,
     **settings.ROWS,
     **robots.ROWS,
+    **fits.ROWS,
 }
 
 __all__ = ["ROWS", "Row"]

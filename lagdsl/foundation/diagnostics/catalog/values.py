@@ -237,4 +237,15 @@ ROWS: dict[str, Row] = {
         label="not in increasing order",
         help="sort the points; each may occur once",
     ),
+    "E0363": error(
+        "`{text}` cannot be measured: {why}",
+        label="not among the columns",
+        help="coordinates, rates, states, outputs and contacts are measured: write `output Length x = ...;` and "
+        "measure `x`",
+    ),
+    "E0364": error(
+        "two measurements have the name `{name}`",
+        label="a column of data has one meaning",
+        help="delete one, or give it a name of its own: `measure name: x;`",
+    ),
 }

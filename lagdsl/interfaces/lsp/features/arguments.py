@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from lagdsl.interfaces.lsp.features.cursor import Cursor
 from lagdsl.language.semantics.classes.annotations import ANNOTATIONS, SETTINGS
-from lagdsl.language.semantics.items import contacts, frictions
+from lagdsl.language.semantics.items import contacts, frictions, measurements
 from lagdsl.language.semantics.items.bodies import PROPERTIES
 from lagdsl.language.semantics.items.shapes import SHAPES
 
@@ -24,9 +24,10 @@ def arguments_at(cursor: Cursor) -> tuple[str, ...]:
             return PROPERTIES
         case "draw", 1 if statement[1] in SHAPES:
             return tuple(dict.fromkeys(name for names in SHAPES[statement[1]].arguments.values() for name in names))
-        case "contact" | "friction", 0 if "with" in statement:
+        case "contact" | "friction" | "measure", 0 if "with" in statement:
             last = max(k for k, text in enumerate(statement) if text in (",", "with"))
-            known = contacts.OPTIONS if statement[0] == "contact" else frictions.OPTIONS
+            options = {"contact": contacts.OPTIONS, "friction": frictions.OPTIONS, "measure": measurements.OPTIONS}
+            known = options[statement[0]]
             return known if "=" not in statement[last:] else ()
         case _:
             return ()

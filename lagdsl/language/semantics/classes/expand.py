@@ -98,7 +98,7 @@ class Expander:
                 | nodes.Invariant()
             ):
                 self._labelled(item, scope)
-            case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.When():
+            case nodes.Gravity() | nodes.PointMass() | nodes.Measure() | nodes.Draw() | nodes.When():
                 self.contents.items.append(Placed(item, scope, self.instance))
             case nodes.Extends():
                 self.ctx.sink.report("E0232", _head(item))

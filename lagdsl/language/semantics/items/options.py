@@ -1,4 +1,4 @@
-"""Options behind `with` of contacts and frictions: their names, and values that are not negative."""
+"""Options behind `with` of contacts, frictions and measurements: their names, and values that are not negative."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from lagdsl.language.syntax import nodes
 
 
 def options_of(
-    ctx: Context, node: nodes.Contact | nodes.Friction, statement: str, known: tuple[str, ...]
+    ctx: Context, node: nodes.Contact | nodes.Friction | nodes.Measure, statement: str, known: tuple[str, ...]
 ) -> dict[str, nodes.Named] | None:
     """The options by name; None after E0202 for one that is not among `known`, E0212 for one that stands twice."""
     found: dict[str, nodes.Named] = {}

@@ -15,6 +15,7 @@ from lagdsl.language.semantics.wellformed.free_parameters import check_free_para
 from lagdsl.language.semantics.wellformed.gravity import check_gravity
 from lagdsl.language.semantics.wellformed.immobile import check_freedom
 from lagdsl.language.semantics.wellformed.inertia import check_inertias
+from lagdsl.language.semantics.wellformed.measurements import check_measurements
 from lagdsl.language.semantics.wellformed.reactions import check_reactions
 
 
@@ -38,3 +39,4 @@ def check(flat: fm.FlatModel, sink: Sink, *, sampled: bool = True) -> None:
     check_frames(flat, sink)
     check_bounds(flat, sink)
     check_free_parameters(flat, sink)
+    check_measurements(flat, sink)

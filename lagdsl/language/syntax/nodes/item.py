@@ -1,4 +1,4 @@
-"""The syntax tree: items of files and classes, with their modifiers and sections."""
+"""The syntax tree: items of files and classes, with their sections."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
+from lagdsl.language.syntax.nodes.declarator import AnyModifier, Declarator, Name
 from lagdsl.language.syntax.nodes.expression import (
     Expression,
     Iterator,
@@ -46,59 +47,6 @@ class Block(Node):
     """Items under an index or a condition."""
 
     __slots__ = ()
-
-
-# ---- names, modifiers, declarators -----------------------------------------------------------------------------------
-
-
-@record(kw_only=True)
-class Name(Node):
-    """Dotted name: `Lag.Planar.Revolute`."""
-
-    parts: tuple[str, ...]
-
-
-@record(kw_only=True)
-class Modifier(Node):
-    """`each final name[dims](nested) = value`; also `der(start = 2)` as name `der` with nested modifiers."""
-
-    prefixes: tuple[str, ...]
-    name: Name
-    subscripts: tuple[Subscript, ...]
-    modifiers: tuple[AnyModifier, ...]
-    value: Expression | None
-
-
-@record(kw_only=True)
-class RedeclareComponent(Node):
-    type_name: Name
-    name: str
-    subscripts: tuple[Subscript, ...]
-    modifiers: tuple[AnyModifier, ...]
-
-
-@record(kw_only=True)
-class RedeclareClass(Node):
-    kind: str
-    name: str
-    type_name: Name
-    modifiers: tuple[AnyModifier, ...]
-
-
-AnyModifier: TypeAlias = "Modifier | RedeclareComponent | RedeclareClass"
-
-
-@record(kw_only=True)
-class Declarator(Node):
-    """`name[dims](modifiers) = value if condition "doc"`; `name_span` covers the identifier."""
-
-    name: str
-    name_span: Span = field(compare=False, repr=False)
-    subscripts: tuple[Subscript, ...] = ()
-    modifiers: tuple[AnyModifier, ...] = ()
-    value: Expression | None = None
-    condition: Expression | None = None
-    doc: str | None = None
 
 
 # ---- declarations and physics items ----------------------------------------------------------------------------------
@@ -221,6 +169,16 @@ class Invariant(Physics):
     value: Expression
     options: tuple[Named, ...]
     condition: Expression | None
+    doc: str | None
+
+
+@record(kw_only=True)
+class Measure(Physics):
+    """`measure encoder: theta with sigma = 0.2 deg;`: `column` is the name in data, None: that of the value."""
+
+    column: str | None
+    value: Expression
+    options: tuple[Named, ...]
     doc: str | None
 
 
@@ -386,7 +344,7 @@ class Import(Node):
 
 Item: TypeAlias = (
     "Import | Class | ShortClass | TypeDefinition | Function | Component | Coordinate | Geometry | Energy "
-    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Friction | Invariant | Draw "
+    "| Gravity | PointMass | RigidBody | Load | Constraint | Contact | Friction | Invariant | Measure | Draw "
     "| Connect | Extends | Annotation | Equation | CallEquation | For | If | When"
 )
 

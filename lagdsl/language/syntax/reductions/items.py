@@ -50,6 +50,7 @@ ITEMS: dict[str, Action] = {
     "contact": maker(nodes.Contact, "label", "value", "options", "condition", "doc"),
     "friction": maker(nodes.Friction, "label", "value", "options", "condition", "doc"),
     "invariant": maker(nodes.Invariant, "label", "value", "options", "condition", "doc"),
+    "measure": maker(nodes.Measure, "column", "value", "options", "doc"),
     "draw": _draw,
     "place_at": lambda c, span: _Anchors("at", tuple(c)),
     "place_on": lambda c, span: _Anchors("on", tuple(c)),
