@@ -18,6 +18,7 @@ from lagdsl.language.settings.target import Kind, Target, targets
 
 if TYPE_CHECKING:
     from lagdsl.derivation.program.program import Slot
+    from lagdsl.derivation.textbook.equations import EquationsOfMotion
     from lagdsl.motion.pipeline import Compilation
 
 Floats = NDArray[np.float64]
@@ -47,6 +48,16 @@ class Described(Interface):
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Warnings and notes of the compilation."""
         return self._compilation.diagnostics
+
+    @cached_property
+    def equations(self) -> EquationsOfMotion:
+        """The equations of motion in symbols (SymPy), by the textbook's route, in the form that `derive` prints.
+
+        `parameters` holds the values of the symbols. Zeros of library components are numbers there.
+        """
+        from lagdsl.derivation.textbook.simplified import simplified
+
+        return simplified(self._compilation.flat)
 
     @property
     def coordinates(self) -> list[str]:

@@ -26,7 +26,6 @@ from lagdsl.language.settings.aliases import by_own_names
 if TYPE_CHECKING:
     import xarray
 
-    from lagdsl.derivation.textbook.equations import EquationsOfMotion
     from lagdsl.engines.runtime.engines.broadcast import BatchEngine
     from lagdsl.foundation.source import SourceFile
     from lagdsl.interfaces.api.inputs.runs import GivenOfRuns
@@ -90,16 +89,6 @@ class Model(Estimation):
         compilation = compile_flat(flat, Sink(), route)
         assert compilation is not None, "this model compiled before"
         self.__init__(compilation, engine_of(compilation.program, engine), source)  # type: ignore[misc]
-
-    @cached_property
-    def equations(self) -> EquationsOfMotion:
-        """The equations of motion in symbols (SymPy), by the textbook's route, in the form that `derive` prints.
-
-        `parameters` holds the values of the symbols. Zeros of library components are numbers there.
-        """
-        from lagdsl.derivation.textbook.simplified import simplified
-
-        return simplified(self._compilation.flat)
 
     # ---- many states -------------------------------------------------------------------------------------------------
 
