@@ -14,6 +14,7 @@ from lagdsl.exchange.verify.equations import derivations, engines, power, soluti
 from lagdsl.exchange.verify.motion import motion
 from lagdsl.exchange.verify.order import order
 from lagdsl.exchange.verify.states import STATES, random_states
+from lagdsl.exchange.verify.tangents import motion_tangents
 from lagdsl.foundation.resources import runtime_library_folder
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
@@ -43,6 +44,7 @@ def certify(compilation: Compilation, source: SourceFile | None = None, *, fmu: 
         says = f"{STATES} random states about the start"
         lines.append(Line(name="random states", says=says, note="no regular state was found near the start"))
     lines += motion(compilation, tape)
+    lines.append(motion_tangents(compilation, tape))
     lines.append(order(flat, tape))
     if fmu:
         from lagdsl.exchange.verify.fmu import round_trips
