@@ -23,6 +23,8 @@ _LIMIT = 1e-4
 _PARAMETERS, _STARTS = 3, 2
 _ROWS = 21
 _FINER, _FINEST = 1e-2, 1e-12
+# A column below this part of the largest one rests.
+_RESTS = 1e-6
 # Steps of the differences, as parts of each value.
 _STEP = 2e-4
 
@@ -101,23 +103,26 @@ def _motion(
 
 
 def _compared(found: Trajectory, sides: list[Trajectory], direction: _Direction) -> Line:
-    """At rows of the grid that are no events, for coordinates and rates."""
-    events = [event.time for each in (found, *sides) for event in each.events]
+    """At rows of the grid that are no events but ticks, for coordinates and rates: as a part of the largest of all."""
+    events = [event.time for each in (found, *sides) for event in each.events if event.kind != "tick"]
+    columns = [column for column in found.columns if column.kind in ("coordinate", "rate")]
+    usual = max((float(np.max(np.abs(column.values), initial=0.0)) for column in columns), default=0.0)
     grid = np.linspace(found.time[0], found.time[-1], _ROWS)
     span = float(grid[-1] - grid[0])
     near = np.array([min((abs(t - event) for event in events), default=span) for t in grid])
     grid = grid[near > _STEP * span]
     largest, where = 0.0, ""
-    for column in found.columns:
-        if column.kind not in ("coordinate", "rate") or not len(grid):
-            continue
+    if not len(grid):
+        return Line(name=_NAME, says=_SAYS, note="events are as close together as rows")
+    for column in columns:
         far_before, before, behind, far_behind = (_at(each, each[column.name], grid, span) for each in sides)
         difference = (8.0 * (behind - before) - (far_behind - far_before)) / (12.0 * _STEP)
         tangent = sum(
             size * _at(found, found.derivative(column.name, name), grid, span)
             for name, size in zip(direction.names, direction.sizes.tolist(), strict=True)
         )
-        scale = max(float(np.max(np.abs(difference))), float(np.max(np.abs(column.values), initial=0.0)), 1e-300)
+        own = float(np.max(np.abs(difference))), float(np.max(np.abs(column.values), initial=0.0))
+        scale = max(*own, _RESTS * usual, np.finfo(float).tiny)
         part = float(np.max(np.abs(tangent - difference))) / scale
         largest, where = max((largest, where), (part, column.name))
     return Line(name=_NAME, says=_SAYS, figure=largest, limit=_LIMIT, note=f"largest for `{where}`" if where else "")
