@@ -22,11 +22,14 @@ _LIMIT = 1e-4
 # At most so many parameters and starts.
 _PARAMETERS, _STARTS = 3, 2
 _ROWS = 21
-_FINER, _FINEST = 1e-2, 1e-12
+# Of all these runs: differences of theirs keep six digits.
+_TOLERANCE = 1e-11
+# Rows are farther than this part of the motion from events.
+_NEAR = 1e-3
 # A column below this part of the largest one rests.
 _RESTS = 1e-6
 # Steps of the differences, as parts of each value.
-_STEP = 2e-4
+_STEP = 1e-5
 
 
 @record()
@@ -94,7 +97,7 @@ def _motion(
         engine,
         flat,
         interval=(experiment.stop_time - experiment.start_time) / (_ROWS - 1),
-        tolerance=max(_FINER * experiment.tolerance, _FINEST),
+        tolerance=_TOLERANCE,
         p=p,
         start=start,
         tangents=tangents,
@@ -103,14 +106,14 @@ def _motion(
 
 
 def _compared(found: Trajectory, sides: list[Trajectory], direction: _Direction) -> Line:
-    """At rows of the grid that are no events but ticks, for coordinates and rates: as a part of the largest of all."""
+    """At rows of the grid that are no events but ticks, for coordinates, rates and states: as a part of the largest of all."""
     events = [event.time for each in (found, *sides) for event in each.events if event.kind != "tick"]
-    columns = [column for column in found.columns if column.kind in ("coordinate", "rate")]
+    columns = [column for column in found.columns if column.kind in ("coordinate", "rate", "state")]
     usual = max((float(np.max(np.abs(column.values), initial=0.0)) for column in columns), default=0.0)
     grid = np.linspace(found.time[0], found.time[-1], _ROWS)
     span = float(grid[-1] - grid[0])
     near = np.array([min((abs(t - event) for event in events), default=span) for t in grid])
-    grid = grid[near > _STEP * span]
+    grid = grid[near > _NEAR * span]
     largest, where = 0.0, ""
     if not len(grid):
         return Line(name=_NAME, says=_SAYS, note="events are as close together as rows")
@@ -124,6 +127,8 @@ def _compared(found: Trajectory, sides: list[Trajectory], direction: _Direction)
         own = float(np.max(np.abs(difference))), float(np.max(np.abs(column.values), initial=0.0))
         scale = max(*own, _RESTS * usual, np.finfo(float).tiny)
         part = float(np.max(np.abs(tangent - difference))) / scale
+        if not float(np.max(np.abs(difference - 0.5 * (behind - before) / _STEP))) <= _LIMIT * scale:
+            return Line(name=_NAME, says=_SAYS, note=f"differences of `{column.name}` do not converge")
         largest, where = max((largest, where), (part, column.name))
     return Line(name=_NAME, says=_SAYS, figure=largest, limit=_LIMIT, note=f"largest for `{where}`" if where else "")
 
