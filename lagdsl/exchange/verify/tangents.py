@@ -18,7 +18,7 @@ from lagdsl.motion.simulate.simulate import simulate
 
 _NAME = "tangents of the motion"
 _SAYS = "derivatives of the motion by parameters and starts equal differences of whole runs; as a part of the largest"
-_LIMIT = 1e-4
+_LIMIT = 1e-5
 # At most so many parameters and starts.
 _PARAMETERS, _STARTS = 3, 2
 _ROWS = 21
@@ -106,7 +106,7 @@ def _motion(
 
 
 def _compared(found: Trajectory, sides: list[Trajectory], direction: _Direction) -> Line:
-    """At rows of the grid that are no events but ticks, for coordinates, rates and states: as a part of the largest of all."""
+    """At rows of the grid that are no events but ticks, for coordinates, rates and states."""
     events = [event.time for each in (found, *sides) for event in each.events if event.kind != "tick"]
     columns = [column for column in found.columns if column.kind in ("coordinate", "rate", "state")]
     usual = max((float(np.max(np.abs(column.values), initial=0.0)) for column in columns), default=0.0)
