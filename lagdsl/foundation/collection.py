@@ -35,7 +35,7 @@ class _Pause:
 
 
 def _make_old() -> None:
-    """What there is stays, and is looked at seldom: the next search would begin with all that was made."""
+    """Objects that were made stay, and are looked at seldom: the next search would begin with all of them."""
     if gc.get_freeze_count() == 0:  # nobody has put objects aside, which would come back
         gc.freeze()
         gc.unfreeze()
@@ -46,7 +46,7 @@ _PAUSE = _Pause()
 
 @contextmanager
 def without_collection() -> Iterator[None]:
-    """No search for cycles while the block runs. What nobody holds is freed at once all the same."""
+    """No search for cycles while the block runs. Objects that nobody holds are freed at once all the same."""
     _PAUSE.begin()
     try:
         yield

@@ -71,7 +71,7 @@ class _Search:
         return self._x.copy(), self._told
 
     def again(self, found: Found) -> int:
-        """What was found before is found now; returns where it is flagged which rows depend on others."""
+        """Lets a start found before be that of now; returns the place of the flags of rows that depend on others."""
         self._row_sizes[:], self._dependent[:] = found.row_sizes, found.dependent
         return place_of(self._dependent)
 

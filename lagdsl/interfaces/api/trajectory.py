@@ -13,7 +13,7 @@ from lagdsl.motion.signals import trajectory
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# How a field is read and written, past the check that nobody writes.
+# Reads and writes a field, past the check that nobody writes.
 _FIELDS = tuple(
     (getattr(trajectory.Trajectory, field.name).__get__, getattr(trajectory.Trajectory, field.name).__set__)
     for field in fields(trajectory.Trajectory)

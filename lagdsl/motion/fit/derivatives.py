@@ -18,10 +18,10 @@ _NONE = {"E0881", "E0882", "E0884"}
 
 
 class TangentsOfRuns:
-    """Exact along the motion, so `error` is that of the integration. A motion that has no tangents is left to
-    differences, which tell where the order of events changes."""
+    """Exact along the motion: `error` is that of the integration at usual tolerances. A motion that has no tangents is
+    left to differences, which tell where the order of events changes."""
 
-    error = 1e-7
+    error = 1e-5
 
     def __init__(self) -> None:
         self._otherwise = DifferencesOfRuns()

@@ -94,7 +94,7 @@ def settings_of(
 
 @remembered
 def _tolerances(flat: FlatModel) -> tuple[Floats, Floats]:
-    """Those of the invariants, as parts of the tolerance of the integration, and in numbers of their own."""
+    """Tolerances of the invariants, as parts of the tolerance of the integration, and in numbers of their own."""
     own = [i.tolerance for i in flat.invariants]
     factors = [_INVARIANT_FACTOR if tolerance is None else 0.0 for tolerance in own]
     return np.array(factors), np.array([tolerance or 0.0 for tolerance in own])

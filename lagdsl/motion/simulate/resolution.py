@@ -29,7 +29,7 @@ class Resolution:
 
     @property
     def turns(self) -> int:
-        """Those of the number that turns around most often."""
+        """Rows of the number that turns around most often."""
         return int(max(self.reversals, default=0.0))
 
     @property
