@@ -27,7 +27,7 @@ _TOLERANCE = 1e-11
 # Rows are farther than this part of the motion from events.
 _NEAR = 1e-3
 # A column below this part of the largest one rests.
-_RESTS = 1e-6
+_RESTS = 1e-3
 # Steps of the differences, as parts of each value.
 _STEP = 1e-5
 

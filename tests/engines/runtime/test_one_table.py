@@ -44,6 +44,7 @@ def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
 def layouts() -> dict[str, list[tuple[int, int]]]:
     """For every structure its size, then the offsets and sizes of its members, as C has them."""
     headers = ["model.h", "batch.h", "call.h", "run.h", "initial.h", "ensemble.h", "signals.h", "hold.h"]
+    headers.append("sensitivities/sensitivities.h")
     lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
     for name, mirror in MIRRORED.items():
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]

@@ -146,7 +146,7 @@ static void multiply(const lag_rank_estimate *estimate, const double *a, const d
     }
 }
 
-/* Those of rows a. */
+/* Products of rows a. */
 static void square(const lag_rank_estimate *estimate, const double *a)
 {
     const size_t m = estimate->m;

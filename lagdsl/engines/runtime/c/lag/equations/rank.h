@@ -55,7 +55,7 @@ size_t lag_rank_estimate_memory(const lag_model *model);
 
 void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
 
-/* What estimates compute on the way becomes zero: it is no part of the state, and depends on who asked last. */
+/* Numbers that estimates compute on the way become zero: they are no part of the state, and depend on who asked last. */
 void lag_rank_estimate_clear(lag_rank_estimate *estimate);
 
 /* Pivots of J, rows of size one: below this rank is nearly lost. */

@@ -1,4 +1,4 @@
-/* Where the rows of an estimate stand: their order, and the band of their products. */
+/* Places of the rows of an estimate: their order, and the band of their products. */
 #include "lag/equations/rank.h"
 
 #include <string.h>
