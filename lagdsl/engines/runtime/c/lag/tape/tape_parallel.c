@@ -1,4 +1,5 @@
 /* The functions of models from tapes, of several states or of several directions at once. */
+#include "lag/lanes.h"
 #include "lag/tape/tape_model.h"
 
 #if LAG_TAPE_LANES
@@ -64,8 +65,10 @@ static lag_status primal(const lag_arguments *at, size_t part, double *const *re
     double *to = row_along(at);
     lag_tape_run(&code, at, at->workspace, results);
     for (size_t i = 0; i < tape->shared[part]; ++i) {
-        for (size_t lane = 0; lane < LAG_TAPE_LANES; ++lane) {
-            to[i * LAG_TAPE_LANES + lane] = at->workspace[i];
+        const lag_lanes value = lag_lanes_of(at->workspace[i]);
+        lag_lanes_memory *row = (lag_lanes_memory *)(void *)(to + i * LAG_TAPE_LANES);
+        for (size_t k = 0; k < LAG_TAPE_LANES / LAG_LANES; ++k) {
+            row[k] = value;
         }
     }
     return LAG_OK;
