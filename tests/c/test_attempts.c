@@ -7,7 +7,7 @@
 
 enum { LANES = 4, GROUPS = 2, ALL = LANES * GROUPS, SIZE = 3, MOST = 4096 };
 
-static const lag_ode SMOOTH = {SIZE, NULL, smooth_rates, smooth_jacobian};
+static const lag_ode SMOOTH = {SIZE, 0, NULL, smooth_rates, smooth_jacobian};
 
 /* Each lane by the rates of one; in the lane of this time, if any, there are none. */
 static void rates(void *context, const double *t, const double *x, double *xd, double *fault)
