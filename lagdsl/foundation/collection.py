@@ -1,6 +1,8 @@
 """Python's search for cycles of objects, while trees and graphs are made that have none.
 
 Each search looks at what was made since the last one, and sometimes at all there is: a sixth of the time of compiling.
+Behind a block the next search looks once at what the block made. (Objects that `gc.freeze` and `gc.unfreeze` make old
+are not counted: the interpreter would search everything again and again.)
 """
 
 from __future__ import annotations
@@ -30,15 +32,7 @@ class _Pause:
         with self._lock:
             self._blocks -= 1
             if self._blocks == 0 and self._was_enabled:
-                _make_old()
                 gc.enable()
-
-
-def _make_old() -> None:
-    """Objects that were made stay, and are looked at seldom: the next search would begin with all of them."""
-    if gc.get_freeze_count() == 0:  # nobody has put objects aside, which would come back
-        gc.freeze()
-        gc.unfreeze()
 
 
 _PAUSE = _Pause()
