@@ -148,7 +148,7 @@ def section(found: dict[str, Any]) -> list[str]:
         lines += ["", f"Largest difference to a peer, relatively: {max(errors.values()):.0e}."]
     lines += [
         "",
-        "`model.batch` of the arm, wall nanoseconds of a state, and `simulate` over 1 ms, CPU milliseconds:",
+        "`model.batch` of the arm, wall nanoseconds of a state, and `simulate` over 1 ms from a known start, CPU ms:",
         "",
     ]
     lines += ["| states | one thread | threads by default |", "|---|---|---|"]
