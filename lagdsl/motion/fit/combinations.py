@@ -42,7 +42,7 @@ def visible_sums(
             return None
         found = _null(equations)
         if len(found) >= count:
-            sparse = [_refined(equations, row) for row in _sparse(found)]
+            sparse = [_refined(equations, row) for row in reduced(found, _NO_FACTOR)]
             chosen = _independent(products, x / sizes, sparse, count)
             if chosen is not None:
                 return [_text(names, products, row, sizes) for row in chosen]
@@ -98,21 +98,22 @@ def _null(equations: Floats) -> Floats:
     return np.asarray(across[sizes <= _NOTHING * sizes[0]])
 
 
-def _sparse(rows: Floats) -> Floats:
-    """The same functions, each with a product that no other one has."""
+def reduced(rows: Floats, zero: float) -> Floats:
+    """Orthonormal rows combined so that each has an entry 1 where the others have 0: reduced row echelon form, where
+    entries up to `zero` are none."""
     found, k = rows.copy(), 0
     for column in range(found.shape[1]):
         if k == len(found):
             break
         pivot = k + int(np.argmax(np.abs(found[k:, column])))
-        if abs(found[pivot, column]) <= _NO_FACTOR:
+        if abs(found[pivot, column]) <= zero:
             continue
         found[[k, pivot]] = found[[pivot, k]]
         found[k] /= found[k, column]
         others = np.arange(len(found)) != k
         found[others] -= found[others, column, None] * found[k]
         k += 1
-    found[np.abs(found) < _NO_FACTOR] = 0.0
+    found[np.abs(found) < zero] = 0.0
     return found
 
 

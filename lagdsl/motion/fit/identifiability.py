@@ -15,7 +15,7 @@ import numpy as np
 
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.motion.fit.combinations import visible_sums
+from lagdsl.motion.fit.combinations import reduced, visible_sums
 
 # Entries of directions below this part are errors of the derivatives.
 _NOTHING = 1e-3
@@ -66,7 +66,7 @@ def hidden_of(
     part of its range, infinite where there is no motion."""
     if not unseen.shape[1]:
         return ()
-    directions = _reduced(unseen.T).T
+    directions = reduced(unseen.T, _NOTHING).T
     found = []
     for group, columns in _groups(directions):
         null = directions[np.ix_(group, columns)]
@@ -102,7 +102,7 @@ def _hidden(
         sums = visible_sums(names, own, sizes[group], _restricted(x, group, unseen_at), len(group) - null.shape[1])
         if sums is not None:
             return Hidden(names=tuple(names), visible=tuple(sums), exact=True)
-    rows = _reduced(_across(null)) / sizes[group]
+    rows = reduced(_across(null), _NOTHING) / sizes[group]
     visible = tuple(_sum(names, row / row[np.flatnonzero(row)[0]]) for row in rows)
     return Hidden(names=tuple(names), visible=visible, exact=exact)
 
@@ -127,25 +127,6 @@ def _across(columns: Floats) -> Floats:
     return np.asarray(left[:, columns.shape[1] :].T)
 
 
-def _reduced(rows: Floats) -> Floats:
-    """Orthonormal rows combined so that each begins with an entry 1 where the others have 0: reduced row echelon
-    form."""
-    found, k = rows.copy(), 0
-    for column in range(found.shape[1]):
-        if k == len(found):
-            break
-        pivot = k + int(np.argmax(np.abs(found[k:, column])))
-        if abs(found[pivot, column]) <= _NOTHING:
-            continue
-        found[[k, pivot]] = found[[pivot, k]]
-        found[k] /= found[k, column]
-        others = np.arange(len(found)) != k
-        found[others] -= found[others, column, None] * found[k]
-        k += 1
-    found[np.abs(found) < _NOTHING] = 0.0
-    return found
-
-
 def _groups(directions: Floats) -> list[tuple[list[int], list[int]]]:
     """Unknowns and columns of directions (k, d) that hang together, but for unknowns in none."""
     left = set(range(directions.shape[1]))
@@ -167,7 +148,7 @@ def _exponents(logs: Floats) -> list[list[int]] | None:
     """Whole exponents of the products that the directions (k, d) in logarithms leave as they are; None where they are
     no simple fractions."""
     found = []
-    for row in _reduced(_across(logs)).tolist():
+    for row in reduced(_across(logs), _NOTHING).tolist():
         fractions = [Fraction(each).limit_denominator(_DENOMINATOR) for each in row]
         if any(abs(float(f) - each) > _NOTHING * max(abs(each), 1.0) for f, each in zip(fractions, row, strict=True)):
             return None

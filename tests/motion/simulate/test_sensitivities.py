@@ -353,6 +353,51 @@ end Three;
     assert [d.code for d in sink.diagnostics] == ["W0883"]
 
 
+def test_the_row_behind_the_last_instant_has_its_derivatives() -> None:
+    """x = t doubles at x = L, where the motion ends: behind it x = 2 L + (t - L)."""
+    model = lagdsl.compile(
+        """
+model Ends
+  parameter Real L = 0.7;
+  state Real x(start = 0);
+equation
+  der(x) = 1/(1 s);
+  when x > L then
+    reinit(x, 2*x);
+    terminate("there");
+  end when;
+end Ends;
+"""
+    )
+    motion = model.simulate(stop=2.0, tangents=["L"])
+    assert motion["x"][-2:] == pytest.approx([0.7, 1.4])
+    assert motion.derivative("x", "L")[-2:] == pytest.approx([0.0, 1.0], abs=1e-12)
+
+
+def test_clocks_that_tick_together_by_other_parameters_are_told() -> None:
+    model = lagdsl.compile(
+        """
+model Clocks
+  parameter Time a = 0.5 s, b = 0.5 s;
+  state Real x(start = 0);
+  discrete Real first(start = 0), second(start = 0);
+equation
+  der(x) = 1/(1 s);
+  when sample(a, a) then
+    first = x;
+  end when;
+  when sample(b, b) then
+    second = x;
+  end when;
+end Clocks;
+"""
+    )
+    sink = Sink()
+    model.simulate(stop=0.8, tangents=["a"], sink=sink)
+    (told,) = sink.diagnostics
+    assert told.code == "W0883" and "t = 0.5 s" in told.message
+
+
 def test_a_motion_is_the_same_to_the_bit_with_a_column_that_costs_no_step() -> None:
     """The column of a start value along a free fall is exact: it asks for no shorter step."""
     model = lagdsl.compile(BALL)

@@ -62,7 +62,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t work = 2 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t stages = LAG_RADAU_STAGES * n;
     const size_t implicit = n * n + stages * stages + 2 * stages;
-    const size_t instant = 3 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
+    const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
 
@@ -71,7 +71,6 @@ static void place_instant(lag_columns_instant *instant, const lag_model *model, 
     const size_t n = lag_motion_size(model);
     instant->f = lag_take(memory, n);
     instant->f_after = lag_take(memory, n);
-    instant->x_after = lag_take(memory, n);
     instant->w_after = lag_take(memory, model->nw);
     instant->until_after = lag_take(memory, model->ncontact);
     instant->time = lag_take(memory, count);

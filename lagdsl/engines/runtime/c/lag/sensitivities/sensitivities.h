@@ -105,7 +105,7 @@ typedef struct lag_columns_work {
 /* An instant. */
 typedef struct lag_columns_instant {
     double *f, *f_after;     /* (2 nq + nz) rates before it and behind it */
-    double *x_after, *w_after, *until_after; /* (2 nq + nz) (nw) (ncontact) */
+    double *w_after, *until_after; /* (nw) (ncontact) */
     double *time;            /* (count) dtau */
     double *until;           /* (count, ncontact) of the ends of bounces too short to follow */
     double *behind;          /* (count, 2 nq + nz + nw + ncontact) columns behind it: of the state, the discretes and the ends of bounces */

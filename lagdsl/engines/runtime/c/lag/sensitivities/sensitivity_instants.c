@@ -67,6 +67,19 @@ static void set_sizes(lag_sensitivities *s, const lag_run *run)
 
 /* ---- its time ---- */
 
+/* True if two times of one instant move apart along a column. */
+static int move_apart(double a, double b)
+{
+    return fabs(a - b) > sqrt(DBL_EPSILON) * fmax(fabs(a), fabs(b));
+}
+
+/* Several guards or clocks cause the instant, and their times move apart. */
+static void note_one_sided(lag_sensitivities *s, double t)
+{
+    s->fault.one_sided += 1;
+    s->fault.first = fmin(s->fault.first, t);
+}
+
 /* Values of all guards. */
 static lag_status guard_values(void *context, double *values)
 {
@@ -117,6 +130,12 @@ static size_t due_distance(const lag_run *run, const double *distance)
     return due;
 }
 
+/* dtau of the next tick of a clock, by the derivatives of scheduled_values(). */
+static double time_of_tick(const lag_run *run, const double *derivative, size_t clock)
+{
+    return derivative[clock] + (double)run->instants.clock[clock].next * derivative[run->motion.model->nclock + clock];
+}
+
 /* dtau of what is scheduled for now. */
 static lag_status find_scheduled(lag_sensitivities *s, instant_map *map)
 {
@@ -140,7 +159,6 @@ static lag_status find_scheduled(lag_sensitivities *s, instant_map *map)
     }
     lag_status status = scheduled_values(map, s->instant.sizes);
     due = is_clock ? due : due_distance(run, s->instant.sizes + 2 * model->nclock);
-    const double tick = is_clock ? (double)run->instants.clock[due].next : 0.0;
     const double rate = is_clock ? 0.0 : run->instants.timed.rate[due];
     lag_fill(2 * model->nclock + model->ndistance, 1.0, s->instant.sizes);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
@@ -148,7 +166,12 @@ static lag_status find_scheduled(lag_sensitivities *s, instant_map *map)
         const lag_displacement by_law = {0.0, NULL, along.w, NULL, along.p, NULL};
         status = lag_differences_along(&s->differences, &by_law, 2 * model->nclock + model->ndistance, s->instant.sizes, scheduled_values, map,
             derivative, &error);
-        s->instant.time[k] = is_clock ? derivative[due] + tick * derivative[model->nclock + due] : -derivative[2 * model->nclock + due] / rate;
+        s->instant.time[k] = is_clock ? time_of_tick(run, derivative, due) : -derivative[2 * model->nclock + due] / rate;
+        for (size_t i = due + 1; i < model->nclock && is_clock && status == LAG_OK; ++i) {
+            if (lag_clock_is_due(&run->instants.clock[i], map->t) && move_apart(s->instant.time[k], time_of_tick(run, derivative, i))) {
+                note_one_sided(s, map->t);
+            }
+        }
     }
     return status;
 }
@@ -231,10 +254,8 @@ static lag_status find_located(lag_sensitivities *s, instant_map *map, const dou
         status = lag_differences_along(&s->differences, &column, count, s->instant.sizes, guard_values, map, along, &error);
         s->instant.time[k] = -along[first] / rate[first];
         for (size_t i = first + 1; i < guards && status == LAG_OK; ++i) {
-            const double apart = changed[i] != 0.0 ? fabs(-along[i] / rate[i] - s->instant.time[k]) : 0.0;
-            if (apart > sqrt(DBL_EPSILON) * fmax(fabs(s->instant.time[k]), fabs(along[i] / rate[i]))) {
-                s->fault.one_sided += 1;
-                s->fault.first = fmin(s->fault.first, map->t);
+            if (changed[i] != 0.0 && move_apart(s->instant.time[k], -along[i] / rate[i])) {
+                note_one_sided(s, map->t);
             }
         }
     }
@@ -266,7 +287,7 @@ static lag_status find_behind(lag_sensitivities *s, instant_map *map)
         }
         lag_axpy(n, -time, s->instant.f_after, behind);
         for (size_t i = 0; i < model->nw; ++i) {
-            const int own = is_mode(model->kinds[i]) || model->kinds[i] == LAG_KIND_LOAD || model->kinds[i] == LAG_KIND_TIMED;
+            const int own = is_mode(model->kinds[i]) || model->kinds[i] == LAG_KIND_LOAD;
             behind[n + i] = own ? 0.0 : behind[n + i];
         }
     }
@@ -280,10 +301,9 @@ static lag_status try_instant(lag_sensitivities *s, instant_map *map)
     const lag_model *model = run->motion.model;
     lag_differences_restore(&s->differences);
     const lag_status status = lag_run_carry(run, map->cause);
-    memcpy(s->instant.x_after, run->stepper.x, lag_motion_size(model) * sizeof(double));
     memcpy(s->instant.w_after, run->motion.w, model->nw * sizeof(double));
     memcpy(s->instant.until_after, run->instants.contacts.until, model->ncontact * sizeof(double));
-    if (status != LAG_OK) {
+    if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
     }
     return run->motion.ode.rates(&run->motion, run->stepper.t, run->stepper.x, s->instant.f_after);
@@ -319,7 +339,7 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     }
     lag_differences_begin(&s->differences, run, s->scales);
     status = try_instant(s, &map);
-    if (status != LAG_OK) { /* it ends here, or fails: nothing follows */
+    if (status != LAG_OK) { /* it fails, as it will without columns */
         lag_differences_end(&s->differences);
         return lag_run_carry(run, cause);
     }
@@ -329,7 +349,9 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     } else if (cause->kind == LAG_CAUSE_TIME) {
         status = find_scheduled(s, &map);
     }
-    s->fault.one_sided += cause->kind == LAG_CAUSE_TIME && cause->changed != NULL;
+    if (cause->kind == LAG_CAUSE_TIME && cause->changed != NULL) { /* guards at the instant of a tick: beside the motion one of them is first */
+        note_one_sided(s, map.t);
+    }
     lag_differences_restore(&s->differences);
     status = status == LAG_OK ? find_behind(s, &map) : status;
     lag_differences_end(&s->differences);
