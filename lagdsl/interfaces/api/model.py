@@ -17,7 +17,7 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
 from lagdsl.interfaces.api.estimation import Estimation
 from lagdsl.interfaces.api.inputs.values import signals_of
-from lagdsl.interfaces.api.names import Given, Value, entries, known
+from lagdsl.interfaces.api.names import Given, Value, entries, known, listed
 from lagdsl.interfaces.api.one_state import calls_at_one_state
 from lagdsl.interfaces.api.unknowns import with_starts
 from lagdsl.interfaces.api.watch import watched
@@ -191,7 +191,7 @@ class Model(Estimation):
         solver: str = "auto",
         step: float | None = None,
         control: Control | Sequence[Control] = (),
-        tangents: Sequence[str] = (),
+        tangents: Sequence[str] | str = (),
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
@@ -225,7 +225,7 @@ class Model(Estimation):
                 solver=solver,
                 step=step,
                 control=controllers,
-                tangents=tangents,
+                tangents=listed(tangents),
                 read=self._input_value,
                 progress=watched(progress, "simulation"),
                 sink=sink,

@@ -37,6 +37,15 @@ def known(what: str, given: Mapping[str, Any] | None, targets: Mapping[str, Targ
     return values
 
 
+def listed(given: Sequence[str] | str) -> Sequence[str]:
+    """Names, also as one text with commas between them."""
+    if not isinstance(given, str):
+        return given
+    from lagdsl.motion.fit.unknowns import names_in
+
+    return names_in(given)
+
+
 def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> Iterable[tuple[str, Any]]:
     """The elements that `name` stands for, with their values: one, or those of an array."""
     keys = keys_of(what, name, targets)

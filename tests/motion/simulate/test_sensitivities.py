@@ -321,6 +321,12 @@ def test_what_has_no_derivatives_is_refused(call: Callable[[lagdsl.Model], objec
         call(lagdsl.compile(OSCILLATOR))
 
 
+def test_quantities_may_be_one_text() -> None:
+    motion = lagdsl.compile(OSCILLATOR).simulate(stop=1.0, tangents="m, x.start")
+    assert motion.sensitivities is not None
+    assert motion.sensitivities.names == ("m", "x.start")
+
+
 def test_a_structural_parameter_is_refused() -> None:
     model = lagdsl.compile(
         """
