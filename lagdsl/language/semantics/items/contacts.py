@@ -21,7 +21,7 @@ from lagdsl.language.semantics.items.options import option_value, options_of
 from lagdsl.language.semantics.operators.angles import check_beside
 from lagdsl.language.semantics.operators.arithmetic import Operand, added
 from lagdsl.language.semantics.operators.conditions import structural_condition
-from lagdsl.language.semantics.operators.discontinuous import relation
+from lagdsl.language.semantics.operators.discontinuous import met, relation
 from lagdsl.language.semantics.operators.geometry import operand, time_derivative
 from lagdsl.language.semantics.scope.constants import structural_number
 from lagdsl.language.semantics.scope.context import Context
@@ -226,7 +226,9 @@ def _compliant(
         speed = time_derivative(ctx, gap)
         assert isinstance(speed, Scalar)
         loss = flat.Binary("-", flat.ONE, flat.Binary("*", damping.expression, speed.expression))
-        force = flat.Binary("*", force, flat.Function("max", (loss, flat.ZERO)))
+        pushes = flat.Function("max", (loss, flat.ZERO))
+        share = Scalar(loss, DIMENSIONLESS, continuous, Order.RATE)
+        force = flat.Binary("*", force, met(ctx, scope, node, "max", pushes, share, text=f"loss({name})"))
     force = flat.Conditional(touching, force, flat.ZERO)
     load = flat_model.GeneralizedForce(
         spans=spans, label=name, keyword="force", value=force, target=gap.expression, origin=None

@@ -87,8 +87,7 @@ void lag_differences_shift(lag_differences *d, const double *u, double by)
 }
 
 /*
- * Moves the present time, and what is scheduled for now with it. `behind`: it goes on by so much more, the same at all places of a difference, so that
- * what time changes has changed at each of them.
+ * Moves the present time, and what is scheduled for now with it. `behind`: it goes on by so much more, so that what time changes has changed there.
  */
 static void displace_time(lag_run *run, double by, double behind)
 {
@@ -115,7 +114,9 @@ static lag_status displace(lag_differences *d, const lag_displacement *along, do
 {
     lag_run *run = d->run;
     const lag_model *model = run->motion.model;
-    displace_time(run, by * along->t, step * fabs(h * along->t));
+    /* Instants bend with the square of the displacement. What is even in it leaves central differences as they are. */
+    const double places = by / h;
+    displace_time(run, by * along->t, step * fabs(h * along->t) * places * places);
     for (size_t i = 0; i < lag_motion_size(model) && along->x != NULL; ++i) {
         run->stepper.x[i] += by * along->x[i];
     }
@@ -220,11 +221,10 @@ lag_status lag_differences_along(lag_differences *d, const lag_displacement *alo
             bent = fmax(bent, fabs(d->sixth[i] - of_fourth_order(d, i, h)) / (size * extent));
         }
         const double left = bent * sqrt(bent) + DBL_EPSILON / step;
-        if (!(left < *error)) {
-            break;
+        if (left < *error) {
+            *error = left;
+            memcpy(derivative, d->sixth, count * sizeof(double));
         }
-        *error = left;
-        memcpy(derivative, d->sixth, count * sizeof(double));
         if (bent * sqrt(bent) <= DBL_EPSILON / step) {
             break;
         }

@@ -1,6 +1,7 @@
 /* Columns at an instant: it is a map, differentiated as a whole (differences.c). */
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
@@ -15,7 +16,27 @@ typedef struct instant_map {
     lag_run *run;
     const lag_cause *cause;
     double t;
+    uint64_t events; /* what happens at it, as a sum over notices */
 } instant_map;
+
+/* Adds a notice to a sum that tells which ones there were, in whatever order. Source: Steele, Lea, Flood, OOPSLA 2014 (SplitMix). */
+static lag_status add_notice(void *context, const lag_event_notice *notice)
+{
+    uint64_t *sum = context;
+    uint64_t mixed = ((uint64_t)notice->what << 32) + (uint64_t)notice->which;
+    mixed = (mixed ^ (mixed >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    mixed = (mixed ^ (mixed >> 27)) * UINT64_C(0x94d049bb133111eb);
+    *sum += mixed ^ (mixed >> 31);
+    return LAG_OK;
+}
+
+/* Goes through the instant, and sums what happens there. */
+static lag_status carry(const instant_map *map, uint64_t *events)
+{
+    *events = 0;
+    map->run->instants.iteration.listener = (lag_listener){add_notice, events};
+    return lag_run_carry(map->run, map->cause);
+}
 
 /* Kinds of discretes that are modes: they do not move with a column. */
 static int is_mode(unsigned char kind)
@@ -24,16 +45,20 @@ static int is_mode(unsigned char kind)
         kind == LAG_KIND_TIMED;
 }
 
-/* State, discretes and ends of bounces behind it. LAG_ATTENTION: in other modes. */
+/* State, discretes and ends of bounces behind it. LAG_ATTENTION: something else happens there, or it ends in other modes. */
 static lag_status values_behind(void *context, double *values)
 {
     const instant_map *map = context;
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
     const size_t n = lag_motion_size(model);
-    const lag_status status = lag_run_carry(run, map->cause);
+    uint64_t events;
+    const lag_status status = carry(map, &events);
     if (status != LAG_OK && status != LAG_STOPPED) {
         return status;
+    }
+    if (events != map->events) {
+        return LAG_ATTENTION;
     }
     memcpy(values, run->stepper.x, n * sizeof(double));
     memcpy(values + n, run->motion.w, model->nw * sizeof(double));
@@ -294,13 +319,13 @@ static lag_status find_behind(lag_sensitivities *s, instant_map *map)
     return status;
 }
 
-/* The instant as the run itself goes through it, without listeners. */
+/* The instant as the run itself goes through it. */
 static lag_status try_instant(lag_sensitivities *s, instant_map *map)
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
     lag_differences_restore(&s->differences);
-    const lag_status status = lag_run_carry(run, map->cause);
+    const lag_status status = carry(map, &map->events);
     memcpy(s->instant.w_after, run->motion.w, model->nw * sizeof(double));
     memcpy(s->instant.until_after, run->instants.contacts.until, model->ncontact * sizeof(double));
     if (status != LAG_OK && status != LAG_STOPPED) {
@@ -327,7 +352,7 @@ void lag_sensitivities_after(lag_companion *companion)
 lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    instant_map map = {s, run, cause, run->stepper.t};
+    instant_map map = {s, run, cause, run->stepper.t, 0};
     const int begins = cause->kind == LAG_CAUSE_START;
     if (run->motion.model->event == NULL && (cause->kind != LAG_CAUSE_INPUTS || run->motion.inputs == NULL)) {
         return lag_run_carry(run, cause);
