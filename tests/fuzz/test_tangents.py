@@ -20,7 +20,7 @@ from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.failure import SimulationFailed
 
 COUNT = 1000 if EXPLORE else 200
-# In `make check`: a force that time switches, another event within reach of an instant, a damper that lets go; sticking.
+# In `make check`: a force that time switches, another event near an instant, a damper that lets go, sticking.
 FEW = {event_model: (34, 50, 79), friction_model: (13,)}
 TOLERANCE = 1e-12
 NEAR = 1e-7  # of the largest derivative
@@ -81,7 +81,7 @@ def at(motion: Trajectory, values: Floats, times: Floats) -> Floats:
 
 def differences(moved: Moved, name: str, motion: Trajectory, step: float) -> tuple[float, float] | None:
     """How far the derivative is from the difference of fourth order, and that from the one of second order, as parts of
-    the largest derivative; none where the events of the motions are others."""
+    the largest derivative. None: the motions have other events."""
     try:
         beside = [moved.motion(name, place * step) for place in PLACES]
     except SimulationFailed:
@@ -102,7 +102,7 @@ def differences(moved: Moved, name: str, motion: Trajectory, step: float) -> tup
 
 
 def verdict(moved: Moved, name: str) -> str:
-    """The name of the refusal; `same`; `rough` where differences do not tell; else how far the derivative is off."""
+    """The name of the refusal; `same`; `rough`: differences do not tell; else how far the derivative is off."""
     try:
         motion = moved.motion(name, 0.0, tangents=[name])
     except SimulationFailed as failure:

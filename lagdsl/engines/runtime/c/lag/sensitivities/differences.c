@@ -114,7 +114,7 @@ static lag_status displace(lag_differences *d, const lag_displacement *along, do
 {
     lag_run *run = d->run;
     const lag_model *model = run->motion.model;
-    /* Instants bend with the square of the displacement. What is even in it leaves central differences as they are. */
+    /* Instants bend with the square of the displacement. Even terms of it leave central differences as they are. */
     const double places = by / h;
     displace_time(run, by * along->t, step * fabs(h * along->t) * places * places);
     for (size_t i = 0; i < lag_motion_size(model) && along->x != NULL; ++i) {
