@@ -80,8 +80,8 @@ def at(motion: Trajectory, values: Floats, times: Floats) -> Floats:
 
 
 def differences(moved: Moved, name: str, motion: Trajectory, step: float) -> tuple[float, float] | None:
-    """How far the derivative is from the difference of fourth order, and that from the one of second order, as parts of
-    the largest derivative. None: the motions have other events."""
+    """The distances of the derivative from the difference of fourth order, and of that from the one of second order, as
+    parts of the largest derivative. None: the motions have other events."""
     try:
         beside = [moved.motion(name, place * step) for place in PLACES]
     except SimulationFailed:

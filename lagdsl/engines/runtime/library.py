@@ -44,6 +44,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_begin": (_STATUS, (_AT, c_double, _AT)),
     "run_move": (_STATUS, (_AT, c_double, _AT, c_double)),
     "run_to": (_STATUS, (_AT, c_double, _SIZE)),
+    "run_over": (_STATUS, (_AT, _AT, _SIZE, _SIZE, _AT)),
     "run_tell": (None, (_AT, _AT)),
     "run_start": (_STATUS, (_AT, c_double, _AT)),
     "run_find": (_STATUS, (_AT, c_double, _AT, _AT, _AT)),

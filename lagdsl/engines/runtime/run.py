@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from ctypes import addressof, byref, c_double, create_string_buffer
+from ctypes import addressof, byref, c_double, c_size_t, create_string_buffer
 from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
 import numpy as np
@@ -170,6 +170,16 @@ class Run(RunView):
     def to(self, stop: float, steps: int) -> Status:
         """On to `stop`, with inputs as they are before a jump there, in at most so many steps."""
         return self._done(self._library.run_to(self._run, stop, steps))
+
+    def over(self, stops: Floats) -> Callable[[int], Status]:
+        """Goes on to each of `stops`, with the changes of inputs that jump there. A call takes about so many steps;
+        the next one makes the rest."""
+        passed = c_size_t(0)
+
+        def on(steps: int) -> Status:
+            return self._done(self._library.run_over(self._run, stops.ctypes.data, len(stops), steps, byref(passed)))
+
+        return on
 
     def jump(self) -> Status:
         """Carries out the changes that inputs which jump now cause."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from math import isfinite
 from time import perf_counter
 from typing import NoReturn
@@ -88,14 +89,10 @@ class Motion:
         task, run = self._task, self._run
         status = self._ended(run.begin(self._first, task.initial.x))
         self._tell_lost_rank()
-        controlled = self._asked.controls
-        for stop, acting in self._stops():
-            if status is Status.OK and stop > self._first:
-                status = self._segment(stop)
-            if status is Status.OK and stop < self._last:
-                if acting and controlled is not None:
-                    controlled.act(acting, run, task.sink)
-                status = self._ended(run.jump())
+        if status is Status.OK:
+            status = self._controlled() if self._asked.controls is not None else self._over_breaks()
+        if status is Status.OK:
+            self._segment(partial(run.to, self._last))
         self._ended(run.end())
         found = self._check_outputs(self._so_far(self._task.finer, whole=True))
         self._tell_rounded(found)
@@ -103,12 +100,29 @@ class Motion:
         tell_one_sided(self._run, self._task.sink)
         return found
 
-    def _stops(self) -> list[tuple[float, list[int]]]:
-        """Times at which inputs may jump, with the controllers that act then, and the end."""
-        found = {b: list[int]() for b in self._asked.signals.breaks if b > self._first}
-        if self._asked.controls is not None:
-            found |= dict(self._asked.controls.instants())
-        return [*sorted(found.items()), (self._last, [])]
+    def _breaks(self) -> list[float]:
+        """Times at which inputs may jump."""
+        return [b for b in self._asked.signals.breaks if b > self._first]
+
+    def _over_breaks(self) -> Status:
+        """Up to the last of them. It is known behind the first one how long a step takes."""
+        breaks = np.array(self._breaks())
+        status = self._segment(self._run.over(breaks[:1])) if len(breaks) else Status.OK
+        return self._segment(self._run.over(breaks[1:])) if status is Status.OK and len(breaks) > 1 else status
+
+    def _controlled(self) -> Status:
+        """Up to the last of them, or of the times at which controllers act."""
+        controls, run, status = self._asked.controls, self._run, Status.OK
+        assert controls is not None
+        instants = {b: list[int]() for b in self._breaks()} | dict(controls.instants())
+        for stop, acting in sorted(instants.items()):
+            if status is Status.OK and stop > self._first:
+                status = self._segment(partial(run.to, stop))
+            if status is Status.OK and stop < self._last:
+                if acting:
+                    controls.act(acting, run, self._task.sink)
+                status = self._ended(run.jump())
+        return status
 
     def _inputs_at(self, t: float) -> Floats:
         """u (nu,) of a row at time t."""
@@ -155,24 +169,24 @@ class Motion:
         statistics = replace(found.statistics, notes=(*found.statistics.notes, *notes))
         return replace(found, statistics=statistics)
 
-    def _segment(self, stop: float) -> Status:
-        """Up to `stop`; whether the motion goes on there."""
+    def _segment(self, on: Callable[[int], Status]) -> Status:
+        """As far as `on` leads, which takes at most so many steps; whether the motion goes on there."""
         while True:
             steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._asked.max_steps - self._steps)
-            status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
+            status = self._on(on, steps) if steps > 0 else Status.TOO_LONG
             self._tell_progress()
             if status is not Status.TOO_LONG or steps <= 0:
                 return self._ended(status)
 
-    def _on(self, stop: float, steps: int) -> Status:
+    def _on(self, on: Callable[[int], Status], steps: int) -> Status:
         """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
         engine, run = self._asked.engine, self._run
         if not isinstance(engine, AutoEngine):
-            status = run.to(stop, steps)
+            status = on(steps)
             self._steps += run.report.steps
             return status
         before, started = run.t, perf_counter()
-        status = run.to(stop, steps)
+        status = on(steps)
         report = run.report
         self._steps += report.steps
         if status in (Status.OK, Status.TOO_LONG):

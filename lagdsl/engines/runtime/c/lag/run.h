@@ -262,6 +262,12 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent);
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 
 /*
+ * The same to each of `stops` (count) from number *passed on, with the changes of inputs that jump there (lag_run_jump). *passed counts them on, so that
+ * a call behind LAG_TOO_LONG makes the rest. `most_steps` bounds those to a stop, and no other stop follows where there were as many in all.
+ */
+lag_status lag_run_over(lag_run *run, const double *stops, size_t count, size_t most_steps, size_t *passed);
+
+/*
  * lag_run_to in pieces, for those who want to see the states within a step before anything happens at its end, and let steps lead
  * beyond what they want to see: the method starts at the present state, on the way to `stop`; one step, of which what is behind
  * the first that happens in it is of no use (run->half); that, and what else follows. A step that failed is taken back, and may be tried with another `stop`.

@@ -153,6 +153,21 @@ lag_status lag_run_jump(lag_run *run)
     return lag_run_instant(run, &(lag_cause){LAG_CAUSE_INPUTS, 0.0, NULL});
 }
 
+lag_status lag_run_over(lag_run *run, const double *stops, size_t count, size_t most_steps, size_t *passed)
+{
+    size_t steps = 0;
+    lag_status status = LAG_OK;
+    while (status == LAG_OK && *passed < count) {
+        status = lag_run_to(run, stops[*passed], most_steps);
+        steps += run->counts.steps;
+        status = status == LAG_OK ? lag_run_jump(run) : status;
+        *passed += status == LAG_OK;
+        status = status == LAG_OK && most_steps > 0 && steps >= most_steps ? LAG_TOO_LONG : status;
+    }
+    run->counts.steps = steps;
+    return status;
+}
+
 lag_status lag_run_end(lag_run *run)
 {
     run->motion.until = (double)INFINITY;
