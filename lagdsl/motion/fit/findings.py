@@ -30,7 +30,7 @@ _CLEAR = 1e-4
 def findings_of(
     problem: Problem, found: Searched, first: Floats, loss: str, confidence: float, given: Mapping[str, float]
 ) -> Fit:
-    """The result at the minimum `found`; `first` (n,) are the residuals where the search began."""
+    """The result at the minimum `found`; `first` (n,) are the values where the search began."""
     runs, jacobian = problem.differentiated(found.x, exact=True)
     values = np.concatenate([each.values for each in runs])
     residuals = (values - problem.measured) / problem.sigmas
@@ -66,8 +66,8 @@ def findings_of(
             if not steady
         ),
         notes=(),
-        cost=found.cost,
-        first_cost=0.5 * float(np.sum(first**2)),
+        sum_of_squares=float(np.sum(residuals**2)),
+        first_sum_of_squares=float(np.sum(((first - problem.measured) / problem.sigmas) ** 2)),
         trials=found.trials,
         converged=found.converged,
     )

@@ -96,12 +96,12 @@ def fit(
     own.raise_if_errors()
     problem = with_sigmas(problem, first_sigmas(problem, given))
     x = np.array([unknown.value for unknown in problem.unknowns])
-    residuals = _first_residuals(problem, x, own)
+    first = _first_values(problem, x, own)
     own.raise_if_errors()
     found = _searched(problem, _shot(problem, x, method.segments, own), method, progress)
     problem, found = _with_own_sigmas(problem, found, method, given)
     found = _nearest(problem, found, x, method.loss)
-    result = findings_of(problem, found, residuals, method.loss, method.confidence, given)
+    result = findings_of(problem, found, first, method.loss, method.confidence, given)
     told(result, problem, found, own)
     for diagnostic in own.diagnostics:
         sink.add(diagnostic)
@@ -251,8 +251,8 @@ def _rollout(
     )
 
 
-def _first_residuals(problem: Problem, x: Floats, sink: Sink) -> Floats:
-    """Residuals (n,) where the search begins; E1107 and E1108 where it cannot."""
+def _first_values(problem: Problem, x: Floats, sink: Sink) -> Floats:
+    """Values (n,) where the search begins; E1107 and E1108 where it cannot."""
     for rollout, at in zip(problem.rollouts, problem.places, strict=True):
         try:
             motion = rollout.motion(x[list(at)], sink=sink)
@@ -267,7 +267,7 @@ def _first_residuals(problem: Problem, x: Floats, sink: Sink) -> Floats:
                 sink.report("E1108", None, run=rollout.name, name=series.name, found=count, measured=len(series.values))
     if sink.has_errors:
         return x
-    return Residuals(problem)(x / problem.sizes)
+    return problem.values(x)
 
 
 def _shot(problem: Problem, x: Floats, segments: int, sink: Sink) -> Floats:

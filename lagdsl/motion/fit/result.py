@@ -73,8 +73,8 @@ class Fit:
     `covariance` and `correlation` (k, k) are those of the `estimates`, in SI units; intervals have the probability
     `confidence`. `deviation` is the standard deviation of residuals in units of the sigmas: 1 where those were right.
     `hidden` are groups of unknowns that data show only together, `corners` unknowns near whose values the order of
-    events of a run changes, with its name. `motions` are those of the runs. `notes` are all
-    warnings.
+    events of a run changes, with its name. `motions` are those of the runs. `notes` are all warnings. The sums are
+    those of squares of residuals in units of the sigmas, here and at the first values.
     """
 
     model: str
@@ -89,8 +89,8 @@ class Fit:
     hidden: tuple[Hidden, ...]
     corners: tuple[tuple[str, str], ...]
     notes: tuple[Diagnostic, ...]
-    cost: float
-    first_cost: float
+    sum_of_squares: float
+    first_sum_of_squares: float
     trials: int
     converged: bool
 

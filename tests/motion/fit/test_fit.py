@@ -33,6 +33,9 @@ def test_straight_line_is_that_of_linear_least_squares():
     assert np.isclose(found.series[0].sigma * found.deviation, deviation, rtol=1e-6)
     assert np.isclose(found.correlation[0, 1], covariance[0, 1] / np.sqrt(np.prod(np.diag(covariance))), rtol=1e-5)
     assert found.start == pytest.approx({"x": values[0], "der(x)": values[1]})
+    assert found.sum_of_squares == pytest.approx(found.freedom * found.deviation**2)
+    began = np.sum((data["x"] - 0.9 - 0.2 * data["time"]) ** 2) / found.series[0].sigma ** 2
+    assert found.first_sum_of_squares == pytest.approx(began)
 
 
 def test_several_runs_share_some_values_and_have_others_for_themselves():

@@ -13,10 +13,11 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.motion.fit.result import Fit, SeriesResiduals, largest_correlations, shown
 
 _WIDTH, _HEIGHT, _LOW = 760.0, 190.0, 90.0
-_LEFT, _RIGHT, _TOP, _BOTTOM = 70.0, 12.0, 10.0, 24.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 84.0, 12.0, 10.0, 24.0
 _FIGURES = """.fit svg { width: 100%; height: auto; font: 11px system-ui, sans-serif; }
 .fit text { fill: var(--soft); } .fit .axis { stroke: var(--line); fill: none; }
-.fit .curve { stroke: var(--accent); fill: none; stroke-width: 1.6; } .fit circle { fill: var(--ink); opacity: 0.55; }
+.fit .curve { stroke: var(--accent); fill: none; stroke-width: 1.6; } .fit circle { fill: var(--ink); opacity: 0.3; }
+@media (max-width: 600px) { .fit svg { font-size: 19px; } }
 td:not(:first-child) { font-variant-numeric: tabular-nums; }
 """
 # Beyond so many values every second, third ... is drawn.
@@ -51,11 +52,10 @@ def fit_page(fit: Fit) -> str:
 {_values(fit)}
 <p>The intervals have a probability of {100 * fit.confidence:g} % (Student's t, {fit.freedom} degrees of freedom).
 Residuals are {fit.deviation:.3g} times the standard deviations. The sum of squares fell
-from {2 * fit.first_cost:.4g} to {2 * fit.cost:.4g} in {fit.trials} trials.</p>
-{_bullets([str(each) for each in fit.hidden])}
+from {fit.first_sum_of_squares:.4g} to {fit.sum_of_squares:.4g} in {fit.trials} trials.</p>
 </section>
 <section>
-<h2>What is to be known</h2>
+<h2>Notes</h2>
 {_bullets([f"{d.code}: {d.message}" for d in fit.notes]) or "<p>Nothing was found that speaks against the values.</p>"}
 </section>
 {_correlations(fit)}
@@ -101,21 +101,27 @@ def _series(fit: Fit, series: SeriesResiduals) -> str:
         )
         motion = motion.drawn(smooth=True)
         curve = (motion.time, motion[series.name])
-    over = _plot((curve[0], scale * curve[1] + shift), (places, scale * series.measured + shift), title, _HEIGHT)
-    rest = _plot(None, (places, scale * series.residuals), f"residuals of {title}", _LOW)
+    across = "" if series.event else " s"
+    over = _plot(
+        (curve[0], scale * curve[1] + shift), (places, scale * series.measured + shift), title, _HEIGHT, across
+    )
+    rest = _plot(None, (places, scale * series.residuals), f"residuals of {title}", _LOW, across)
     return f"<figure>{over}{rest}<figcaption>{escape(text)}</figcaption></figure>"
 
 
-def _plot(curve: tuple[Floats, Floats] | None, points: tuple[Floats, Floats], words: str, height: float) -> str:
+def _plot(
+    curve: tuple[Floats, Floats] | None, points: tuple[Floats, Floats], words: str, height: float, across: str
+) -> str:
+    """`across` is the unit of the abscissa."""
     pairs = [points] if curve is None else [points, curve]
     x0, x1 = _ends(np.concatenate([pair[0] for pair in pairs]))
     y0, y1 = _ends(np.concatenate([pair[1] for pair in pairs]))
 
     def at(x: Floats, y: Floats) -> list[tuple[float, float]]:
-        across = _LEFT + (x - x0) / (x1 - x0) * (_WIDTH - _LEFT - _RIGHT)
+        right = _LEFT + (x - x0) / (x1 - x0) * (_WIDTH - _LEFT - _RIGHT)
         down = _TOP + (y1 - y) / (y1 - y0) * (height - _TOP - _BOTTOM)
         seen = np.isfinite(down)
-        return [(round(a, 1), round(b, 1)) for a, b in zip(across[seen].tolist(), down[seen].tolist(), strict=True)]
+        return [(round(a, 1), round(b, 1)) for a, b in zip(right[seen].tolist(), down[seen].tolist(), strict=True)]
 
     every = max(len(points[0]) // _MOST, 1)
     dots = "".join(f'<circle cx="{a}" cy="{b}" r="2"/>' for a, b in at(points[0][::every], points[1][::every]))
@@ -126,10 +132,10 @@ def _plot(curve: tuple[Floats, Floats] | None, points: tuple[Floats, Floats], wo
     labels = f'<text x="{_LEFT - 6}" y="{_TOP + 8}" text-anchor="end">{y1:.4g}</text>'
     labels += f'<text x="{_LEFT - 6}" y="{base}" text-anchor="end">{y0:.4g}</text>'
     labels += f'<text x="{_LEFT}" y="{height - 8}">{x0:.4g}</text>'
-    labels += f'<text x="{right}" y="{height - 8}" text-anchor="end">{x1:.4g}</text>'
+    labels += f'<text x="{right}" y="{height - 8}" text-anchor="end">{x1:.4g}{across}</text>'
     frame = f'<path class="axis" d="M{_LEFT} {_TOP}V{base}H{right}{axis}"/>'
     size = f'viewBox="0 0 {_WIDTH:g} {height:g}"'
-    return f'<svg {size} role="img" aria-label="{escape(words, quote=True)}">{frame}{line}{dots}{labels}</svg>'
+    return f'<svg {size} role="img" aria-label="{escape(words, quote=True)}">{frame}{dots}{line}{labels}</svg>'
 
 
 def _line(places: Sequence[tuple[float, float]]) -> str:
