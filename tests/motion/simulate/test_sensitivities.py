@@ -252,7 +252,7 @@ def _at_grid(motion: lagdsl.Trajectory, of: str, options: Mapping[str, float], b
 _CASES = {
     "four_bar": ("B.q", ("crank.l", "coupler.m", "A.q.start"), 0.5),
     "furuta_swing_up": ("theta", ("L", "m"), 0.3),
-    "rolling_coin": ("x", ("R", "m"), 0.4),
+    "rolling_coin": ("x", ("R", "lean.start"), 0.4),
     "clutch": ("a", ("J1", "drive"), 2.0),
     "stick_slip_belt": ("x", ("m", "k"), 3.0),
     "pick_and_place": ("grip[2]", ("l1", "p1"), 1.2),
