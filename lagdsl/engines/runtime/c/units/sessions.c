@@ -14,6 +14,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 #include "lag/sensitivities/differences.h"
+#include "lag/sensitivities/run_sensitivities.h"
 #include "lag/sensitivities/sensitivities.h"
 #include "lag/session.h"
 #include "lag/session/motions.h"
@@ -27,10 +28,12 @@
 
 #define crowd ensemble_crowd
 #define end ensemble_end
+#define find_start ensemble_find_start
 #define place ensemble_place
 #include "lag/session/ensemble.c"
 #undef crowd
 #undef end
+#undef find_start
 #undef place
 
 #define end hold_end
@@ -52,6 +55,10 @@
 #include "lag/sensitivities/differences.c"
 
 #include "lag/sensitivities/projection_tangent.c"
+
+#define find_start run_sensitivities_find_start
+#include "lag/sensitivities/run_sensitivities.c"
+#undef find_start
 
 #include "lag/sensitivities/sensitivities.c"
 
