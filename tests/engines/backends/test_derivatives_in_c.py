@@ -1,4 +1,4 @@
-"""The program of docs/howto/derivatives_in_c.md compiles, and its derivatives are those of the closed form of the ball."""
+"""The program of docs/howto/derivatives_in_c.md compiles; its derivatives are those of the closed form of the ball."""
 
 from __future__ import annotations
 
@@ -40,7 +40,9 @@ def shown(tmp_path_factory: pytest.TempPathFactory, made: Made) -> list[list[str
     assert done.exit_code == 0, done.output
     ready = made(folder / "out", f"CFLAGS={PLAIN}", "libBall.a")
     assert (ready.returncode, ready.stderr) == (0, "")
-    subprocess.run(["cc", *STRICT, "-Iout", "-o", "run", "derivatives.c", "out/libBall.a", "-lm"], cwd=folder, check=True)
+    subprocess.run(
+        ["cc", *STRICT, "-Iout", "-o", "run", "derivatives.c", "out/libBall.a", "-lm"], cwd=folder, check=True
+    )
     text = subprocess.run(["./run"], cwd=folder, check=True, capture_output=True, text=True).stdout
     return [line.split() for line in text.splitlines()]
 
