@@ -1,5 +1,4 @@
-"""Meaning of directional derivatives in each kind of FMU: partial ones of the equations where it stands, which an importer
-integrates along a motion."""
+"""Directional derivatives of FMUs are partial ones of the equations where it stands; importers integrate them."""
 
 from __future__ import annotations
 
