@@ -28,12 +28,10 @@
 
 #define crowd ensemble_crowd
 #define end ensemble_end
-#define find_start ensemble_find_start
 #define place ensemble_place
 #include "lag/session/ensemble.c"
 #undef crowd
 #undef end
-#undef find_start
 #undef place
 
 #define end hold_end
@@ -56,9 +54,7 @@
 
 #include "lag/sensitivities/projection_tangent.c"
 
-#define find_start run_sensitivities_find_start
 #include "lag/sensitivities/run_sensitivities.c"
-#undef find_start
 
 #include "lag/sensitivities/sensitivities.c"
 

@@ -1,12 +1,7 @@
 #include "lag/sensitivities/run_sensitivities.h"
 
-#include <string.h>
-
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
-
-static const char START[] = ".start";
-static const char RATE[] = "der(";
 
 /* Doubles of the directions. */
 static size_t directions(const lag_model *model, size_t count)
@@ -25,53 +20,47 @@ size_t lag_run_sensitivities_size(const lag_model *model, size_t count)
     return own(model, count) + lag_sensitivities_size(model, count);
 }
 
-/* Place of a name of so many characters; `count`: there is none. */
-static size_t find(const lag_slot *slots, size_t count, const char *name, size_t length)
+/* The rest of the name behind a text; null: it does not begin with it. */
+static const char *behind(const char *name, const char *text)
 {
-    size_t i = 0;
-    while (i < count && !(strncmp(slots[i].name, name, length) == 0 && slots[i].name[length] == '\0')) {
-        ++i;
+    for (; name != NULL && *text != '\0'; ++text) {
+        name = *name == *text ? name + 1 : NULL;
     }
-    return i;
+    return name;
 }
 
-/* Entry of x that `theta.start` or `der(theta).start` is the start value of; as many as there are: none. */
-static size_t find_start(const lag_model *model, const char *name)
+/* Place of the slot with whose name, between `before` and `after`, this one is written; `count`: there is none. */
+static size_t find(const lag_slot *slots, size_t count, const char *name, const char *before, const char *after)
 {
-    const size_t n = model->nq;
-    const size_t size = lag_motion_size(model);
-    const size_t all = strlen(name);
-    const size_t end = strlen(START);
-    const size_t length = all > end ? all - end : 0;
-    const size_t open = strlen(RATE);
-    if (length == 0 || strcmp(name + length, START) != 0) {
-        return size;
-    }
-    const size_t coordinate = find(model->coordinates, n, name, length);
-    if (coordinate < n) {
-        return coordinate;
-    }
-    if (length > open + 1 && strncmp(name, RATE, open) == 0 && name[length - 1] == ')') {
-        const size_t rate = find(model->coordinates, n, name + open, length - open - 1);
-        if (rate < n) {
-            return n + rate;
+    size_t i = 0;
+    for (; i < count; ++i) {
+        const char *rest = behind(behind(behind(name, before), slots[i].name), after);
+        if (rest != NULL && *rest == '\0') {
+            break;
         }
     }
-    return 2 * n + find(model->states, model->nz, name, length);
+    return i;
 }
 
 /* Sets the direction of a quantity; 0: there is none. */
 static int point(const lag_model *model, const char *name, double *p, double *u, double *start)
 {
-    const size_t parameter = find(model->parameters, model->np, name, strlen(name));
-    const size_t input = find(model->inputs, model->nu, name, strlen(name));
-    const size_t entry = find_start(model, name);
+    const size_t n = model->nq;
+    const size_t parameter = find(model->parameters, model->np, name, "", "");
+    const size_t input = find(model->inputs, model->nu, name, "", "");
+    const size_t coordinate = find(model->coordinates, n, name, "", ".start");
+    const size_t rate = find(model->coordinates, n, name, "der(", ").start");
+    const size_t state = find(model->states, model->nz, name, "", ".start");
     if (parameter < model->np) {
         p[parameter] = 1.0;
     } else if (input < model->nu) {
         u[input] = 1.0;
-    } else if (entry < lag_motion_size(model)) {
-        start[entry] = 1.0;
+    } else if (coordinate < n) {
+        start[coordinate] = 1.0;
+    } else if (rate < n) {
+        start[n + rate] = 1.0;
+    } else if (state < model->nz) {
+        start[2 * n + state] = 1.0;
     } else {
         return 0;
     }
