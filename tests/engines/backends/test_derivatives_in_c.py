@@ -16,6 +16,16 @@ from lagdsl.interfaces.cli.main import lag
 
 PAGE = Path(__file__).parents[3] / "docs" / "howto" / "derivatives_in_c.md"
 E, G, H = 0.8, 10.0, 1.0
+# The program of the page, which prints derivatives by h.start just before and just after the impact, too.
+BOTH_SIDES = """
+       if (what->what == LAG_BEFORE || what->what == LAG_AFTER) {
+           double d[COUNT * MOST];
+           const size_t width = lag_sensitivities_width(run->motion.model);
+           lag_run_sensitivities *own = *(lag_run_sensitivities **)context;
+           if (lag_run_sensitivities_get(own, run, what->t, what->x, d) != LAG_OK) exit(1);
+           printf("side %.17g %.17g\\n", d[2 * width], d[2 * width + 1]);
+       }
+"""
 STRICT = ["-std=c11", "-O0", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 
 
@@ -35,7 +45,8 @@ def _height(e: complex, g: complex, h: complex, t: float) -> tuple[complex, comp
 def shown(tmp_path_factory: pytest.TempPathFactory, made: Made) -> list[list[str]]:
     folder = tmp_path_factory.mktemp("ball")
     (folder / "Ball.lag").write_text(_block("modelica", "Ball.lag"))
-    (folder / "derivatives.c").write_text(_block("c", "derivatives.c"))
+    program = _block("c", "derivatives.c").replace("    (void)run;\n", BOTH_SIDES)
+    (folder / "derivatives.c").write_text(program)
     done = CliRunner().invoke(lag, ["build", str(folder / "Ball.lag"), "--target", "c", "-o", str(folder / "out")])
     assert done.exit_code == 0, done.output
     ready = made(folder / "out", f"CFLAGS={PLAIN}", "libBall.a")
@@ -48,9 +59,9 @@ def shown(tmp_path_factory: pytest.TempPathFactory, made: Made) -> list[list[str
 
 
 def test_the_impact_moves_as_its_closed_form(shown: list[list[str]]) -> None:
-    word, *numbers = shown[0]
+    ((word, *numbers),) = (line for line in shown if line[0] == "impact")
     impact = sqrt(2 * H / G)
-    assert word == "impact" and len(shown) == 4
+    assert word == "impact" and len(shown) == 6
     expected = [impact, 0.0, -impact / (2 * G), impact / (2 * H)]
     np.testing.assert_allclose([float(each) for each in numbers], expected, atol=1e-10)
 
@@ -62,7 +73,15 @@ def test_heights_behind_the_impact_move_as_their_closed_form(shown: list[list[st
         "g": _height(E, G + step, H, 1.0),
         "h.start": _height(E, G, H + step, 1.0),
     }
-    for name, *numbers in shown[1:]:
+    for name, *numbers in shown[-3:]:
         exact = [each.imag / step.imag for each in expected.pop(name)]
         np.testing.assert_allclose([float(each) for each in numbers], exact, atol=1e-10)
     assert not expected
+
+
+def test_derivatives_are_those_on_both_sides_of_the_impact(shown: list[list[str]]) -> None:
+    """Behind it dh/dh0 = -e g t1 dt1/dh0: the time at which the ball turns round moves."""
+    impact = sqrt(2 * H / G)
+    later = impact / (2 * H)
+    sides = [[float(each) for each in line[1:]] for line in shown if line[0] == "side"]
+    np.testing.assert_allclose(sides, [[1.0, 0.0], [-E * G * impact * later, (1 + E) * G * later]], atol=1e-10)
