@@ -1,4 +1,5 @@
-/* A session is a run: same rows, to the bit; it begins again with other parameters; inputs may jump. */
+/* A session is a run: same rows, to the bit; it begins again with other parameters; inputs may jump; derivatives are those of a closed form. */
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -46,8 +47,61 @@ static void another_parameter_is_another_motion(void)
     free(session);
 }
 
+/* z' = -p z + u. */
+static lag_status decay(const lag_arguments *at, double *rates)
+{
+    rates[0] = -at->p[0] * at->z[0] + at->u[0];
+    return LAG_OK;
+}
+
+static lag_status decay_tangent(const lag_arguments *at, double *rates)
+{
+    rates[0] = -at->dp[0] * at->z[0] - at->p[0] * at->dz[0] + at->du[0];
+    return LAG_OK;
+}
+
+static lag_status decay_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
+{
+    (void)at;
+    (void)q;
+    (void)qd;
+    z[0] = 1.0;
+    u[0] = 0.0;
+    return LAG_OK;
+}
+
+static void derivatives_are_those_of_the_closed_form(void)
+{
+    static const lag_slot z[1] = {{"z", "1", NULL}}, p[1] = {{"p", "1/s", NULL}}, u[1] = {{"u", "1/s", NULL}};
+    static const double defaults[1] = {2.0};
+    const unsigned which[2] = {1, 0};
+    lag_model model = OSCILLATOR;
+    model.nz = model.np = model.nu = 1;
+    model.states = z;
+    model.parameters = p;
+    model.inputs = u;
+    model.defaults = defaults;
+    model.start = decay_start;
+    model.state_derivative = decay;
+    model.state_derivative_tangent = decay_tangent;
+    lag_session *session = open(&model, 1e-11);
+    void *block = malloc(lag_session_sensitivities_size(&model, 2));
+    CHECK(lag_session_derivatives(session) == NULL);
+    lag_session_differentiate(session, block, 2, which);
+    for (int again = 0; again < 2; ++again) {
+        CHECK(lag_session_begin(session, 0.0) == LAG_OK && lag_session_to(session, 0.5, 0) == LAG_OK);
+        const double *found = lag_session_derivatives(session);
+        CHECK(found != NULL && found[0] == 0.0);
+        CHECK_NEAR(found[1], (1.0 - exp(-1.0)) / 2.0, 1e-10);
+        CHECK_NEAR(found[lag_session_width(session) + 1], -0.5 * exp(-1.0), 1e-10);
+    }
+    free(block);
+    free(session);
+}
+
 int main(void)
 {
+    derivatives_are_those_of_the_closed_form();
     rows_are_those_of_a_run();
     another_parameter_is_another_motion();
     puts("session: ok");

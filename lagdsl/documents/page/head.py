@@ -78,6 +78,7 @@ def head_of(
         ],
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
         "lasting": sorted(contact_rows(model)),
+        "differentiable": not model.events.delays,
         "said": " ".join(filter(None, (said, undrawn))),
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},

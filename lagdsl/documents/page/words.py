@@ -21,5 +21,7 @@ WORDS = {
     Status.BRANCH_POINT: "Branches of the motion meet here; the equations do not tell which one it takes.",
     Status.BAD_CLOCK: "A clock has no positive period.",
     Status.BAD_DELAY: "A delay is not positive.",
+    Status.GRAZING: "Something only touches its border: its time has no derivative.",
+    Status.NOT_SMOOTH: "Motions beside this one end in other modes: there is no derivative.",
     Status.LONG_PAST: "The past of a delayed value has too many events.",
 }

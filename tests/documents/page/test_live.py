@@ -5,7 +5,9 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -43,12 +45,25 @@ def integrated(
     tape: str = "tape",
 ) -> Floats:
     """Rows (ROWS, ...) that the worker of the page gives."""
-    elements = Elements(page_of(name, stop))
+    width, answer = answered(Elements(page_of(name, stop)), folder, parameters, start, tape)
+    assert answer["status"] == 0
+    return np.array(answer["rows"]).reshape(-1, width)
+
+
+def answered(
+    elements: Elements,
+    folder: Path,
+    parameters: dict[str, float],
+    start: dict[str, float],
+    tape: str = "tape",
+    by: Sequence[int] = (),
+) -> tuple[int, dict[str, Any]]:
+    """Numbers of a row, and the answer of the worker, with derivatives by the sliders of these numbers."""
     head = elements.head
     for part, file in (("worker", "worker.js"), ("wasm", "lag.wasm"), (tape, "model.tape")):
         (folder / file).write_bytes(elements.inflated(part))
     setup = {key: head[key] for key in ("start", "stop", "lasting")}
-    (folder / "setup.json").write_text(json.dumps({**setup, "rows": ROWS, "tolerance": 1e-10}))
+    (folder / "setup.json").write_text(json.dumps({**setup, "rows": ROWS, "tolerance": 1e-10, "by": by}))
     moved = {**parameters, **{f"{key}.start": value for key, value in start.items()}}
     strangers = set(moved) - {slider["name"] for slider in head["parameters"]}
     assert not strangers
@@ -59,8 +74,7 @@ def integrated(
     (folder / "orders.json").write_text(json.dumps([order]))
     subprocess.run(["node", Path(__file__).parent / "worker.mjs", folder], check=True)
     ready, answer = json.loads((folder / "answers.json").read_text())
-    assert answer["status"] == 0
-    return np.array(answer["rows"]).reshape(-1, ready["ready"])
+    return ready["ready"], answer
 
 
 @needs_node

@@ -12,4 +12,4 @@ self.onmessage({ data: { ...JSON.parse(read("setup.json")), wasm: buffer("lag.wa
 for (const { parameters, inputs } of JSON.parse(read("orders.json"))) {
   self.onmessage({ data: { number: 1, parameters: Float64Array.from(parameters), inputs: Float64Array.from(inputs) } });
 }
-writeFileSync(`${folder}/answers.json`, JSON.stringify(answers.map((a) => (a.rows ? { ...a, rows: Array.from(a.rows) } : a))));
+writeFileSync(`${folder}/answers.json`, JSON.stringify(answers, (_, value) => (value instanceof Float64Array ? Array.from(value) : value)));

@@ -68,6 +68,7 @@ export interface Head {
   parameters: Quantity[]; // as the tape counts them
   inputs: Quantity[];
   lasting: number[]; // rows of constraints that come and go
+  differentiable: boolean; // the motion has derivatives by its quantities
   words: Record<string, string>; // why a run ended, by status
   said: string; // of the recorded motion
   sources: (Span | null)[]; // statements of the text that terms of the equations come from

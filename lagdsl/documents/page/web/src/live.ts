@@ -8,6 +8,13 @@ export interface Outcome {
   status: number;
   time: number;
   took: number;
+  derivatives: Float64Array;
+}
+
+/** A session that is not that of the machine: another tape; quantities that its end is differentiated by. */
+export interface Wishes {
+  tape?: string;
+  by?: number[];
 }
 
 export class Live {
@@ -28,7 +35,7 @@ export class Live {
     head: Head,
     rows: number,
     told: (outcome: Outcome) => void,
-    tape = "tape",
+    { tape = "tape", by = [] }: Wishes = {},
   ): Promise<Live | null> {
     if (head.live === false || typeof WebAssembly === "undefined" || typeof Worker === "undefined") return null;
     try {
@@ -42,6 +49,7 @@ export class Live {
         rows,
         tolerance: head.tolerance,
         lasting: head.lasting,
+        by,
       };
       const width = await new Promise<number>((resolve, reject) => {
         worker.onmessage = (event: MessageEvent<{ ready: number }>) => resolve(event.data.ready);
@@ -69,7 +77,7 @@ export class Live {
   private arrived(answer: Answer): void {
     this.busy = false;
     const motion = new Motion(this.width, answer.rows);
-    this.told({ motion, status: answer.status, time: answer.time, took: answer.took });
+    this.told({ motion, status: answer.status, time: answer.time, took: answer.took, derivatives: answer.derivatives });
     this.next();
   }
 }

@@ -3,6 +3,7 @@ import { Curves } from "./curves.ts";
 import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
 import { inflated, readHead, type Head, type Shape, type Span } from "./head.ts";
+import { Influence } from "./influence.ts";
 import { Live, type Outcome } from "./live.ts";
 import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
@@ -35,6 +36,7 @@ class Page {
   private readonly numbers: Float64Array;
   private readonly player: Player;
   private readonly sliders: Sliders;
+  private readonly influence: Influence;
   private readonly curves: Curves;
   private readonly source: Source;
   private readonly terms: Terms;
@@ -56,6 +58,7 @@ class Page {
     this.numbers = new Float64Array(motion.width);
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
+    this.influence = new Influence(head, place("sliders"));
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
     this.source = new Source(head, place("source"), (line) => this.follow(line), (line) => this.toTerms(line));
     this.terms = new Terms(head, place("derivation"), (spans) => this.mark(spans), (spans) => this.toSource(spans));
@@ -87,6 +90,7 @@ class Page {
       part.hidden = this.head.live === false;
     }
     if (this.live === null && this.head.live !== false) this.say("This browser shows the recorded motion only: sliders need WebAssembly.");
+    if (this.live !== null) this.influence.rest(this.sliders.parameters, this.sliders.inputs);
     document.documentElement.dataset.ready = this.live === null ? "recorded" : "live";
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.play();
   }
@@ -129,6 +133,7 @@ class Page {
   }
 
   private again(): void {
+    this.influence.rest(this.sliders.parameters, this.sliders.inputs);
     this.live?.run(this.sliders.parameters, this.sliders.inputs);
     void this.arrows?.then((live) => live?.run(this.sliders.parameters, this.sliders.inputs));
   }
@@ -145,7 +150,7 @@ class Page {
         document.documentElement.dataset.arrows = `${motion.count}`;
         this.pose(this.player.time);
       };
-      this.arrows = Live.begin(this.head, ROWS, told, "vectors");
+      this.arrows = Live.begin(this.head, ROWS, told, { tape: "vectors" });
       if ((await this.arrows) === null) this.say("Arrows need WebAssembly.");
       this.again();
     }

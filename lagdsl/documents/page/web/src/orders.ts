@@ -8,6 +8,7 @@ export interface Setup {
   rows: number;
   tolerance: number;
   lasting: number[];
+  by: number[]; // parameters and, behind them, inputs that the end of the motion is differentiated by
 }
 export interface Order {
   number: number;
@@ -20,7 +21,10 @@ export interface Answer {
   status: number;
   time: number; // at which the motion ended [s]
   took: number; // [ms]
+  derivatives: Float64Array; // of the last row by each of Setup.by, a row each; empty where there are none
 }
 
-/** The status of a motion that took longer than one waits. */
+/** The status of a motion that the model ended, */
+export const STOPPED = 9;
+/** and that of one that took longer than one waits. */
 export const INTERRUPTED = -1;

@@ -48,4 +48,15 @@ const double *lag_session_row(lag_session *session);
 /* Numbers of a row. */
 size_t lag_session_width(const lag_session *session);
 
+/*
+ * The motion is differentiated from the next lag_session_begin() on, by parameters and, behind them, inputs of these numbers (count), which must stay:
+ * in a block of so many bytes, on an address that is a multiple of 16 (lag/sensitivities/run_sensitivities.h). lag_session_begin() and lag_session_to()
+ * return LAG_GRAZING and LAG_NOT_SMOOTH, too.
+ */
+size_t lag_session_sensitivities_size(const lag_model *model, size_t count);
+void lag_session_differentiate(lag_session *session, void *block, size_t count, const unsigned *which);
+
+/* Derivatives (count, width) of the present row at a fixed time, in the block; there, time, energy and residuals are 0. Null: there are none. */
+const double *lag_session_derivatives(lag_session *session);
+
 #endif

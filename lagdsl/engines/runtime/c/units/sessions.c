@@ -14,6 +14,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 #include "lag/sensitivities/differences.h"
+#include "lag/sensitivities/run_sensitivities.h"
 #include "lag/sensitivities/sensitivities.h"
 #include "lag/session.h"
 #include "lag/session/motions.h"
@@ -52,6 +53,8 @@
 #include "lag/sensitivities/differences.c"
 
 #include "lag/sensitivities/projection_tangent.c"
+
+#include "lag/sensitivities/run_sensitivities.c"
 
 #include "lag/sensitivities/sensitivities.c"
 

@@ -243,15 +243,13 @@ static lag_status columns_at(lag_sensitivities *s, lag_run *run, size_t block, d
     return status == LAG_OK ? lag_columns_project(s, run, block, t, x, point) : status;
 }
 
-static lag_status row(lag_run *run, size_t number, double t, const double *x)
+lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, const double *x, double *derivatives)
 {
-    lag_sensitivities *s = lag_sensitivities_of(run);
     const lag_model *model = run->motion.model;
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
     const size_t variables = lag_places_of(model).contact;
     const size_t width = lag_sensitivities_width(model);
-    double *first = s->results.rows + number * s->of.count * width;
     lag_status status = LAG_OK;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         status = columns_at(s, run, block, t, x, s->work.point);
@@ -262,7 +260,7 @@ static lag_status row(lag_run *run, size_t number, double t, const double *x)
             status = lag_columns_rates(s, run, block, t, x, s->work.point, s->work.rates, s->work.y);
         }
         for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
-            double *to = first + (block * lanes + lane) * width;
+            double *to = derivatives + (block * lanes + lane) * width;
             lag_columns_get(s, lane, n, s->work.point, n, to);
             lag_columns_get(s, block * lanes + lane, variables, s->columns.w, model->nw, to + n);
             lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + variables);
@@ -271,9 +269,19 @@ static lag_status row(lag_run *run, size_t number, double t, const double *x)
     return status;
 }
 
+static lag_status row(lag_run *run, size_t number, double t, const double *x)
+{
+    lag_sensitivities *s = lag_sensitivities_of(run);
+    const size_t entries = s->of.count * lag_sensitivities_width(run->motion.model);
+    return s->results.rows == NULL ? LAG_OK : lag_sensitivities_get(s, run, t, x, s->results.rows + number * entries);
+}
+
 static void note(lag_companion *companion, size_t number)
 {
     const lag_sensitivities *s = (const lag_sensitivities *)(const void *)companion;
+    if (s->results.times == NULL) {
+        return;
+    }
     memcpy(s->results.times + number * s->of.count, s->instant.time, s->of.count * sizeof(double));
 }
 

@@ -59,7 +59,7 @@ typedef struct lag_sensitivity_functions {
     int prepared[2]; /* their workspaces are those of the present parameters */
 } lag_sensitivity_functions;
 
-/* Rows beside those of lag_results, in buffers of the caller. */
+/* Rows beside those of lag_results, in buffers of the caller; null: not wanted. */
 typedef struct lag_sensitivity_rows {
     double *rows;  /* (most_rows, count, lag_sensitivities_width()): of x, of the discrete variables, of the outputs */
     double *times; /* (most_notes, count) of the instants of notes */
@@ -153,6 +153,9 @@ void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault
  * those of `values` in place of the flagged ones (2 nq + nz; null: none). LAG_NOT_SMOOTH: its neighbours have none.
  */
 lag_status lag_sensitivities_start(lag_sensitivities *s, struct lag_run *run, double t, const unsigned char *set, const double *values);
+
+/* Derivatives (count, lag_sensitivities_width()) at a fixed time t of the state x there: the present one of the run, or one within its last step. */
+lag_status lag_sensitivities_get(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *derivatives);
 
 /* ---- for its own parts ---- */
 

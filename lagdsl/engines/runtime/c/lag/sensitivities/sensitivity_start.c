@@ -54,7 +54,7 @@ lag_status lag_sensitivities_start(lag_sensitivities *s, lag_run *run, double t,
     for (size_t i = 0; i < model->np; ++i) {
         s->scales[i] = run->motion.at.p[i] != 0.0 ? fabs(run->motion.at.p[i]) : 1.0;
     }
-    memcpy(s->instant.sizes, run->options.sizes.natural, n * sizeof(double));
+    memcpy(s->instant.sizes, run->sizes.found ? run->sizes.natural : run->options.sizes.natural, n * sizeof(double));
     memcpy(s->instant.sizes + n, s->scales, model->np * sizeof(double));
     lag_fill(n, 0.0, run->stepper.x);
     lag_differences_begin(&s->differences, run, s->scales);

@@ -4,6 +4,17 @@
 
 #include "lag/hold.h"
 #include "lag/linalg/arena.h"
+#include "lag/sensitivities/run_sensitivities.h"
+
+/* Derivatives of the motion; without a block there are none. */
+typedef struct derivatives {
+    void *block;
+    size_t bytes, count;
+    const unsigned *which;
+    const char **by;    /* (count) names */
+    double *rows, *told; /* (count, width) as the run has them and as rows of results */
+    lag_run_sensitivities *along;
+} derivatives;
 
 struct lag_session {
     const lag_model *model;
@@ -15,6 +26,7 @@ struct lag_session {
     lag_hold hold;
     double *p;
     double *lasting; /* (nc) */
+    derivatives derivatives;
 };
 
 /* Number of lasting rows that are independent in general. */
@@ -126,11 +138,64 @@ double *lag_session_lasting(lag_session *session)
     return session->lasting;
 }
 
+static size_t names_and_rows(const lag_model *model, size_t count)
+{
+    const size_t doubles = count * (lag_sensitivities_width(model) + lag_results_width(model));
+    return lag_padded(count * sizeof(char *)) + lag_padded(doubles * sizeof(double));
+}
+
+size_t lag_session_sensitivities_size(const lag_model *model, size_t count)
+{
+    return names_and_rows(model, count) + lag_run_sensitivities_size(model, count);
+}
+
+void lag_session_differentiate(lag_session *session, void *block, size_t count, const unsigned *which)
+{
+    session->derivatives = (derivatives){.block = block, .count = count, .which = which};
+    session->derivatives.bytes = lag_session_sensitivities_size(session->model, count);
+}
+
+/* The block anew: nothing of an earlier motion is in it. */
+static void place_derivatives(lag_session *session)
+{
+    const lag_model *model = session->model;
+    derivatives *d = &session->derivatives;
+    char *bytes = d->block;
+    memset(d->block, 0, d->bytes);
+    d->by = d->block;
+    for (size_t k = 0; k < d->count; ++k) {
+        const size_t number = d->which[k];
+        d->by[k] = number < model->np ? model->parameters[number].name : model->inputs[number - model->np].name;
+    }
+    d->rows = (double *)(void *)(bytes + lag_padded(d->count * sizeof(char *)));
+    d->told = d->rows + d->count * lag_sensitivities_width(model);
+    d->along = lag_run_sensitivities_place(bytes + names_and_rows(model, d->count), model, d->count, d->by, NULL);
+}
+
+const double *lag_session_derivatives(lag_session *session)
+{
+    lag_run *run = session->run;
+    const derivatives *d = &session->derivatives;
+    const size_t from = lag_sensitivities_width(session->model);
+    const size_t to = lag_results_width(session->model);
+    if (d->along == NULL || lag_run_sensitivities_get(d->along, run, run->stepper.t, run->stepper.x, d->rows) != LAG_OK) {
+        return NULL;
+    }
+    for (size_t k = 0; k < d->count; ++k) {
+        memcpy(d->told + k * to + 1, d->rows + k * from, from * sizeof(double));
+    }
+    return d->told;
+}
+
 lag_status lag_session_begin(lag_session *session, double t)
 {
     renew(session);
     memcpy(session->hold.before, session->hold.u, session->hold.count * sizeof(double));
-    return lag_run_begin(session->run, t, NULL);
+    if (session->derivatives.block == NULL) {
+        return lag_run_begin(session->run, t, NULL);
+    }
+    place_derivatives(session);
+    return lag_run_sensitivities_begin(session->derivatives.along, session->run, t, NULL, NULL);
 }
 
 lag_status lag_session_to(lag_session *session, double t, size_t most_steps)
