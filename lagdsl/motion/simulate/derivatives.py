@@ -8,7 +8,6 @@ from typing import NoReturn
 import numpy as np
 
 from lagdsl.engines.runtime.engines.engine import Engine
-from lagdsl.engines.runtime.library import FIXED_METHODS
 from lagdsl.engines.runtime.run import Run
 from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.engines.runtime.structures import Status
@@ -40,10 +39,8 @@ def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Dire
     return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
 
 
-def check_differentiable(flat: FlatModel, solver: str, controlled: bool) -> None:
+def check_differentiable(flat: FlatModel, controlled: bool) -> None:
     """Raises CallRefused (E0884) for a motion of which derivatives are not known."""
-    if solver in FIXED_METHODS:
-        raise refused("E0884", text="a solver that chooses its steps: auto, dop853 or radau")
     if flat.events.delays:
         raise refused("E0884", text="a model without delayed values")
     if controlled:
@@ -64,7 +61,9 @@ def differentiate(
     chosen = np.array([name in given for name in places_of(flat)], dtype=np.uint8)
     status = run.differentiate(initial.t, initial.starts, chosen, directions_of(flat, engine, names))
     if status is not Status.OK:
-        raise refused("E0882", name=names[0], time=time_text(initial.t))
+        sensitivities = run.results.sensitivities
+        at_fault = 0 if sensitivities is None else int(sensitivities.fault.guard)
+        raise refused("E0882", name=names[at_fault], time=time_text(initial.t))
 
 
 def tell_one_sided(run: Run, sink: Sink) -> None:

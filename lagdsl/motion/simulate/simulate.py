@@ -78,7 +78,7 @@ def simulate(
     wanted = experiment.interval if interval is None else float(interval)
     check_options(t0, end, relative, solver, step)
     if tangents:
-        check_differentiable(flat, solver, bool(control))
+        check_differentiable(flat, bool(control))
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"):

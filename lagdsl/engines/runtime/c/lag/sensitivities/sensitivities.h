@@ -186,6 +186,10 @@ lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t b
 lag_status lag_projection_tangent(lag_projection *projection, double t, const double *x, const double *dw, double h, double *direction);
 /* The same for the columns of a block. */
 lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, double *directions);
+/* Lets the columns follow a step of fixed length; slopes for its cubic, which is found at a part of the step of length h then. */
+lag_status lag_columns_fixed_step(lag_sensitivities *s, struct lag_run *run);
+lag_status lag_columns_prepare_fixed(lag_sensitivities *s, struct lag_run *run);
+void lag_columns_fixed_dense(const lag_sensitivities *s, const struct lag_run *run, size_t block, double h, double part, double *to);
 /* Columns of a block at a time within the last step, into `to` (2 nq + nz, lanes). */
 lag_status lag_columns_dense(lag_sensitivities *s, struct lag_run *run, size_t block, double t, double *to);
 
