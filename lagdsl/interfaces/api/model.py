@@ -247,6 +247,7 @@ class Model(Estimation):
         inputs: GivenOfRuns = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
+        tangents: Sequence[str] | str = (),
         threads: int | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> Motions:
@@ -256,7 +257,8 @@ class Model(Estimation):
         `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
         `simulate`, numbers or sequences of one length. Entries of inputs are signals of any form; a pair of columns of
         numbers is one table. A sequence of mappings or of files has all inputs of each run. `columns` are the names to
-        keep, `threads` the number of cores to use. Raises KeyError and ValueError for arguments that do not fit.
+        keep, `threads` the number of cores to use. `motions.derivative("theta", "l")` is by what `tangents` names.
+        Raises KeyError and ValueError for arguments that do not fit.
         """
         from lagdsl.interfaces.api.inputs.runs import inputs_of_runs
         from lagdsl.interfaces.api.motions import simulate_many, values_of_runs
@@ -274,6 +276,7 @@ class Model(Estimation):
             inputs=inputs_of_runs(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
+            tangents=tuple(listed(tangents)),
             threads=threads,
             progress=watched(progress, "simulations"),
         )

@@ -94,7 +94,7 @@ class Motion:
                 status = self._segment(stop)
             if status is Status.OK and stop < self._last:
                 if acting and controlled is not None:
-                    controlled.act(acting, run, task.sink)
+                    self._check_law(controlled.act(acting, run, task.sink))
                 status = self._ended(run.jump())
         self._ended(run.end())
         found = self._check_outputs(self._so_far(self._task.finer, whole=True))
@@ -109,6 +109,14 @@ class Motion:
         if self._asked.controls is not None:
             found |= dict(self._asked.controls.instants())
         return [*sorted(found.items()), (self._last, [])]
+
+    def _check_law(self, none: int | None) -> None:
+        """E0882 where a law has no derivative by the quantity of this number."""
+        if none is not None:
+            sink, name = Sink(), self._asked.tangents[none]
+            sink.report("E0882", None, name=name, time=time_text(self._run.t))
+            values = state_values(self._asked.flat, self._run.explain(Status.NOT_SMOOTH).x)
+            raise SimulationFailed(sink.diagnostics[-1], self._run.t, values, name, self._so_far())
 
     def _inputs_at(self, t: float) -> Floats:
         """u (nu,) of a row at time t."""

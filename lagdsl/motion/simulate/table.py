@@ -142,7 +142,8 @@ def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
 
 def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensitivities:
     """Derivatives of all rows so far."""
-    rows, times = run.results.derivatives()
+    found = run.results.derivatives()
+    rows = found.rows()
     heads = [head[0] for head in heads_of(flat)]
     table = np.zeros((len(rows), len(names), len(heads)))
     for column, place in enumerate(places_of_columns(flat)):
@@ -150,4 +151,4 @@ def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensiti
             table[:, :, column] = rows[:, :, place - 1]
     places = {name: column for column, name in enumerate(heads)}
     others = {other: places[name] for name, each in other_names(flat).items() for other in each if name in places}
-    return Sensitivities(names=tuple(names), table=table, times=times, places=places | others)
+    return Sensitivities(names=tuple(names), table=table, times=found.times(), places=places | others)

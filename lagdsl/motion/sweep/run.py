@@ -31,7 +31,7 @@ Status: TypeAlias = Literal["ok", "failed"]
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
     """Options of every run; times in s. `columns` are the names to keep, None for all; `inputs` those that all runs
-    share."""
+    share; `tangents` what they are differentiated by."""
 
     stop: float
     interval: float | None
@@ -40,6 +40,7 @@ class Options:
     engine: EngineName
     inputs: Mapping[str, Signal]
     columns: tuple[str, ...] | None = None
+    tangents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,7 +56,8 @@ class SweptModel:
 class Outcome:
     """Columns of one run in SI units: `values` (rows, columns) at the times of the grid up to `ended` [s].
 
-    `ended` is nan where the run failed before its first row; `message` says why a run failed.
+    `ended` is nan where the run failed before its first row; `message` says why a run failed. `derivatives` (rows,
+    tangents, columns) are there where they are asked for.
     """
 
     index: int
@@ -65,6 +67,7 @@ class Outcome:
     names: tuple[str, ...]
     units: tuple[str, ...]
     values: Floats
+    derivatives: Floats | None = None
 
 
 class Interrupted(BaseException):
@@ -114,6 +117,7 @@ class Runner:
             inputs={**options.inputs, **task.inputs},
             start=task.start,
             solver=options.solver,
+            tangents=options.tangents,
             progress=self._progress,
         )
 
@@ -144,6 +148,8 @@ def _outcome(
     kept = motion.only(options.columns).columns[1:]
     rows = _rows(motion, options)
     values = np.column_stack([c.values[rows] for c in kept]) if kept else np.empty((len(rows), 0))
+    found = motion.sensitivities
+    derivatives = None if found is None else found.table[rows][:, :, [found.places[c.name] for c in kept]]
     end = float(motion.time[-1]) if len(motion) else np.nan
     return Outcome(
         index=task.index,
@@ -153,6 +159,7 @@ def _outcome(
         names=tuple(c.name for c in kept),
         units=tuple(c.unit for c in kept),
         values=values,
+        derivatives=derivatives,
     )
 
 

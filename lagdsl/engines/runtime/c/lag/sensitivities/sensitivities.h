@@ -154,6 +154,15 @@ void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault
  */
 lag_status lag_sensitivities_start(lag_sensitivities *s, struct lag_run *run, double t, const unsigned char *set, const double *values);
 
+/* The columns at the present, as in a row of them (count, lag_sensitivities_width()). */
+lag_status lag_sensitivities_row(struct lag_run *run, double *row);
+/* Inputs that callers set go along u (count, nu) from now on. */
+void lag_sensitivities_inputs(lag_sensitivities *s, const lag_model *model, const double *u);
+/* All columns between two calls as bytes, and back, into sensitivities of the same directions; signature and checksum are the caller's. */
+size_t lag_sensitivities_saved_size(const lag_sensitivities *s, const lag_model *model);
+void lag_sensitivities_save(const lag_sensitivities *s, const lag_model *model, unsigned char *bytes);
+void lag_sensitivities_load(lag_sensitivities *s, const lag_model *model, const unsigned char *bytes);
+
 /* ---- for its own parts ---- */
 
 /* Sensitivities of a run that has some. */
