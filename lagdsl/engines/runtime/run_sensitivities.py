@@ -102,12 +102,10 @@ class RunSensitivities:
         runtime_library().sensitivities_save(self.address, self._model.model, buffer)
         return buffer.raw
 
-    def load(self, saved: bytes) -> bool:
-        """Takes the columns of other sensitivities along the same directions; False: these bytes are none."""
-        fits = len(saved) == self._saved_size()
-        if fits:
-            runtime_library().sensitivities_load(self.address, self._model.model, saved)
-        return fits
+    def load(self, saved: bytes) -> None:
+        """Takes the columns of other sensitivities along the same directions."""
+        assert len(saved) == self._saved_size(), "internal error: these are columns along other directions"
+        runtime_library().sensitivities_load(self.address, self._model.model, saved)
 
     def _saved_size(self) -> int:
         return int(runtime_library().sensitivities_saved_size(self.address, self._model.model))

@@ -67,12 +67,17 @@ def _refuse(flat: FlatModel, name: str, known: list[str]) -> NoReturn:
 
 
 def differentiate(
-    flat: FlatModel, engine: Engine, run: Run, initial: InitialState, given: Collection[str], names: Sequence[str]
+    flat: FlatModel,
+    run: Run,
+    initial: InitialState,
+    given: Collection[str],
+    names: Sequence[str],
+    directions: Directions,
 ) -> None:
-    """Lets the run, whose start was found with those `given`, be differentiated by the quantities `names`.
-    Raises as `directions_of`, and CompilationFailed (E0882) where the start has no derivatives."""
+    """Lets the run, whose start was found with those `given`, be differentiated by the quantities `names` along these
+    directions. Raises CallRefused (E0882) where the start has no derivatives."""
     chosen = np.array([name in given for name in places_of(flat)], dtype=np.uint8)
-    status = run.differentiate(initial.t, initial.starts, chosen, directions_of(flat, engine, names))
+    status = run.differentiate(initial.t, initial.starts, chosen, directions)
     if status is not Status.OK:
         sensitivities = run.results.sensitivities
         at_fault = 0 if sensitivities is None else int(sensitivities.fault.guard)

@@ -1,5 +1,5 @@
-"""Derivatives of a controller's law by the present that it reads: central differences of the sixth order, as the runtime
-takes them at instants (lag/sensitivities/differences.h)."""
+"""Derivatives of a controller's law by the present that it reads: central differences of the sixth order, as the
+runtime takes them at instants (lag/sensitivities/differences.h)."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from ctypes import c_double, c_void_p, cast
+from typing import Any
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Present:
     def watch(self, run: Run, held: HeldInputs) -> None:
         """From now on the values are those of this run."""
         self._held = held
-        self._state: Sequence[float] = (c_double * run.size).from_address(cast(run.report.x, c_void_p).value or 0)
+        self._state: Any = (c_double * run.size).from_address(cast(run.report.x, c_void_p).value or 0)
         self._numbers = np.zeros(run.results.width)
         self._one = (c_void_p * 1)(held.address)
         self._row = None
@@ -83,7 +84,7 @@ class Present:
         if place is None:
             return self._array(name)
         if 0 < place < self._places.states:
-            return self._state[place - 1]
+            return float(self._state[place - 1])
         return self.values()[place]
 
     def __contains__(self, name: object) -> bool:

@@ -20,7 +20,7 @@ from lagdsl.motion.signals.inputs import Signal, report_missing, signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.commands import Commands
 from lagdsl.motion.simulate.control import Control, Controls
-from lagdsl.motion.simulate.derivatives import check_controlled, check_differentiable, differentiate
+from lagdsl.motion.simulate.derivatives import check_controlled, check_differentiable, differentiate, directions_of
 from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
@@ -214,7 +214,7 @@ def _motion(
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()
     if asked.tangents:
-        differentiate(flat, engine, run, initial, asked.start, asked.tangents)
+        differentiate(flat, run, initial, asked.start, asked.tangents, directions_of(flat, engine, asked.tangents))
     task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
     found, turns = Motion(task).trajectory(), run.results.turns(run.size)
     run.leave()

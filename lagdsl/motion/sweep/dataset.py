@@ -166,9 +166,7 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
                 if name not in derivatives:
                     derivatives[name] = np.full((runs, rows, outcome.derivatives.shape[1]), np.nan)
                 derivatives[name][outcome.index, : len(outcome.values)] = outcome.derivatives[:, :, i]
-    return Collected(
-        columns=columns, units=units, status=status, message=message, ended=ended, derivatives=derivatives
-    )
+    return Collected(columns=columns, units=units, status=status, message=message, ended=ended, derivatives=derivatives)
 
 
 def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
