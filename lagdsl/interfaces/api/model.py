@@ -15,7 +15,7 @@ from lagdsl.engines.backends.python.support.values import Entries, State, given_
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
-from lagdsl.interfaces.api.estimation import Estimation
+from lagdsl.interfaces.api.functions.motions_as_functions import MotionsAsFunctions
 from lagdsl.interfaces.api.inputs.values import signals_of
 from lagdsl.interfaces.api.names import Given, Value, entries, known, listed
 from lagdsl.interfaces.api.one_state import calls_at_one_state
@@ -42,7 +42,7 @@ Floats = NDArray[np.float64]
 Inputs: TypeAlias = "Mapping[str, Signal | str] | Path | str | ArrayLike | None"
 
 
-class Model(Estimation):
+class Model(MotionsAsFunctions):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs

@@ -112,7 +112,7 @@ class Motions:
     def to_xarray(self) -> xarray.Dataset:
         """Columns over `run` and `time`, with `status`, `message` and `ended` of each run as `Model.sweep` has them.
         Settings are coordinates of the runs; units are attributes. Needs the extra `sweep`."""
-        _require("xarray", "labelled datasets")
+        require_package("xarray", "labelled datasets")
         runs = range(len(self))
         found = Collected(
             columns=self.columns,
@@ -126,7 +126,7 @@ class Motions:
     def to_dataframe(self) -> pd.DataFrame:
         """A row for every run and time: `run`, the settings, `time`, the columns; `attrs["units"]` has the SI unit of
         each. Needs the extra `table`."""
-        _require("pandas", "data frames")
+        require_package("pandas", "data frames")
         import pandas as pd
 
         frame = pd.DataFrame(self._table())
@@ -156,8 +156,8 @@ class Motions:
         return {free_name("time", {*self.settings, *self.columns}): "s", **self.units}
 
 
-def _require(package: str, what: str) -> None:
-    """Raise ModuleNotFoundError where a package is missing."""
+def require_package(package: str, what: str) -> None:
+    """Raises ModuleNotFoundError where a package is missing."""
     if find_spec(package) is None:
         raise ModuleNotFoundError(f"{what} need {package}: pip install {package}")
 
