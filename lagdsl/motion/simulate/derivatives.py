@@ -47,11 +47,8 @@ def _units(flat: FlatModel, layout: Layout, names: Sequence[str]) -> tuple[Float
 
 
 def check_differentiable(flat: FlatModel, layout: Layout, names: Sequence[str]) -> None:
-    """Raises UnknownName and CallRefused (E0880) for what has no derivatives, E0884 for a model whose motions have
-    none."""
+    """Raises UnknownName and CallRefused (E0880) for what has no derivatives."""
     _units(flat, layout, names)
-    if flat.events.delays:
-        raise refused("E0884", text="a model without delayed values")
 
 
 def check_controlled(speeds: Sequence[bool], following: Sequence[bool]) -> None:

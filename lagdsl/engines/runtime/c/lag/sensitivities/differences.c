@@ -35,9 +35,19 @@ void lag_differences_place(lag_differences *d, const lag_model *model, size_t mo
     d->sixth = lag_take(&memory, most);
 }
 
+/* Copies the run, but for the past of delayed values, which stays as it is at an instant. */
+static void copy(const lag_differences *d, unsigned char *to, const unsigned char *from)
+{
+    const lag_delay_pieces *pieces = &d->run->motion.delays.pieces;
+    const size_t past = lag_delay_pieces_memory(pieces->n) * sizeof(double);
+    const size_t first = past > 0 ? (size_t)((const unsigned char *)pieces->begin - (const unsigned char *)d->run) : d->bytes;
+    memcpy(to, from, first);
+    memcpy(to + first + past, from + first + past, d->bytes - first - past);
+}
+
 static void put_back(lag_differences *d)
 {
-    memcpy(d->run, d->kept, d->bytes);
+    copy(d, (unsigned char *)d->run, d->kept);
     d->run->motion.at.p = d->p_here;
     (void)lag_motion_prepare(&d->run->motion); /* a workspace elsewhere is none of the memory that was kept */
 }
@@ -47,7 +57,7 @@ void lag_differences_begin(lag_differences *d, lag_run *run, const double *p_siz
     d->run = run;
     d->p_here = run->motion.at.p;
     d->p_sizes = p_sizes;
-    memcpy(d->kept, run, d->bytes);
+    copy(d, d->kept, (const unsigned char *)run);
 }
 
 void lag_differences_end(lag_differences *d)
@@ -121,6 +131,9 @@ static lag_status displace(lag_differences *d, const lag_displacement *along, do
     }
     for (size_t i = 0; i < model->nw && along->w != NULL; ++i) {
         run->motion.w[i] += by * along->w[i];
+    }
+    if (along->w != NULL && model->ndelay > 0) {
+        lag_delays_displace(&run->motion.delays, along->w + lag_places_of(model).delay, by);
     }
     lag_differences_shift(d, along->u, by);
     for (size_t i = 0; i < model->ncontact && along->until != NULL; ++i) {

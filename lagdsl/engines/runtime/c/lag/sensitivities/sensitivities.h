@@ -86,6 +86,19 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
+/* Columns of delayed values (sensitivity_delays.c). */
+typedef struct lag_columns_past {
+    lag_delay_pieces pieces; /* of the expressions along every column, then dtau of the place at which a piece begins: (ndelay + 1, count) */
+    double *moved;           /* (count) dtau of the last instant, */
+    int happened;            /* which was just now */
+    double *delays;          /* (ndelay, count) derivatives of the delays themselves */
+    double *state;           /* (2 nq + nz) */
+    double *values, *derivative, *times; /* (ndelay) each */
+} lag_columns_past;
+
+size_t lag_columns_past_memory(const lag_model *model, size_t count);
+void lag_columns_past_place(lag_columns_past *past, const lag_model *model, size_t count, double *memory);
+
 /* Arrays of one step. */
 typedef struct lag_columns_work {
     double *state, *state_of_stage; /* (2 nq + nz) each */
@@ -128,6 +141,7 @@ typedef struct lag_sensitivities {
     lag_sensitivity_rows results;
     lag_columns columns;
     lag_columns_work work;
+    lag_columns_past past;
     lag_columns_instant instant;
     lag_sensitivity_functions along;
     lag_differences differences;
@@ -195,6 +209,14 @@ lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t b
 lag_status lag_projection_tangent(lag_projection *projection, double t, const double *x, const double *dw, double h, double *direction);
 /* The same for the columns of a block. */
 lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, double *directions);
+/* Columns of delayed values at time t, into those of the discretes. */
+void lag_columns_set_delays(lag_sensitivities *s, struct lag_run *run, double t);
+/* The motion begins; its last step up to time t is the past of delayed values. */
+lag_status lag_columns_begin_past(lag_sensitivities *s, struct lag_run *run);
+lag_status lag_columns_keep_past(struct lag_run *run, double t);
+/* True if nothing but jumps of delayed values causes the instant; carries it out then, with the columns. LAG_NOT_SMOOTH: it turns something. */
+int lag_columns_jumps_alone(const struct lag_run *run, const struct lag_cause *cause);
+lag_status lag_columns_pass_jumps(lag_sensitivities *s, struct lag_run *run, const struct lag_cause *cause);
 /* Lets the columns follow a step of fixed length; slopes for its cubic, which is found at a part of the step of length h then. */
 lag_status lag_columns_fixed_step(lag_sensitivities *s, struct lag_run *run);
 lag_status lag_columns_prepare_fixed(lag_sensitivities *s, struct lag_run *run);

@@ -39,6 +39,14 @@ static void record_columns(lag_sensitivities *s, const lag_model *model, lag_rec
     lag_record_doubles(record, model->np, s->scales);
     lag_record_doubles(record, s->of.count * model->ncontact, s->instant.until);
     lag_record_bytes(record, &s->fault, sizeof s->fault);
+    if (model->ndelay > 0) {
+        lag_delay_pieces *pieces = &s->past.pieces;
+        lag_record_doubles(record, lag_columns_past_memory(model, s->of.count), s->past.moved); /* the first of its arrays */
+        lag_record_bytes(record, &pieces->first, sizeof pieces->first);
+        lag_record_bytes(record, &pieces->count, sizeof pieces->count);
+        lag_record_bytes(record, &pieces->level, sizeof pieces->level);
+        lag_record_bytes(record, &s->past.happened, sizeof s->past.happened);
+    }
 }
 
 size_t lag_sensitivities_saved_size(const lag_sensitivities *s, const lag_model *model)
