@@ -1,9 +1,9 @@
 """Examples of the documents are sound models, Python that runs, and commands with the output that the page shows.
 
 Blocks of a page run in their order, in one folder with `models/` beside it. A block whose first line says `file=NAME`
-is written there; one that says `fragment` does not stand alone and is left out; one that says `needs=PACKAGE` runs where
-that is installed. LAGDSL_UPDATE=1 writes the output of
-commands into the pages. Pages about FMUs and about small motions have tests of their own.
+is written there; one that says `fragment` does not stand alone and is left out; one that says `needs=PACKAGE` runs
+where that is installed. LAGDSL_UPDATE=1 writes the output of commands into the pages. Pages about FMUs and about small
+motions have tests of their own.
 """
 
 from __future__ import annotations

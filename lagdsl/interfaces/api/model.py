@@ -75,6 +75,7 @@ class Model(MotionsAsFunctions):
         self._engine = engine
         self._source = source
         self._crowd = engine.crowd()
+        self._prepared: list[BatchEngine] = []
         self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
@@ -254,11 +255,10 @@ class Model(MotionsAsFunctions):
         """Many motions at once, on all cores: run k has entry k of every sequence among the values.
 
         `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
-        `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
-        `simulate`, numbers or sequences of one length. Entries of inputs are signals of any form; a pair of columns of
-        numbers is one table. A sequence of mappings or of files has all inputs of each run. `columns` are the names to
-        keep, `threads` the number of cores to use. `motions.derivative("theta", "l")` is by what `tangents` names.
-        Raises KeyError and ValueError for arguments that do not fit.
+        `motions.failures` says why which run failed; its rows after that are nan. Names, values and `tangents` are
+        those of `simulate`, values numbers or sequences of one length. Entries of inputs are signals of any form; a
+        pair of columns of numbers is one table. A sequence of mappings or of files has all inputs of each run.
+        `columns` are the names to keep, `threads` the cores to use. Raises KeyError, ValueError for what does not fit.
         """
         from lagdsl.interfaces.api.inputs.runs import inputs_of_runs
         from lagdsl.interfaces.api.motions import simulate_many, values_of_runs
@@ -270,6 +270,7 @@ class Model(MotionsAsFunctions):
             values_of_runs("parameter", parameters, self._named("parameter")),
             values_of_runs("start value", by_own_names(self._compilation.flat, start or {}), self._named("start")),
             engine=self._engine.name,
+            prepared=self._prepared,
             stop=stop,
             interval=interval,
             tolerance=tolerance,

@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
+    from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+
 
 @record(kw_only=True)
 class Motions:
@@ -168,6 +170,7 @@ def simulate_many(
     start: Mapping[str, ArrayLike],
     *,
     engine: EngineName,
+    prepared: list[BatchEngine],
     stop: float | None,
     interval: float | None,
     tolerance: float | None,
@@ -178,7 +181,7 @@ def simulate_many(
     threads: int | None,
     progress: Callable[[float], None] | None,
 ) -> Motions:
-    """See `Model.simulate_many`; names of parameters and starts are known."""
+    """See `Model.simulate_many`; names of parameters and starts are known. `prepared` are engines of earlier calls."""
     if tangents:
         check_differentiable(compilation.flat, compilation.program.layout, tangents)
     end, step = options_of(compilation.flat, stop=stop, interval=interval)
@@ -192,7 +195,7 @@ def simulate_many(
         columns=None if columns is None else tuple(columns),
         tangents=tangents,
     )
-    subjects = [SweptModel(flat=compilation.flat, program=compilation.program)]
+    subjects = [SweptModel(flat=compilation.flat, program=compilation.program, engines=prepared)]
     times = times_of(subjects, options)
     count, (chosen, starts) = _runs({name: len(each) for name, each in inputs.own.items()}, parameters, start)
     require_few(count)

@@ -55,6 +55,10 @@ class Maker:
         self._seconds = _PART  # of one run, as the last part took
         self.together = 1  # so many runs of the last model go on together
 
+    def leave(self) -> None:
+        """No more runs are to be made."""
+        self._runner.leave()
+
     def size(self) -> int:
         """So many runs should be made next."""
         return max(self.together, min(_LARGEST, int(_PART / self._seconds)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
@@ -18,6 +18,7 @@ from lagdsl.language.flat.admissible import require_value
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import Signal
 from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.derivatives import directions_of
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.simulate import grid, simulate
 from lagdsl.motion.sweep.plan import Task
@@ -45,11 +46,13 @@ class Options:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SweptModel:
-    """A model to run; `fault` says why there is none."""
+    """A model to run; `fault` says why there is none. `engines` are ready for derivatives: a runner takes one and puts
+    it back."""
 
     flat: FlatModel | None = None
     program: Program | None = None
     fault: str = ""
+    engines: list[BatchEngine] = field(default_factory=list, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,8 +78,9 @@ class Interrupted(BaseException):
 
 
 class Runner:
-    """Makes runs, one after the other; every model is built when it is first needed. `progress` is called with the part
-    of a run that is done; it may raise Interrupted only."""
+    """Makes runs, one after the other; every model is built when it is first needed, for derivatives at once, as these
+    are made of the program, which serves one thread. `progress` is called with the part of a run that is done; it may
+    raise Interrupted only."""
 
     def __init__(
         self, subjects: Sequence[SweptModel], options: Options, progress: Callable[[float], None] | None = None
@@ -85,6 +89,15 @@ class Runner:
         self._subjects = subjects
         self._options = options
         self._engines: dict[int, BatchEngine] = {}
+        for k, swept in enumerate(subjects if options.tangents else ()):
+            if swept.flat is not None and swept.program is not None:
+                self._engines[k] = swept.engines.pop() if swept.engines else engine_of(swept.program, options.engine)
+                directions_of(swept.flat, self._engines[k], options.tangents)
+
+    def leave(self) -> None:
+        """No more runs are to be made."""
+        for k, engine in self._engines.items() if self._options.tangents else ():
+            self._subjects[k].engines.append(engine)
 
     def __call__(self, task: Task) -> Outcome:
         try:
