@@ -36,7 +36,8 @@ class Control:
 def control(every: float | str, function: Callable[[Present], Command | None]) -> Control:
     """A controller: at the start and every `every` (seconds, or a text such as `2 ms`) `function(present)` returns the
     inputs that are held up to the next call: all in the order of the model, one number, some by name, or None to
-    change nothing. `present["theta"]` is a value, `present.t` the time [s]. Raises CallRefused."""
+    change nothing. `present["theta"]` is a value, `present.t` the time [s]. A motion with `tangents` asks it several
+    times at an instant, also beside the present. Raises CallRefused."""
     if not callable(function):
         raise refused("E0893", why="`function` is no function", way="give a function of the present: `lambda now: ...`")
     return Control(seconds("`every`", every), function)

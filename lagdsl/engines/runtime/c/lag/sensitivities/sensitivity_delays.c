@@ -123,25 +123,25 @@ static lag_status sample(lag_sensitivities *s, lag_run *run, double t, double *v
     const lag_stepper *stepper = &run->stepper;
     const lag_model *model = run->motion.model;
     const size_t variables = lag_columns_variables(model);
+    const size_t lanes = s->columns.lanes;
     const double inside = fmin(fmax(t, stepper->t_before), stepper->t);
     lag_status status = LAG_OK;
-    for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
-        const size_t block = k / s->columns.lanes;
-        const size_t lane = k % s->columns.lanes;
-        memcpy(s->work.point, s->columns.x + block * variables * s->columns.lanes, variables * s->columns.lanes * sizeof(double));
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        memcpy(s->work.point, s->columns.x + block * variables * lanes, variables * lanes * sizeof(double));
         status = lag_columns_dense(s, run, block, inside, s->work.point);
-        status = status == LAG_OK ? lag_stepper_dense(&run->stepper, inside, s->past.state) : status;
-        if (status != LAG_OK) {
-            return status;
+        if (block == 0 && status == LAG_OK) {
+            status = lag_stepper_dense(&run->stepper, inside, s->past.state);
+            lag_columns_set_delays(s, run, t);
         }
-        lag_columns_set_delays(s, run, t);
-        lag_columns_get(s, lane, variables, s->work.point, 0, s->work.one);
-        lag_columns_get(s, k, model->nw, s->columns.w, model->nw, s->work.one + variables);
-        status = expressions_along(s, run, t, s->past.state);
-        for (size_t i = 0; i < model->ndelay; ++i) {
-            values[place_of(s, i, k)] = s->past.derivative[i];
+        for (size_t k = block * lanes; k < (block + 1) * lanes && k < s->of.count && status == LAG_OK; ++k) {
+            lag_columns_get(s, k - block * lanes, variables, s->work.point, 0, s->work.one);
+            lag_columns_get(s, k, model->nw, s->columns.w, model->nw, s->work.one + variables);
+            status = expressions_along(s, run, t, s->past.state);
+            for (size_t i = 0; i < model->ndelay; ++i) {
+                values[place_of(s, i, k)] = s->past.derivative[i];
+            }
+            values[place_of(s, model->ndelay, k)] = s->past.moved[k];
         }
-        values[place_of(s, model->ndelay, k)] = s->past.moved[k];
     }
     return status;
 }
