@@ -89,7 +89,7 @@ class RunResults:
         structure.row = structure.note = 0
 
     def forget_notes(self) -> None:
-        """What happened so far."""
+        """Notes so far."""
         self.notes.clear()
         if self.sensitivities is not None:
             self.sensitivities.forget_notes()
@@ -113,7 +113,7 @@ class RunResults:
         return self._taken[0]
 
     def derivatives(self) -> RunSensitivities:
-        """Those of all rows and notes so far."""
+        """Derivatives of all rows and notes so far."""
         self.take()
         assert self.sensitivities is not None, "internal error: nobody asked for derivatives"
         return self.sensitivities

@@ -143,8 +143,8 @@ class _Laws:
         return u
 
     def derivatives(self, run: Run, held: HeldInputs, before: Floats, u: Floats) -> tuple[Floats, int | None]:
-        """Those of u (nu,), which the laws made of the present, (count, nu), where inputs had those `before`; and the
-        number of the first quantity by which there is none."""
+        """Derivatives (count, nu) of u (nu,), which the laws made of the present, where inputs had those `before`; and
+        the number of the first quantity by which there is none."""
         assert run.results.sensitivities is not None, "nobody asked for derivatives"
         columns = run.results.sensitivities.present(run.address)
         present = Present(self._places)

@@ -86,7 +86,7 @@ class MotionFunction:
         return values.reshape(-1, len(self.free)), values.shape[:-1]
 
     def _motions(self, points: Floats, tangents: Sequence[str]) -> Motions:
-        """Those at the points (runs, free)."""
+        """Motions at the points (runs, free)."""
         settings = self._settings(points.T)
         motions = self._runs.many(**settings, **self._options, columns=self.of, tangents=tangents)
         for failed, why in motions.failures.items():

@@ -324,7 +324,7 @@ void lag_sensitivities_after(lag_companion *companion)
     s->instant.pending = 0;
 }
 
-/* What follows of delayed values began at this instant. */
+/* The instant has ended like this: pieces of the past that follow began at it. */
 static lag_status happened(lag_sensitivities *s, const lag_run *run, lag_status status)
 {
     if (run->motion.model->ndelay > 0) {
