@@ -1,8 +1,9 @@
 """Examples of the documents are sound models, Python that runs, and commands with the output that the page shows.
 
 Blocks of a page run in their order, in one folder with `models/` beside it. A block whose first line says `file=NAME`
-is written there; one that says `fragment` does not stand alone and is left out. LAGDSL_UPDATE=1 writes the output of
-commands into the pages. Pages about FMUs and about small motions have tests of their own.
+is written there; one that says `fragment` does not stand alone and is left out; one that says `needs=PACKAGE` runs
+where that is installed. LAGDSL_UPDATE=1 writes the output of commands into the pages. Pages about FMUs and about small
+motions have tests of their own.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import os
 import re
 import shlex
 from collections.abc import Iterator
+from importlib.util import find_spec
 from math import inf
 from pathlib import Path
 from typing import NamedTuple
@@ -75,7 +77,12 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(progress, "_PATIENCE_OF_LOGS", inf)  # a page shows no lines of machines that are slow
     names: dict[str, object] = {}
+    missing = set()
     for block in blocks(text):
+        needed = re.search(r"needs=(\w+)", block.marks)
+        if needed and find_spec(needed[1]) is None:
+            missing.add(needed[1])
+            continue
         match block.language:
             case "modelica" | "lag":
                 model(block)
@@ -93,6 +100,8 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
                 pass
     if os.environ.get("LAGDSL_UPDATE"):
         path.write_text(text, encoding="utf-8")
+    if missing:
+        pytest.skip(f"some blocks need {', '.join(sorted(missing))}; the others ran")
 
 
 def written(block: Block) -> None:

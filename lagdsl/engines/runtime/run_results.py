@@ -83,10 +83,16 @@ class RunResults:
         if self.keeps and structure.row:
             self._taken.append(self._rows[: structure.row].copy())
         if self.sensitivities is not None:
-            self.sensitivities.take(structure.row, structure.note)
+            self.sensitivities.take(structure.row if self.keeps else 0, structure.note)
         if structure.note:
             self.notes += [(note.t, WHAT[note.what], note.which) for note in self._notes[: structure.note]]
         structure.row = structure.note = 0
+
+    def forget_notes(self) -> None:
+        """Notes so far."""
+        self.notes.clear()
+        if self.sensitivities is not None:
+            self.sensitivities.forget_notes()
 
     def forget(self) -> None:
         """Everything so far: a run begins that has nothing of the one before."""
@@ -106,11 +112,11 @@ class RunResults:
             self._taken = [np.concatenate([self._rows[:0], *self._taken])]
         return self._taken[0]
 
-    def derivatives(self) -> tuple[Floats, Floats]:
-        """Derivatives of all rows so far (rows, count, width) and of the times of all notes (notes, count)."""
+    def derivatives(self) -> RunSensitivities:
+        """Derivatives of all rows and notes so far."""
         self.take()
         assert self.sensitivities is not None, "internal error: nobody asked for derivatives"
-        return self.sensitivities.taken()
+        return self.sensitivities
 
     def extremes(self) -> Floats:
         """(2, count): the lowest and the highest values of state, discrete variables and outputs along the motion so

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref
+from ctypes import byref, create_string_buffer
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +46,8 @@ class RunSensitivities:
         library, count = runtime_library(), len(of.p)
         self._rows = np.zeros((most_rows, count, int(library.sensitivities_width(model.model))))
         self._times = np.zeros((most_notes, count))
-        self._taken: list[tuple[Floats, Floats]] = []
+        self._taken: list[Floats] = []
+        self._noted: list[Floats] = []
         block = aligned(int(library.sensitivities_size(model.model, count)) // 8 + 1)
         arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in (of.p, of.u, of.start)]
         directions = SensitivityDirections(count, *map(place_of, arrays))
@@ -55,7 +56,9 @@ class RunSensitivities:
         told = (Along * 2)(*(each.told for each in functions))
         place = library.sensitivities_place
         self.address = int(place(place_of(block), model.model, byref(directions), byref(rows), byref(told)))
-        self._held = model, block, arrays, functions
+        self.of = of
+        self._model = model
+        self._held = block, arrays, functions
 
     def start(self, run: int, t: float, chosen: NDArray[np.uint8], starts: Floats) -> Status:
         """Columns at the start at time t of the run at the address `run`, found from the values `starts` with those
@@ -66,12 +69,46 @@ class RunSensitivities:
 
     def take(self, rows: int, notes: int) -> None:
         """So many entries of the buffers."""
-        self._taken.append((self._rows[:rows].copy(), self._times[:notes].copy()))
+        if rows:
+            self._taken.append(self._rows[:rows].copy())
+        if notes:
+            self._noted.append(self._times[:notes].copy())
 
-    def taken(self) -> tuple[Floats, Floats]:
-        """Derivatives of all rows so far (rows, count, width) and of the times of all notes (notes, count)."""
-        rows, times = zip(*self._taken, strict=True)
-        return np.concatenate(rows), np.concatenate(times)
+    def forget_notes(self) -> None:
+        """Times of notes so far."""
+        self._noted = []
+
+    def rows(self) -> Floats:
+        """Derivatives of all rows so far (rows, count, width)."""
+        return np.concatenate([self._rows[:0], *self._taken])
+
+    def times(self) -> Floats:
+        """Derivatives of the times of all notes so far (notes, count)."""
+        return np.concatenate([self._times[:0], *self._noted])
+
+    def present(self, run: int) -> Floats:
+        """Derivatives of the present row of the run at the address `run`, (count, width)."""
+        found = np.zeros(self._rows.shape[1:])
+        status = Status(runtime_library().sensitivities_row(run, place_of(found)))
+        return found if status is Status.OK else np.full_like(found, np.nan)
+
+    def command(self, u: Floats) -> None:
+        """The inputs that the caller sets have these derivatives from now on, (count, nu)."""
+        runtime_library().sensitivities_inputs(self.address, self._model.model, place_of(u))
+
+    def saved(self) -> bytes:
+        """The columns between two calls."""
+        buffer = create_string_buffer(self._saved_size())
+        runtime_library().sensitivities_save(self.address, self._model.model, buffer)
+        return buffer.raw
+
+    def load(self, saved: bytes) -> None:
+        """Takes the columns of other sensitivities along the same directions."""
+        assert len(saved) == self._saved_size(), "internal error: these are columns along other directions"
+        runtime_library().sensitivities_load(self.address, self._model.model, saved)
+
+    def _saved_size(self) -> int:
+        return int(runtime_library().sensitivities_saved_size(self.address, self._model.model))
 
     @property
     def fault(self) -> SensitivityFault:

@@ -15,7 +15,7 @@ from lagdsl.engines.backends.python.support.values import Entries, State, given_
 from lagdsl.engines.runtime.engines.broadcast import differentiating, solving
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.by_name import calls_of_terms
-from lagdsl.interfaces.api.estimation import Estimation
+from lagdsl.interfaces.api.functions.motions_as_functions import MotionsAsFunctions
 from lagdsl.interfaces.api.inputs.values import signals_of
 from lagdsl.interfaces.api.names import Given, Value, entries, known, listed
 from lagdsl.interfaces.api.one_state import calls_at_one_state
@@ -42,7 +42,7 @@ Floats = NDArray[np.float64]
 Inputs: TypeAlias = "Mapping[str, Signal | str] | Path | str | ArrayLike | None"
 
 
-class Model(Estimation):
+class Model(MotionsAsFunctions):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -75,6 +75,7 @@ class Model(Estimation):
         self._engine = engine
         self._source = source
         self._crowd = engine.crowd()
+        self._prepared: list[BatchEngine] = []
         self._calls = calls_at_one_state(engine, self._row_factors) | calls_of_terms()
 
     def __getstate__(self) -> tuple[object, ...]:
@@ -247,16 +248,17 @@ class Model(Estimation):
         inputs: GivenOfRuns = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
+        tangents: Sequence[str] | str = (),
         threads: int | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> Motions:
         """Many motions at once, on all cores: run k has entry k of every sequence among the values.
 
         `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
-        `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
-        `simulate`, numbers or sequences of one length. Entries of inputs are signals of any form; a pair of columns of
-        numbers is one table. A sequence of mappings or of files has all inputs of each run. `columns` are the names to
-        keep, `threads` the number of cores to use. Raises KeyError and ValueError for arguments that do not fit.
+        `motions.failures` says why which run failed; its rows after that are nan. Names, values and `tangents` are
+        those of `simulate`, values numbers or sequences of one length. Entries of inputs are signals of any form; a
+        pair of columns of numbers is one table. A sequence of mappings or of files has all inputs of each run.
+        `columns` are the names to keep, `threads` the cores to use. Raises KeyError, ValueError for what does not fit.
         """
         from lagdsl.interfaces.api.inputs.runs import inputs_of_runs
         from lagdsl.interfaces.api.motions import simulate_many, values_of_runs
@@ -268,12 +270,14 @@ class Model(Estimation):
             values_of_runs("parameter", parameters, self._named("parameter")),
             values_of_runs("start value", by_own_names(self._compilation.flat, start or {}), self._named("start")),
             engine=self._engine.name,
+            prepared=self._prepared,
             stop=stop,
             interval=interval,
             tolerance=tolerance,
             inputs=inputs_of_runs(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
+            tangents=tuple(listed(tangents)),
             threads=threads,
             progress=watched(progress, "simulations"),
         )

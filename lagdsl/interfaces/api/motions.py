@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, KeysView, Mapping, Sequence
+from dataclasses import field
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.engines.backends.python.support.names import real_numbers
 from lagdsl.engines.runtime.engines.cores import cores
 from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.foundation.diagnostics import refused
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source.whole_file import whole_file
@@ -26,6 +29,7 @@ from lagdsl.language.settings.target import Kind, Target, targets
 from lagdsl.motion.pipeline import Compilation
 from lagdsl.motion.signals.inputs import Signal
 from lagdsl.motion.signals.parquet import attributes, require_parquet, write_columns
+from lagdsl.motion.simulate.derivatives import check_differentiable
 from lagdsl.motion.sweep.dataset import Collected, collect, dataset_of_runs, free_name, require_room
 from lagdsl.motion.sweep.plan import Task, require_few
 from lagdsl.motion.sweep.run import Options, Outcome, SweptModel
@@ -36,6 +40,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
+    from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+
 
 @record(kw_only=True)
 class Motions:
@@ -44,7 +50,7 @@ class Motions:
     `time` (rows,) and `ended` (runs,) [s]; `failures` says by the number of a run why it failed. Rows after the end of
     a run are nan. `aliases` are other names of columns, with the name that each stands for. `settings` (runs,) are the
     values that were set, by the names that a sweep gives them: `l`, `theta.start`. `units` has those of all columns and
-    settings.
+    settings. `derivatives` (runs, rows, tangents) are those of the columns by what `tangents` names.
     """
 
     model: str
@@ -55,6 +61,8 @@ class Motions:
     failures: dict[int, str]
     aliases: dict[str, str]
     settings: dict[str, Floats]
+    tangents: tuple[str, ...] = ()
+    derivatives: dict[str, Floats] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.ended)
@@ -86,6 +94,19 @@ class Motions:
         hint = did_you_mean(str(name), self.columns, f"there are {listing(str(name), self.columns)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
+    def derivative(self, of: str, by: str) -> Floats:
+        """Of the column `of` at a fixed time by a quantity that `tangents` named, (runs, rows), SI units. Raises
+        UnknownName, and CallRefused (E0884) where nobody asked for derivatives."""
+        if not self.tangents:
+            raise refused("E0884", text='a call of `simulate_many` with `tangents`, such as `tangents=["m"]`')
+        own = self.aliases.get(of, of)
+        if own not in self.columns:
+            raise unknown_among("column", of, [*self.columns, *self.aliases])
+        if by not in self.tangents:
+            raise unknown_among("quantity of `tangents`", by, list(self.tangents))
+        missing = np.full((*self.columns[own].shape, len(self.tangents)), np.nan)
+        return self.derivatives.get(own, missing)[:, :, self.tangents.index(by)]
+
     @property
     def names(self) -> list[str]:
         return list(self.columns)
@@ -93,7 +114,7 @@ class Motions:
     def to_xarray(self) -> xarray.Dataset:
         """Columns over `run` and `time`, with `status`, `message` and `ended` of each run as `Model.sweep` has them.
         Settings are coordinates of the runs; units are attributes. Needs the extra `sweep`."""
-        _require("xarray", "labelled datasets")
+        require_package("xarray", "labelled datasets")
         runs = range(len(self))
         found = Collected(
             columns=self.columns,
@@ -107,7 +128,7 @@ class Motions:
     def to_dataframe(self) -> pd.DataFrame:
         """A row for every run and time: `run`, the settings, `time`, the columns; `attrs["units"]` has the SI unit of
         each. Needs the extra `table`."""
-        _require("pandas", "data frames")
+        require_package("pandas", "data frames")
         import pandas as pd
 
         frame = pd.DataFrame(self._table())
@@ -137,8 +158,8 @@ class Motions:
         return {free_name("time", {*self.settings, *self.columns}): "s", **self.units}
 
 
-def _require(package: str, what: str) -> None:
-    """Raise ModuleNotFoundError where a package is missing."""
+def require_package(package: str, what: str) -> None:
+    """Raises ModuleNotFoundError where a package is missing."""
     if find_spec(package) is None:
         raise ModuleNotFoundError(f"{what} need {package}: pip install {package}")
 
@@ -149,16 +170,20 @@ def simulate_many(
     start: Mapping[str, ArrayLike],
     *,
     engine: EngineName,
+    prepared: list[BatchEngine],
     stop: float | None,
     interval: float | None,
     tolerance: float | None,
     inputs: InputsOfRuns,
     solver: str,
     columns: Sequence[str] | None,
+    tangents: tuple[str, ...],
     threads: int | None,
     progress: Callable[[float], None] | None,
 ) -> Motions:
-    """See `Model.simulate_many`; names of parameters and starts are known."""
+    """See `Model.simulate_many`; names of parameters and starts are known. `prepared` are engines of earlier calls."""
+    if tangents:
+        check_differentiable(compilation.flat, compilation.program.layout, tangents)
     end, step = options_of(compilation.flat, stop=stop, interval=interval)
     options = Options(
         stop=end,
@@ -168,12 +193,13 @@ def simulate_many(
         engine=engine,
         inputs=inputs.shared,
         columns=None if columns is None else tuple(columns),
+        tangents=tangents,
     )
-    subjects = [SweptModel(flat=compilation.flat, program=compilation.program)]
+    subjects = [SweptModel(flat=compilation.flat, program=compilation.program, engines=prepared)]
     times = times_of(subjects, options)
     count, (chosen, starts) = _runs({name: len(each) for name, each in inputs.own.items()}, parameters, start)
     require_few(count)
-    require_room(count, len(times), width_of(subjects, options), None)
+    require_room(count, len(times), width_of(subjects, options) * (1 + len(tangents)), None)
     tasks = (
         Task(
             index=k,
@@ -201,6 +227,8 @@ def simulate_many(
         failures={k: found.message[k] for k in range(count) if found.status[k] != "ok"},
         aliases=results_names(compilation.flat),
         settings=settings,
+        tangents=tangents,
+        derivatives=found.derivatives,
     )
 
 

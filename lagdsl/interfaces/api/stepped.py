@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.interfaces.api.inputs.values import signals_of
-from lagdsl.interfaces.api.names import Value, number
+from lagdsl.interfaces.api.names import Value, listed, number
 from lagdsl.interfaces.api.small_motions import SmallMotions
 from lagdsl.interfaces.api.unknowns import with_starts
 from lagdsl.language.settings.aliases import by_own_names
@@ -39,6 +39,7 @@ class Stepped(SmallMotions):
         solver: str = "auto",
         step: float | None = None,
         record: bool = True,
+        tangents: Sequence[str] | str = (),
         sink: Sink | None = None,
     ) -> Session:
         """The motion in your hands: `run = model.session()`, then `run.step(0.002, u=...)`, `run["theta"]`, `run.t`,
@@ -46,12 +47,13 @@ class Stepped(SmallMotions):
 
         Arguments are those of `simulate`; `inputs` are those at the start, which steps change, and signals that follow
         time. With record=False it keeps neither rows nor the events of earlier steps, so that it may go on for ever.
-        Warnings go to `sink`. Raises CompilationFailed before the first step, CallRefused for an engine without
-        sessions; KeyError, ValueError.
+        `run.derivative("theta", "l")` is that of the present value by what `tangents` names. Warnings go to `sink`.
+        Raises CompilationFailed before the first step, CallRefused for an engine without sessions; KeyError,
+        ValueError.
         """
         from lagdsl.motion.sessions.session import Session
 
-        opening = self._opening(start or {}, parameters or {}, inputs, (tolerance, solver, step), sink)
+        opening = self._opening(start or {}, parameters or {}, inputs, (tolerance, solver, step), tangents, sink)
         return Session(opening, record=record)
 
     @with_starts
@@ -66,6 +68,7 @@ class Stepped(SmallMotions):
         solver: str = "auto",
         step: float | None = None,
         threads: int | None = None,
+        tangents: Sequence[str] | str = (),
         sink: Sink | None = None,
     ) -> Sessions:
         """So many motions by steps, which one call moves, on all cores: `runs = model.sessions(1000)`, then
@@ -79,7 +82,7 @@ class Stepped(SmallMotions):
 
         if count < 1 or (threads is not None and threads < 1):
             raise ValueError(f"count and threads must be at least 1, not {count} and {threads}")
-        opening = self._opening({}, {}, inputs, (tolerance, solver, step), sink)
+        opening = self._opening({}, {}, inputs, (tolerance, solver, step), tangents, sink)
         words = opening.asked.words
         starts = spread(words.starts(start or {}), count)
         own = spread(words.many_parameters(parameters or {}), count)
@@ -92,6 +95,7 @@ class Stepped(SmallMotions):
         parameters: Mapping[str, Any],
         inputs: Mapping[str, Signal | str] | Path | str | None,
         options: _Options,
+        tangents: Sequence[str] | str,
         sink: Sink | None,
     ) -> Opening:
         """The common part of all sessions of one call."""
@@ -119,6 +123,7 @@ class Stepped(SmallMotions):
             ),
             start=start,
             parameters=parameters,
+            tangents=tuple(listed(tangents)),
         )
         return Opening(asked, signals_of(flat, inputs), Sink() if sink is None else sink)
 

@@ -183,6 +183,14 @@ class Sessions(Sequence[Session]):
                 session.row = row
         return self._table
 
+    def derivative(self, of: str, by: str) -> Floats:
+        """(runs,): as `Session.derivative` of each."""
+        return np.array([session.derivative(of, by) for session in self._sessions])
+
+    def jacobian(self, of: Sequence[str]) -> Floats:
+        """(runs, variables, tangents): as `Session.jacobian` of each."""
+        return np.array([session.jacobian(of) for session in self._sessions])
+
     # ---- back and again ----------------------------------------------------------------------------------------------
 
     def reset(

@@ -14,6 +14,7 @@ from lagdsl.derivation.program.program import Program
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.held_inputs import HeldInputs
 from lagdsl.engines.runtime.run import Run
+from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.foundation.diagnostics import CallRefused, Sink, refused
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -22,6 +23,7 @@ from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import Signal, Signals, signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.commands import Commands
+from lagdsl.motion.simulate.derivatives import check_differentiable, differentiate, directions_of
 from lagdsl.motion.simulate.initialize import InitialState, find_start
 from lagdsl.motion.simulate.motion import MOST_STEPS
 from lagdsl.motion.simulate.placed import placed
@@ -53,7 +55,8 @@ class Method:
 
 @record(kw_only=True)
 class Asked:
-    """A session before its start: `start` and `parameters` as they were given, by name."""
+    """A session before its start: `start` and `parameters` as they were given, by name; `tangents` are what it is
+    differentiated by."""
 
     flat: FlatModel
     program: Program
@@ -62,6 +65,7 @@ class Asked:
     method: Method
     start: Mapping[str, Any]
     parameters: Mapping[str, Any]
+    tangents: tuple[str, ...] = ()
 
 
 class Opening:
@@ -75,6 +79,8 @@ class Opening:
             raise refused("E0894", engine=engine.name)
         self.t0 = flat.experiment.start_time
         method = asked.method
+        if asked.tangents:
+            check_differentiable(flat, engine.layout, asked.tangents)
         length = max(1.0, 1e3 * (method.step or 0.0))  # a session has no end
         check_options(self.t0, self.t0 + length, method.tolerance, method.solver, method.step)
         defaults = engine.evaluate("start", self.t0, asked.words.parameters(asked.parameters))[3]
@@ -118,6 +124,10 @@ class Opening:
         _tell(own, self.sink)
         return p
 
+    @cached_property
+    def _directions(self) -> Directions:
+        return directions_of(self.asked.flat, self.asked.engine, self.asked.tangents)
+
     def run(self, p: Floats, held: HeldInputs, method: Method) -> Run:
         """A run that has not begun."""
         asked = self.asked
@@ -144,7 +154,14 @@ class Opening:
         u = np.where(self.signals.following, self.signals.at(self.t0), held.u) if len(held.u) else held.u
         found = find_start(asked.flat, asked.engine, run, self.t0, u, starts, own)
         _tell(own, self.sink)
+        if asked.tangents:
+            differentiate(asked.flat, run, found, starts, asked.tangents, self._directions)
         return found
+
+    def columns(self, run: Run, saved: bytes) -> None:
+        """Lets the run, which has the state of another one, go on with the columns of that one."""
+        if self.asked.tangents:
+            run.results.differentiate(run.model, self._directions).load(saved)
 
 
 def _tell(own: Sink, sink: Sink) -> None:

@@ -16,7 +16,7 @@ from lagdsl.foundation.record import record
 from lagdsl.foundation.version import __version__
 from lagdsl.motion.sessions.opening import Method, Opening
 
-_FIRST = b"lagdsl session 1\n"
+_FIRST = b"lagdsl session 2\n"
 _SUM = 4  # bytes of the checksum at the end
 _ANOTHER = "save and restore sessions of one model, with the same signals in `inputs`"
 
@@ -24,7 +24,7 @@ _ANOTHER = "save and restore sessions of one model, with the same signals in `in
 @record(kw_only=True)
 class Saved:
     """A state apart from its run: parameters p (np,), inputs u (nu,) and those before (nu,), the drift of invariants
-    (3, ni)."""
+    (3, ni). `columns` are the derivatives of a run that has some."""
 
     method: Method
     p: Floats
@@ -34,10 +34,12 @@ class Saved:
     jumped: float
     after: float
     run: bytes
+    columns: bytes
 
 
 def packed(opening: Opening, method: Method, run: Run, held: HeldInputs) -> bytes:
     """The present state of a session that has not ended."""
+    columns = b"" if run.results.sensitivities is None else run.results.sensitivities.saved()
     head = {
         **_identity(opening),
         "tolerance": method.tolerance,
@@ -45,12 +47,14 @@ def packed(opening: Opening, method: Method, run: Run, held: HeldInputs) -> byte
         "step": method.step,
         "jumped": held.hold.jumped.hex(),
         "after": run.results.structure.after.hex(),
+        "columns": len(columns),
     }
     body = b"".join(
         [
             _FIRST,
             json.dumps(head).encode() + b"\n",
             *(each.tobytes() for each in (run.p, held.u, held.before, run.results.drifts)),
+            columns,
             run.saved(),
         ]
     )
@@ -70,6 +74,7 @@ def unpacked(opening: Opening, state: bytes, sizes: tuple[int, int, int]) -> Sav
     _require_same(opening, head)
     ends = np.cumsum([sizes[0], sizes[1], sizes[1], 3 * sizes[2]]) * 8
     p, u, before, drifts = (np.frombuffer(part) for part in _cut(rest, ends.tolist()))
+    columns = int(ends[-1]) + int(head["columns"])
     return Saved(
         method=Method(tolerance=head["tolerance"], solver=head["solver"], step=head["step"]),
         p=p.copy(),
@@ -78,7 +83,8 @@ def unpacked(opening: Opening, state: bytes, sizes: tuple[int, int, int]) -> Sav
         drifts=drifts.reshape(3, -1) if sizes[2] else np.zeros((3, 0)),
         jumped=float.fromhex(head["jumped"]),
         after=float.fromhex(head["after"]),
-        run=rest[ends[-1] :],
+        run=rest[columns:],
+        columns=rest[ends[-1] : columns],
     )
 
 
@@ -94,6 +100,7 @@ def _identity(opening: Opening) -> dict[str, Any]:
         "model": opening.asked.flat.name,
         "equations": opening.digest,
         "arithmetic": opening.arithmetic,
+        "tangents": list(opening.asked.tangents),
         "signals": [name for name, follows in zip(names, opening.signals.following, strict=True) if follows],
     }
 
@@ -113,6 +120,9 @@ def _require_same(opening: Opening, head: dict[str, Any]) -> None:
         engines = {"c": 'engine="c"', "tape": 'engine="auto" or engine="tape"'}
         way = f"compile the model with {engines[head['arithmetic']]}, with which the state was saved"
         raise _unfit("C for this processor and the tape round otherwise", way)
+    if head["tangents"] != own["tangents"]:
+        told = ", ".join(f"`{name}`" for name in head["tangents"]) or "nothing"
+        raise _unfit(f"there the motion was differentiated by {told}", "restore with the same `tangents`")
     if head["signals"] != own["signals"]:
         told = ", ".join(f"`{name}`" for name in head["signals"]) or "no input"
         raise _unfit(f"there {told} followed time", _ANOTHER)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from math import isfinite
 from time import perf_counter
 from typing import Any, NoReturn
@@ -15,6 +15,7 @@ from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.run import Run
 from lagdsl.engines.runtime.structures import Status
 from lagdsl.foundation.diagnostics import Sink, refused
+from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.motion.sessions.opening import Method, Opening
@@ -23,12 +24,13 @@ from lagdsl.motion.signals.moved import MovedRow
 from lagdsl.motion.signals.trajectory import Event, Statistics, Trajectory
 from lagdsl.motion.simulate.commands import Command
 from lagdsl.motion.simulate.control import seconds
+from lagdsl.motion.simulate.derivatives import report_no_derivative, tell_one_sided
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.messages import Course, report_fault
 from lagdsl.motion.simulate.motion import MOST_STEPS, STEPS
 from lagdsl.motion.simulate.present import Present
 from lagdsl.motion.simulate.state_words import state_values, time_text
-from lagdsl.motion.simulate.table import events_of, trajectory
+from lagdsl.motion.simulate.table import differentiated, events_of, trajectory
 
 
 @record(kw_only=True)
@@ -179,7 +181,7 @@ class Session(Present):
         """A step begins: the present is no longer known, nor, without a record, what happened before."""
         self.moved()
         if not self._given.record and self._run.results.notes:
-            self._run.results.notes.clear()
+            self._run.results.forget_notes()
 
     def finish(self, status: Status) -> None:
         """A step has ended like this. Raises SimulationFailed where the motion cannot go on."""
@@ -203,7 +205,10 @@ class Session(Present):
         fault, sink = run.explain(status), Sink()
         signals = self._opening.signals
         u = np.where(signals.following, signals.at(fault.t), self._held.u) if len(self._held.u) else self._held.u
-        name = report_fault(course, status, fault, u, sink)
+        if status in (Status.GRAZING, Status.NOT_SMOOTH):
+            name: str | None = report_no_derivative(asked.flat, run, status, asked.tangents, sink)
+        else:
+            name = report_fault(course, status, fault, u, sink)
         told = sink.diagnostics[-1]
         self._stay(_End(told.message))
         motion = asked.words.motion(self._so_far())
@@ -237,7 +242,10 @@ class Session(Present):
         results, asked = self._run.results, self._opening.asked
         results.take()
         known = len(self._told) if self._given.record else 0
-        self._told = [*self._told[:known], *events_of(asked.flat, asked.engine.layout, results.notes[known:])]
+        told = events_of(asked.flat, asked.engine.layout, results.notes[known:])
+        if asked.tangents:
+            told = differentiated(told, asked.tangents, results.derivatives().times()[known:])
+        self._told = [*self._told[:known], *told]
         return tuple(self._told)
 
     @property
@@ -260,7 +268,32 @@ class Session(Present):
             projections=report.projections,
         )
         asked = self._opening.asked
-        return trajectory(asked.flat, asked.engine.layout, run, self._made[1], statistics)
+        return trajectory(asked.flat, asked.engine.layout, run, self._made[1], statistics, None, asked.tangents)
+
+    def derivative(self, of: str, by: str) -> float:
+        """Of the present value of the variable or output `of`, at this time, by a quantity that `tangents` named, in SI
+        units. Raises UnknownName, and CallRefused (E0884) for a session without `tangents`."""
+        return float(self.jacobian([of])[0, self._number(by)])
+
+    def jacobian(self, of: Sequence[str]) -> Floats:
+        """(variables, tangents): of several present values by all quantities, likewise."""
+        asked, found = self._opening.asked, self._run.results.sensitivities
+        if found is None:
+            raise refused("E0884", text='a session with `tangents`, such as `model.session(tangents=["m"])`')
+        places = [self._opening.places.of(name) for name in of]
+        tell_one_sided(self._run, self._opening.sink)
+        for name, place in zip(of, places, strict=True):
+            if not isinstance(place, int):
+                raise unknown_among("variable", name, self._opening.places.names)
+        row = found.present(self._run.address)
+        time = np.zeros((len(asked.tangents), 1))  # does not change
+        return np.concatenate([time, row], axis=1)[:, places].T
+
+    def _number(self, by: str) -> int:
+        names = self._opening.asked.tangents
+        if names and by not in names:
+            raise unknown_among("quantity of `tangents`", by, list(names))
+        return names.index(by) if names else 0
 
     # ---- back and again ----------------------------------------------------------------------------------------------
 
@@ -300,6 +333,7 @@ class Session(Present):
             raise refused("E0891", why="the runtime does not know them", way="save the state again")
         held.u[:] = saved.u
         run.results.forget()
+        opening.columns(run, saved.columns)
         run.results.drifts[:] = saved.drifts
         self._attach(run, held, saved.method, self._made[1])
         held.before[:] = saved.before

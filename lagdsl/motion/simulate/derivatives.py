@@ -7,13 +7,14 @@ from typing import NoReturn
 
 import numpy as np
 
+from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.engines.engine import Engine
-from lagdsl.engines.runtime.library import FIXED_METHODS
 from lagdsl.engines.runtime.run import Run
 from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.engines.runtime.structures import Status
 from lagdsl.foundation.diagnostics import Sink, refused
 from lagdsl.foundation.diagnostics.unknown import unknown_among
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.flat.spans import place as where
 from lagdsl.motion.simulate.initialize import InitialState, places_of
@@ -23,9 +24,15 @@ _START = ".start"
 
 
 def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Directions:
-    """Unit directions of the quantities `names`: parameters, starts as `theta.start`, inputs. Raises UnknownName, and
-    CallRefused for what has no derivatives."""
-    layout = engine.layout
+    """Unit directions of the quantities `names`: parameters, starts as `theta.start`, inputs. Raises as
+    `check_differentiable`."""
+    p, u, start = _units(flat, engine.layout, names)
+    by_parameter = engine.along_parameters() if p.any() else None
+    return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
+
+
+def _units(flat: FlatModel, layout: Layout, names: Sequence[str]) -> tuple[Floats, Floats, Floats]:
+    """Of the parameters (names, np), the inputs (names, nu) and the starts (names, 2 nq + nz)."""
     parameters, inputs = ([slot.name for slot in slots] for slots in (layout.parameters, layout.inputs))
     starts = [f"{name}{_START}" for name in places_of(flat)]
     p, u, start = (np.zeros((len(names), len(each))) for each in (parameters, inputs, starts))
@@ -36,18 +43,18 @@ def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Dire
                 break
         else:
             _refuse(flat, name, [*parameters, *starts, *inputs])
-    by_parameter = engine.along_parameters() if p.any() else None
-    return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
+    return p, u, start
 
 
-def check_differentiable(flat: FlatModel, solver: str, controlled: bool) -> None:
-    """Raises CallRefused (E0884) for a motion of which derivatives are not known."""
-    if solver in FIXED_METHODS:
-        raise refused("E0884", text="a solver that chooses its steps: auto, dop853 or radau")
-    if flat.events.delays:
-        raise refused("E0884", text="a model without delayed values")
-    if controlled:
-        raise refused("E0884", text="a motion without controllers of the caller")
+def check_differentiable(flat: FlatModel, layout: Layout, names: Sequence[str]) -> None:
+    """Raises UnknownName and CallRefused (E0880) for what has no derivatives."""
+    _units(flat, layout, names)
+
+
+def check_controlled(speeds: Sequence[bool], following: Sequence[bool]) -> None:
+    """Raises CallRefused (E0884) where controllers set a speed, whose jumps are blows."""
+    if any(speed and not follows for speed, follows in zip(speeds, following, strict=False)):
+        raise refused("E0884", text="signals in `inputs` for the speeds that the model prescribes, not controllers")
 
 
 def _refuse(flat: FlatModel, name: str, known: list[str]) -> NoReturn:
@@ -57,14 +64,21 @@ def _refuse(flat: FlatModel, name: str, known: list[str]) -> NoReturn:
 
 
 def differentiate(
-    flat: FlatModel, engine: Engine, run: Run, initial: InitialState, given: Collection[str], names: Sequence[str]
+    flat: FlatModel,
+    run: Run,
+    initial: InitialState,
+    given: Collection[str],
+    names: Sequence[str],
+    directions: Directions,
 ) -> None:
-    """Lets the run, whose start was found with those `given`, be differentiated by the quantities `names`.
-    Raises as `directions_of`, and CompilationFailed (E0882) where the start has no derivatives."""
+    """Lets the run, whose start was found with those `given`, be differentiated by the quantities `names` along these
+    directions. Raises CallRefused (E0882) where the start has no derivatives."""
     chosen = np.array([name in given for name in places_of(flat)], dtype=np.uint8)
-    status = run.differentiate(initial.t, initial.starts, chosen, directions_of(flat, engine, names))
+    status = run.differentiate(initial.t, initial.starts, chosen, directions)
     if status is not Status.OK:
-        raise refused("E0882", name=names[0], time=time_text(initial.t))
+        sensitivities = run.results.sensitivities
+        at_fault = 0 if sensitivities is None else int(sensitivities.fault.guard)
+        raise refused("E0882", name=names[at_fault], time=time_text(initial.t))
 
 
 def tell_one_sided(run: Run, sink: Sink) -> None:

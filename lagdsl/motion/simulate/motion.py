@@ -120,9 +120,17 @@ class Motion:
                 status = self._segment(partial(run.to, stop))
             if status is Status.OK and stop < self._last:
                 if acting:
-                    controls.act(acting, run, self._task.sink)
+                    self._check_law(controls.act(acting, run, self._task.sink))
                 status = self._ended(run.jump())
         return status
+
+    def _check_law(self, none: int | None) -> None:
+        """E0882 where a law has no derivative by the quantity of this number."""
+        if none is not None:
+            sink, name = Sink(), self._asked.tangents[none]
+            sink.report("E0882", None, name=name, time=time_text(self._run.t))
+            values = state_values(self._asked.flat, self._run.explain(Status.NOT_SMOOTH).x)
+            raise SimulationFailed(sink.diagnostics[-1], self._run.t, values, name, self._so_far())
 
     def _inputs_at(self, t: float) -> Floats:
         """u (nu,) of a row at time t."""

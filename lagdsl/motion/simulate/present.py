@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from ctypes import c_double, c_void_p, cast
+from typing import Any
 
 import numpy as np
 
@@ -50,10 +51,14 @@ class Present:
     def watch(self, run: Run, held: HeldInputs) -> None:
         """From now on the values are those of this run."""
         self._held = held
-        self._state = (c_double * run.size).from_address(cast(run.report.x, c_void_p).value or 0)
+        self._state: Any = (c_double * run.size).from_address(cast(run.report.x, c_void_p).value or 0)
         self._numbers = np.zeros(run.results.width)
         self._one = (c_void_p * 1)(held.address)
         self._row = None
+
+    def imagine(self, row: list[float]) -> None:
+        """The values are those of this row of the runtime, at the present time."""
+        self._state, self._row = row[1 : self._places.states], row
 
     def moved(self) -> None:
         """The present is another one."""
@@ -79,8 +84,8 @@ class Present:
         if place is None:
             return self._array(name)
         if 0 < place < self._places.states:
-            return self._state[place - 1]
-        return self._values()[place]
+            return float(self._state[place - 1])
+        return self.values()[place]
 
     def __contains__(self, name: object) -> bool:
         return name in self._known or (isinstance(name, str) and bool(family(name, self._known)))
@@ -94,11 +99,11 @@ class Present:
         return tuple(self._places.names)
 
     def _array(self, name: str) -> Floats:
-        values, places = self._values(), self._places.of(name)
+        values, places = self.values(), self._places.of(name)
         assert isinstance(places, list), "a single value is known"
         return np.array([values[place] for place in places])
 
-    def _values(self) -> list[float]:
+    def values(self) -> list[float]:
         """The row of the present state."""
         if self._row is None:
             runtime_library().holds_row(self._one, 1, self._numbers.ctypes.data)

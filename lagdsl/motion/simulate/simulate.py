@@ -20,7 +20,7 @@ from lagdsl.motion.signals.inputs import Signal, report_missing, signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.commands import Commands
 from lagdsl.motion.simulate.control import Control, Controls
-from lagdsl.motion.simulate.derivatives import check_differentiable, differentiate
+from lagdsl.motion.simulate.derivatives import check_controlled, check_differentiable, differentiate, directions_of
 from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
 from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
@@ -78,7 +78,7 @@ def simulate(
     wanted = experiment.interval if interval is None else float(interval)
     check_options(t0, end, relative, solver, step)
     if tangents:
-        check_differentiable(flat, solver, bool(control))
+        check_differentiable(flat, engine.layout, tangents)
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"):
@@ -88,6 +88,8 @@ def simulate(
         own.raise_if_errors()
         controls = None
         if control:
+            if tangents:
+                check_controlled(engine.layout.speeds, given.following)
             commands = Commands(flat, given.following, engine.layout.speeds, read)
             controls = Controls(control, flat, given, commands, (t0, end))
         else:
@@ -212,7 +214,7 @@ def _motion(
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()
     if asked.tangents:
-        differentiate(flat, engine, run, initial, asked.start, asked.tangents)
+        differentiate(flat, run, initial, asked.start, asked.tangents, directions_of(flat, engine, asked.tangents))
     task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
     found, turns = Motion(task).trajectory(), run.results.turns(run.size)
     run.leave()

@@ -9,6 +9,7 @@ import numpy as np
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import remembered
 from lagdsl.language.flat.display import Display, display, display_rate
 from lagdsl.language.flat.listing import discrete_outputs
@@ -35,6 +36,7 @@ def trajectory(
     if isinstance(places, list):
         ends = ends[:, [place - 1 for place in places[1:]]]
     derivatives = sensitivities_of(flat, run, tangents) if tangents else None
+    events = events_of(flat, layout, run.results.notes)
     return Trajectory(
         model=flat.name,
         columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
@@ -44,7 +46,7 @@ def trajectory(
         invariants=_invariants(flat, run) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
-        events=_differentiated(events_of(flat, layout, run.results.notes), derivatives),
+        events=events if derivatives is None else differentiated(events, derivatives.names, derivatives.times),
         finer=finer,
         sensitivities=derivatives,
     )
@@ -55,13 +57,11 @@ def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str,
     return tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in notes)
 
 
-def _differentiated(events: tuple[Event, ...], derivatives: Sensitivities | None) -> tuple[Event, ...]:
-    if derivatives is None:
-        return events
-    times = derivatives.times.tolist()
+def differentiated(events: tuple[Event, ...], names: Sequence[str], times: Floats) -> tuple[Event, ...]:
+    """With the derivatives of their times (events, names)."""
     return tuple(
-        replace(event, derivatives=dict(zip(derivatives.names, each, strict=True)))
-        for event, each in zip(events, times, strict=True)
+        replace(event, derivatives=dict(zip(names, each, strict=True)))
+        for event, each in zip(events, times.tolist(), strict=True)
     )
 
 
@@ -142,7 +142,8 @@ def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
 
 def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensitivities:
     """Derivatives of all rows so far."""
-    rows, times = run.results.derivatives()
+    found = run.results.derivatives()
+    rows = found.rows()
     heads = [head[0] for head in heads_of(flat)]
     table = np.zeros((len(rows), len(names), len(heads)))
     for column, place in enumerate(places_of_columns(flat)):
@@ -150,4 +151,4 @@ def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensiti
             table[:, :, column] = rows[:, :, place - 1]
     places = {name: column for column, name in enumerate(heads)}
     others = {other: places[name] for name, each in other_names(flat).items() for other in each if name in places}
-    return Sensitivities(names=tuple(names), table=table, times=times, places=places | others)
+    return Sensitivities(names=tuple(names), table=table, times=found.times(), places=places | others)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -130,19 +131,22 @@ def _memory() -> int | None:
 
 @record(kw_only=True)
 class Collected:
-    """Columns (runs, rows) and their units by name; status, message and end of every run."""
+    """Columns (runs, rows) and their units by name; status, message and end of every run. `derivatives` (runs, rows,
+    tangents) by the name of the column, where they are asked for."""
 
     columns: dict[str, Floats]
     units: dict[str, str]
     status: list[str]
     message: list[str]
     ended: Floats
+    derivatives: dict[str, Floats] = field(default_factory=dict)
 
 
 def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
     """Results of all runs; missing values are nan."""
     columns: dict[str, Floats] = {}
     units: dict[str, str] = {}
+    derivatives: dict[str, Floats] = {}
     names: tuple[str, ...] = ()
     places: list[Floats] = []
     status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)
@@ -157,7 +161,12 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
             places = [columns[name] for name in names]
         for i, column in enumerate(places):
             column[outcome.index, : len(outcome.values)] = outcome.values[:, i]
-    return Collected(columns=columns, units=units, status=status, message=message, ended=ended)
+        if outcome.derivatives is not None:
+            for i, name in enumerate(names):
+                if name not in derivatives:
+                    derivatives[name] = np.full((runs, rows, outcome.derivatives.shape[1]), np.nan)
+                derivatives[name][outcome.index, : len(outcome.values)] = outcome.derivatives[:, :, i]
+    return Collected(columns=columns, units=units, status=status, message=message, ended=ended, derivatives=derivatives)
 
 
 def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Any, dict[str, str]]:

@@ -1,7 +1,7 @@
 """Makes runs: in C, many in one call.
 
-A run that fails, or that C is not told of (inputs that are functions of Python), is made by itself, so that its words
-are those of a single run.
+A run that fails, that C is not told of (inputs that are functions of Python), or that is differentiated, is made by
+itself, so that its words are those of a single run.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Ensembles:
             return self._known[swept]
 
     def _built(self, swept: SweptModel) -> Ensemble | None:
-        if swept.flat is None or swept.program is None:
+        if swept.flat is None or swept.program is None or self._options.tangents:
             return None
         try:
             return Ensemble(swept.flat, engine_of(swept.program, self._options.engine, together=True), self._options)
@@ -54,6 +54,10 @@ class Maker:
         self._runner = Runner(subjects, options, self._progress)
         self._seconds = _PART  # of one run, as the last part took
         self.together = 1  # so many runs of the last model go on together
+
+    def leave(self) -> None:
+        """No more runs are to be made."""
+        self._runner.leave()
 
     def size(self) -> int:
         """So many runs should be made next."""

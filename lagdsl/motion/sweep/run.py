@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
@@ -18,6 +18,7 @@ from lagdsl.language.flat.admissible import require_value
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import Signal
 from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.derivatives import directions_of
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.simulate import grid, simulate
 from lagdsl.motion.sweep.plan import Task
@@ -31,7 +32,7 @@ Status: TypeAlias = Literal["ok", "failed"]
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
     """Options of every run; times in s. `columns` are the names to keep, None for all; `inputs` those that all runs
-    share."""
+    share; `tangents` what they are differentiated by."""
 
     stop: float
     interval: float | None
@@ -40,22 +41,26 @@ class Options:
     engine: EngineName
     inputs: Mapping[str, Signal]
     columns: tuple[str, ...] | None = None
+    tangents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SweptModel:
-    """A model to run; `fault` says why there is none."""
+    """A model to run; `fault` says why there is none. `engines` are ready for derivatives: a runner takes one and puts
+    it back."""
 
     flat: FlatModel | None = None
     program: Program | None = None
     fault: str = ""
+    engines: list[BatchEngine] = field(default_factory=list, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
     """Columns of one run in SI units: `values` (rows, columns) at the times of the grid up to `ended` [s].
 
-    `ended` is nan where the run failed before its first row; `message` says why a run failed.
+    `ended` is nan where the run failed before its first row; `message` says why a run failed. `derivatives` (rows,
+    tangents, columns) are there where they are asked for.
     """
 
     index: int
@@ -65,6 +70,7 @@ class Outcome:
     names: tuple[str, ...]
     units: tuple[str, ...]
     values: Floats
+    derivatives: Floats | None = None
 
 
 class Interrupted(BaseException):
@@ -72,8 +78,9 @@ class Interrupted(BaseException):
 
 
 class Runner:
-    """Makes runs, one after the other; every model is built when it is first needed. `progress` is called with the part
-    of a run that is done; it may raise Interrupted only."""
+    """Makes runs, one after the other; every model is built when it is first needed, for derivatives at once, as these
+    are made of the program, which serves one thread. `progress` is called with the part of a run that is done; it may
+    raise Interrupted only."""
 
     def __init__(
         self, subjects: Sequence[SweptModel], options: Options, progress: Callable[[float], None] | None = None
@@ -82,6 +89,15 @@ class Runner:
         self._subjects = subjects
         self._options = options
         self._engines: dict[int, BatchEngine] = {}
+        for k, swept in enumerate(subjects if options.tangents else ()):
+            if swept.flat is not None and swept.program is not None:
+                self._engines[k] = swept.engines.pop() if swept.engines else engine_of(swept.program, options.engine)
+                directions_of(swept.flat, self._engines[k], options.tangents)
+
+    def leave(self) -> None:
+        """No more runs are to be made."""
+        for k, engine in self._engines.items() if self._options.tangents else ():
+            self._subjects[k].engines.append(engine)
 
     def __call__(self, task: Task) -> Outcome:
         try:
@@ -114,6 +130,7 @@ class Runner:
             inputs={**options.inputs, **task.inputs},
             start=task.start,
             solver=options.solver,
+            tangents=options.tangents,
             progress=self._progress,
         )
 
@@ -144,6 +161,8 @@ def _outcome(
     kept = motion.only(options.columns).columns[1:]
     rows = _rows(motion, options)
     values = np.column_stack([c.values[rows] for c in kept]) if kept else np.empty((len(rows), 0))
+    found = motion.sensitivities
+    derivatives = None if found is None else found.table[rows][:, :, [found.places[c.name] for c in kept]]
     end = float(motion.time[-1]) if len(motion) else np.nan
     return Outcome(
         index=task.index,
@@ -153,6 +172,7 @@ def _outcome(
         names=tuple(c.name for c in kept),
         units=tuple(c.unit for c in kept),
         values=values,
+        derivatives=derivatives,
     )
 
 

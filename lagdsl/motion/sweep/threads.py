@@ -26,10 +26,8 @@ def in_threads(
     done: SimpleQueue[_Message] = SimpleQueue()
     stop = Stop()
     ensembles = Ensembles(subjects, options)
-    workers = [
-        threading.Thread(target=_serve, args=(Maker(subjects, options, ensembles, stop), parts, done), daemon=True)
-        for _ in range(count)
-    ]
+    makers = [Maker(subjects, options, ensembles, stop) for _ in range(count)]
+    workers = [threading.Thread(target=_serve, args=(maker, parts, done), daemon=True) for maker in makers]
     for worker in workers:
         worker.start()
     try:
@@ -44,8 +42,9 @@ def in_threads(
     finally:
         stop.set()
         parts.close()
-        for worker in workers:
+        for maker, worker in zip(makers, workers, strict=True):
             worker.join()
+            maker.leave()
 
 
 class _Parts:

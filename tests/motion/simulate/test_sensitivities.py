@@ -310,7 +310,6 @@ def test_a_motion_without_derivatives_says_where_it_ends(text: str, tangents: li
     [
         (lambda model: model.simulate(tangents=["lenght"]), "E0874"),
         (lambda model: model.simulate(tangents=["x"]), "E0874"),
-        (lambda model: model.simulate(tangents=["m"], solver="rk4", step=0.01), "E0884"),
         (lambda model: model.simulate(tangents=["m"]).derivative("y", "m"), "E0874"),
         (lambda model: model.simulate(tangents=["m"]).derivative("x", "k"), "E0874"),
         (lambda model: model.simulate().derivative("x", "m"), "E0884"),

@@ -273,7 +273,8 @@ ROWS: dict[str, Row] = {
         "stop before it, or change a start value or a parameter so that it passes clearly",
     ),
     "E0882": error(
-        "the motion has no derivative by `{name}` behind t = {time} s: its neighbours go on in other modes there",
+        "the motion has no derivative by `{name}` behind t = {time} s: neighbours on one side go on otherwise than on "
+        "the other",
         None,
         "stop before it, or change a start value or a parameter so that the order of events is clear",
     ),

@@ -21,5 +21,9 @@ lag_fixed_step lag_leapfrog;
 
 /* Order 2, linearly implicit, L-stable: two right-hand sides, one Jacobian, one decomposition. */
 lag_fixed_step lag_ros2;
+static inline double lag_ros2_gamma(void)
+{
+    return 0.29289321881345254; /* 1 - 1/sqrt(2) */
+}
 
 #endif

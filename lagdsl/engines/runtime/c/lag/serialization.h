@@ -24,6 +24,8 @@ typedef struct lag_record {
 
 /* `size` bytes at `data`, without pointers. */
 void lag_record_bytes(lag_record *record, void *data, size_t size);
+/* So many numbers. */
+void lag_record_doubles(lag_record *record, size_t count, double *data);
 
 /* A number that is the same in any two runs that may take each other's bytes: of the model's name and sizes, and of the options'. */
 unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options);

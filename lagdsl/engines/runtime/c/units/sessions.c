@@ -6,6 +6,7 @@
 #include "lag/ensemble.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/jacobian.h"
+#include "lag/fixed.h"
 #include "lag/hold.h"
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
@@ -16,6 +17,7 @@
 #include "lag/sensitivities/differences.h"
 #include "lag/sensitivities/run_sensitivities.h"
 #include "lag/sensitivities/sensitivities.h"
+#include "lag/serialization.h"
 #include "lag/session.h"
 #include "lag/session/motions.h"
 #include "lag/signals.h"
@@ -24,7 +26,9 @@
 #include <stdint.h>
 #include <string.h>
 
+#define solve call_solve
 #include "lag/session/call.c"
+#undef solve
 
 #define crowd ensemble_crowd
 #define end ensemble_end
@@ -42,7 +46,9 @@
 
 #include "lag/session/session.c"
 
+#define place_of signals_place_of
 #include "lag/session/signals.c"
+#undef place_of
 
 #define crowd batch_crowd
 #define place batch_place
@@ -50,7 +56,9 @@
 #undef crowd
 #undef place
 
+#define sample differences_sample
 #include "lag/sensitivities/differences.c"
+#undef sample
 
 #include "lag/sensitivities/projection_tangent.c"
 
@@ -58,12 +66,28 @@
 
 #include "lag/sensitivities/sensitivities.c"
 
+#define place_of sensitivity_delays_place_of
+#define sample sensitivity_delays_sample
+#define set_sizes sensitivity_delays_set_sizes
+#include "lag/sensitivities/sensitivity_delays.c"
+#undef place_of
+#undef sample
+#undef set_sizes
+
+#define solve sensitivity_fixed_solve
+#include "lag/sensitivities/sensitivity_fixed.c"
+#undef solve
+
+#define set_sizes sensitivity_instants_set_sizes
 #include "lag/sensitivities/sensitivity_instants.c"
+#undef set_sizes
 
 #include "lag/sensitivities/sensitivity_loads.c"
 
 #include "lag/sensitivities/sensitivity_rates.c"
 
 #include "lag/sensitivities/sensitivity_start.c"
+
+#include "lag/sensitivities/sensitivity_state.c"
 
 #include "lag/sensitivities/sensitivity_steps.c"

@@ -96,6 +96,24 @@ static lag_status settle(lag_delays *delays)
     return status;
 }
 
+void lag_delays_displace(lag_delays *delays, const double *along, double by)
+{
+    delays->along = along;
+    delays->by = by;
+}
+
+size_t lag_delays_piece(const lag_delays *delays, const lag_delay_pieces *pieces, size_t i, double at)
+{
+    size_t k = lag_delay_piece(pieces, at);
+    while (k > pieces->first && pieces->begin[k] >= delays->jumps.ahead[i]) {
+        --k;
+    }
+    while (k + 1 < pieces->count && pieces->begin[k + 1] <= delays->jumps.from[i]) {
+        ++k;
+    }
+    return k;
+}
+
 void lag_delays_set(lag_delays *delays, double t)
 {
     const lag_delay_pieces *pieces = &delays->pieces;
@@ -107,14 +125,12 @@ void lag_delays_set(lag_delays *delays, double t)
     }
     for (size_t i = 0; i < pieces->n && pieces->count > 0; ++i) {
         const double at = t - delays->time[i];
-        size_t k = lag_delay_piece(pieces, at);
-        while (k > pieces->first && pieces->begin[k] >= delays->jumps.ahead[i]) {
-            --k;
-        }
-        while (k + 1 < pieces->count && pieces->begin[k + 1] <= delays->jumps.from[i]) {
-            ++k;
-        }
+        const size_t k = lag_delays_piece(delays, pieces, i, at);
         delays->value[i] = lag_delay_value(pieces, k, i, at, &delays->rate[i]) + delays->change * pieces->size[i];
+        if (delays->along != NULL) {
+            delays->value[i] += delays->by * delays->along[i];
+            delays->rate[i] += delays->by * delays->along[pieces->n + i];
+        }
     }
 }
 

@@ -28,6 +28,8 @@ typedef struct lag_delays {
     lag_delay_jumps jumps;
     double direct;         /* 1: an expression reads delayed values itself */
     double change;         /* of the values, in parts of their sizes: for who looks at their rounding errors */
+    const double *along;   /* (2 ndelay) values and rates are displaced along this, for who differentiates by them; null: they are not, */
+    double by;             /* by so much */
     double *time;          /* (ndelay) the delays [s] */
     double *now, *other;   /* (ndelay) the expressions */
     double *step;          /* (ndelay (ndelay + 1)) of Newton's method */
@@ -47,6 +49,12 @@ lag_status lag_delays_begin(lag_delays *delays, double t);
 
 /* The entries of w at time t, in the present state. */
 void lag_delays_set(lag_delays *delays, double t);
+
+/* The same from now on displaced by so much along these values and rates (2 ndelay); null: as they are. */
+void lag_delays_displace(lag_delays *delays, const double *along, double by);
+
+/* The piece of `pieces`, which begin where those of the delays jump, in which delay i reads at time `at`: on this side of a jump. */
+size_t lag_delays_piece(const lag_delays *delays, const lag_delay_pieces *pieces, size_t i, double at);
 
 /* The shortest delay; infinite before a motion begins. */
 double lag_delays_shortest(const lag_delays *delays);

@@ -91,6 +91,24 @@ double lag_delay_value(const lag_delay_pieces *pieces, size_t piece, size_t i, d
     return value;
 }
 
+double lag_delay_bend(const lag_delay_pieces *pieces, size_t piece, size_t i, double t)
+{
+    const double a = pieces->begin[piece];
+    const double half = 0.5 * (pieces->begin[piece + 1] - a);
+    double terms[2][LAG_DELAY_TERMS + 2] = {{0.0}};
+    double slope = 0.0;
+    memcpy(terms[0], terms_of(pieces, piece, i), LAG_DELAY_TERMS * sizeof(double));
+    for (int order = 0; order < 2; ++order) { /* the coefficients of the derivative: c'(k - 1) = c'(k + 1) + 2 k c(k) */
+        const double *c = terms[order % 2];
+        double *d = terms[1 - order % 2];
+        for (size_t k = LAG_DELAY_TERMS + 2; k-- > 0;) {
+            d[k] = k + 2 < LAG_DELAY_TERMS + 2 && k + 1 < LAG_DELAY_TERMS ? d[k + 2] + 2.0 * (double)(k + 1) * c[k + 1] : 0.0;
+        }
+        d[0] *= 0.5;
+    }
+    return sum_of(terms[0], fmax(-1.0, fmin(1.0, (t - a) / half - 1.0)), &slope) / (half * half);
+}
+
 int lag_delay_is_jump(const lag_delay_pieces *pieces, size_t piece, size_t i)
 {
     double rate = 0.0;

@@ -47,6 +47,9 @@ size_t lag_delay_piece(const lag_delay_pieces *pieces, double t);
 /* Expression i in a piece at time t. */
 double lag_delay_value(const lag_delay_pieces *pieces, size_t piece, size_t i, double t, double *rate);
 
+/* Its second derivative. */
+double lag_delay_bend(const lag_delay_pieces *pieces, size_t piece, size_t i, double t);
+
 /* True if expression i jumps where a piece begins. */
 int lag_delay_is_jump(const lag_delay_pieces *pieces, size_t piece, size_t i);
 

@@ -14,7 +14,6 @@ size_t lag_fixed_memory(size_t size)
 
 lag_status lag_ros2(const lag_ode *ode, double t, double h, double *x, double *memory)
 {
-    static const double gamma = 0.29289321881345254;
     const size_t size = ode->size;
     double *matrix = memory;
     double *pivot = matrix + size * size;
@@ -29,7 +28,7 @@ lag_status lag_ros2(const lag_ode *ode, double t, double h, double *x, double *m
         return status;
     }
     for (size_t i = 0; i < size * size; ++i) {
-        matrix[i] *= -gamma * h;
+        matrix[i] *= -lag_ros2_gamma() * h;
     }
     for (size_t i = 0; i < size; ++i) {
         matrix[i * size + i] += 1.0;

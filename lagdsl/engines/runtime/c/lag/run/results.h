@@ -16,7 +16,7 @@ struct lag_cause;
 /*
  * A companion goes with a motion along its way, as its sensitivities do. It is told of each step, which it may take back for a shorter one
  * (LAG_TOO_LONG); of a time within the step to which the run goes back; of instants, which it carries out itself by lag_run_carry(), and of their
- * ends; of the numbers of rows and notes in their buffers. Any other status than LAG_OK ends the run.
+ * ends; of the numbers of rows and notes in their buffers; of the time up to which the last step becomes the past of delayed values. Any other status than LAG_OK ends the run.
  */
 typedef struct lag_companion {
     lag_status (*step)(struct lag_run *run);
@@ -25,6 +25,7 @@ typedef struct lag_companion {
     void (*after)(struct lag_companion *companion);
     lag_status (*row)(struct lag_run *run, size_t row, double t, const double *x);
     void (*note)(struct lag_companion *companion, size_t note);
+    lag_status (*past)(struct lag_run *run, double t);
 } lag_companion;
 
 typedef struct lag_note {

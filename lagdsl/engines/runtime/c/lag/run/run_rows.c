@@ -108,6 +108,9 @@ lag_status lag_run_keep_past(lag_run *run, double t)
             h *= 2.0;
         }
     }
+    if (status == LAG_OK && lag_run_companion(run) != NULL) {
+        status = lag_run_companion(run)->past(run, t);
+    }
     (void)lag_delays_next(&run->motion.delays); /* up to where it reads on this side of a jump */
     return status;
 }

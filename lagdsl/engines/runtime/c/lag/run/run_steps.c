@@ -100,6 +100,9 @@ static lag_status step_once(lag_run *run, double limit)
         double shorter = 0.0;
         int done = 0;
         lag_status status = crosses ? cross_singular(run, limit, &done) : LAG_OK;
+        if (status == LAG_OK && done && lag_run_companion(run) != NULL) {
+            return lag_run_companion(run)->step(run);
+        }
         if (status != LAG_OK || done) {
             return status;
         }

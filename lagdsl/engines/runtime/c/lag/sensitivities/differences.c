@@ -9,7 +9,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LEVELS = 6 };
+enum { LEVELS = 5, ROUNDINGS = 64 };
 const double lag_sixth[LAG_POINTS] = {45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0};
 
 static size_t kept_bytes(const lag_model *model)
@@ -19,7 +19,7 @@ static size_t kept_bytes(const lag_model *model)
 
 size_t lag_differences_memory(const lag_model *model, size_t most)
 {
-    return kept_bytes(model) / sizeof(double) + 1 + model->np + (2 * LAG_POINTS + 1) * most;
+    return kept_bytes(model) / sizeof(double) + 1 + model->np + (2 * LAG_POINTS + 2) * most;
 }
 
 void lag_differences_place(lag_differences *d, const lag_model *model, size_t most, double *memory)
@@ -31,12 +31,23 @@ void lag_differences_place(lag_differences *d, const lag_model *model, size_t mo
         d->value[k][0] = lag_take(&memory, most);
         d->value[k][1] = lag_take(&memory, most);
     }
+    d->middle = lag_take(&memory, most);
     d->sixth = lag_take(&memory, most);
+}
+
+/* Copies the run, but for the past of delayed values, which stays as it is at an instant. */
+static void copy(const lag_differences *d, unsigned char *to, const unsigned char *from)
+{
+    const lag_delay_pieces *pieces = &d->run->motion.delays.pieces;
+    const size_t past = lag_delay_pieces_memory(pieces->n) * sizeof(double);
+    const size_t first = past > 0 ? (size_t)((const unsigned char *)pieces->begin - (const unsigned char *)d->run) : d->bytes;
+    memcpy(to, from, first);
+    memcpy(to + first + past, from + first + past, d->bytes - first - past);
 }
 
 static void put_back(lag_differences *d)
 {
-    memcpy(d->run, d->kept, d->bytes);
+    copy(d, (unsigned char *)d->run, d->kept);
     d->run->motion.at.p = d->p_here;
     (void)lag_motion_prepare(&d->run->motion); /* a workspace elsewhere is none of the memory that was kept */
 }
@@ -46,7 +57,7 @@ void lag_differences_begin(lag_differences *d, lag_run *run, const double *p_siz
     d->run = run;
     d->p_here = run->motion.at.p;
     d->p_sizes = p_sizes;
-    memcpy(d->kept, run, d->bytes);
+    copy(d, d->kept, (const unsigned char *)run);
 }
 
 void lag_differences_end(lag_differences *d)
@@ -93,9 +104,6 @@ static void displace_time(lag_run *run, double by, double behind)
 {
     const lag_model *model = run->motion.model;
     const double here = run->stepper.t;
-    if (by == 0.0) {
-        return;
-    }
     const double t = here + by + (model->ndistance > 0 ? behind + LAG_SCAN_ULPS * DBL_EPSILON * fabs(here) : 0.0);
     for (size_t i = 0; i < model->nclock; ++i) {
         lag_clock *clock = &run->instants.clock[i];
@@ -114,14 +122,18 @@ static lag_status displace(lag_differences *d, const lag_displacement *along, do
 {
     lag_run *run = d->run;
     const lag_model *model = run->motion.model;
-    /* Instants bend with the square of the displacement. Even terms of it leave central differences as they are. */
-    const double places = by / h;
-    displace_time(run, by * along->t, step * fabs(h * along->t) * places * places);
+    if (along->t != 0.0) { /* instants bend with the square of the displacement; even terms leave central differences as they are */
+        const double places = by / h;
+        displace_time(run, by * along->t, step * fabs(h * along->t) * places * places);
+    }
     for (size_t i = 0; i < lag_motion_size(model) && along->x != NULL; ++i) {
         run->stepper.x[i] += by * along->x[i];
     }
     for (size_t i = 0; i < model->nw && along->w != NULL; ++i) {
         run->motion.w[i] += by * along->w[i];
+    }
+    if (along->w != NULL && model->ndelay > 0) {
+        lag_delays_displace(&run->motion.delays, along->w + lag_places_of(model).delay, by);
     }
     lag_differences_shift(d, along->u, by);
     for (size_t i = 0; i < model->ncontact && along->until != NULL; ++i) {
@@ -163,8 +175,10 @@ double lag_differences_extent(const lag_differences *d, const lag_displacement *
 /* Values at all places of step h. */
 static lag_status sample(lag_differences *d, const lag_displacement *along, double h, double step, lag_map *map, void *context)
 {
-    lag_status status = LAG_OK;
     d->h = h;
+    lag_differences_restore(d);
+    lag_status status = displace(d, along, 0.0, h, step);
+    status = status == LAG_OK ? map(context, d->middle) : status;
     for (int k = 0; k < 2 * LAG_POINTS && status == LAG_OK; ++k) {
         const double by = (k % 2 == 0 ? h : -h) * (k / 2 + 1);
         lag_differences_restore(d);
@@ -190,6 +204,15 @@ static double of_fourth_order(const lag_differences *d, size_t i, double h)
     return (8.0 * apart(d, i, 1) - apart(d, i, 2)) / (12.0 * h);
 }
 
+/* The step of the slope, or of value i itself over the distance, as far as it is more than rounding. */
+static double broken(const lag_differences *d, size_t i)
+{
+    const double inner = d->value[0][0][i] + d->value[0][1][i] - 2.0 * d->middle[i];
+    const double outer = d->value[1][0][i] + d->value[1][1][i] - 2.0 * d->middle[i];
+    const double rounding = ROUNDINGS * DBL_EPSILON * fabs(d->middle[i]);
+    return fmax(fabs(4.0 * inner - outer) - rounding, 0.0) / (3.0 * d->h);
+}
+
 double lag_differences_bend(const lag_differences *d, size_t i)
 {
     const double outer = d->value[2][0][i] + d->value[2][1][i];
@@ -212,13 +235,15 @@ lag_status lag_differences_along(lag_differences *d, const lag_displacement *alo
         const double h = step / extent;
         const lag_status status = sample(d, along, h, step, map, context);
         double bent = 0.0;
-        if (status != LAG_OK) {
-            continue;
-        }
-        for (size_t i = 0; i < count; ++i) {
+        int breaks = 0;
+        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
             const double size = sizes[i] > 0.0 ? sizes[i] : 1.0;
             d->sixth[i] = of_sixth_order(d, i, h);
             bent = fmax(bent, fabs(d->sixth[i] - of_fourth_order(d, i, h)) / (size * extent));
+            breaks = breaks || !(broken(d, i) <= lag_differences_step() * (size * extent + fabs(d->sixth[i])));
+        }
+        if (status != LAG_OK || breaks) {
+            continue;
         }
         const double left = bent * sqrt(bent) + DBL_EPSILON / step;
         if (left < *error) {

@@ -5,7 +5,8 @@
  *
  * each from the same memory of the run, which is put back, so that nothing is remembered of what was tried. h is the longest of a few parts of the
  * natural sizes at which all neighbours end in the same modes and the differences of the fourth and the sixth order agree: maps that are linear, as
- * most blows are, keep all digits then.
+ * most blows are, keep all digits then. F has a derivative only where its slope on both sides is the same: 4 (F1 - 2 F0 + F-1) - (F2 - 2 F0 + F-2) is
+ * -h^4 F'''' of a smooth map, twice the step of a slope, three times that of a value.
  *
  * Source: Fornberg, Math. Comput. 51 (1988) 699, table 1.
  */
@@ -42,7 +43,8 @@ typedef struct lag_differences {
     double *p;               /* (np) displaced parameters */
     const double *p_here;    /* those of the run */
     const double *p_sizes;   /* (np) */
-    double *value[3][2];     /* values on both sides */
+    double *value[3][2];     /* values on both sides, */
+    double *middle;          /* and between them */
     double *sixth;           /* a derivative */
     double h;                /* step of the values */
     lag_inputs *inputs;      /* those of the caller, with their context, */

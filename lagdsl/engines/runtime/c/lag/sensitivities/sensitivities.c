@@ -63,7 +63,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t stages = LAG_RADAU_STAGES * n;
     const size_t implicit = n * n + stages * stages + 2 * stages;
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
-    return columns + work + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
+    return columns + work + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
 
 static void place_instant(lag_columns_instant *instant, const lag_model *model, size_t count, double **memory)
@@ -154,7 +154,7 @@ lag_sensitivities *lag_sensitivities_place(
     const size_t count = of->count;
     const size_t variables = lag_columns_variables(model);
     lag_columns *columns = &s->columns;
-    s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note};
+    s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note, lag_columns_keep_past};
     s->of = *of;
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], {0, 0}};
@@ -173,6 +173,7 @@ lag_sensitivities *lag_sensitivities_place(
     place_instant(&s->instant, model, count, &memory);
     s->instant.pending = 0;
     s->fault = (lag_columns_fault){.t = (double)INFINITY, .first = (double)INFINITY};
+    lag_columns_past_place(&s->past, model, count, lag_take(&memory, lag_columns_past_memory(model, count)));
     s->scales = lag_take(&memory, model->np);
     s->chosen = lag_take_flags(&memory, n);
     lag_differences_place(&s->differences, model, most_values(model), memory);
@@ -216,6 +217,9 @@ lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, size_t block,
     const size_t variables = lag_columns_variables(model);
     double *one = s->work.one;
     lag_status status = LAG_OK;
+    if (model->nc > 0) {
+        lag_columns_set_delays(s, run, t);
+    }
     for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nc > 0; ++lane) {
         double *w = one + variables;
         lag_columns_get(s, lane, variables, directions, 0, one);

@@ -86,6 +86,19 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
+/* Columns of delayed values (sensitivity_delays.c). */
+typedef struct lag_columns_past {
+    lag_delay_pieces pieces; /* of the expressions along every column, then dtau of the place at which a piece begins: (ndelay + 1, count) */
+    double *moved;           /* (count) dtau of the last instant, */
+    int happened;            /* which was just now */
+    double *delays;          /* (ndelay, count) derivatives of the delays themselves */
+    double *state;           /* (2 nq + nz) */
+    double *values, *derivative, *times; /* (ndelay) each */
+} lag_columns_past;
+
+size_t lag_columns_past_memory(const lag_model *model, size_t count);
+void lag_columns_past_place(lag_columns_past *past, const lag_model *model, size_t count, double *memory);
+
 /* Arrays of one step. */
 typedef struct lag_columns_work {
     double *state, *state_of_stage; /* (2 nq + nz) each */
@@ -128,6 +141,7 @@ typedef struct lag_sensitivities {
     lag_sensitivity_rows results;
     lag_columns columns;
     lag_columns_work work;
+    lag_columns_past past;
     lag_columns_instant instant;
     lag_sensitivity_functions along;
     lag_differences differences;
@@ -156,6 +170,14 @@ lag_status lag_sensitivities_start(lag_sensitivities *s, struct lag_run *run, do
 
 /* Derivatives (count, lag_sensitivities_width()) at a fixed time t of the state x there: the present one of the run, or one within its last step. */
 lag_status lag_sensitivities_get(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *derivatives);
+/* The columns at the present, as in a row of them (count, lag_sensitivities_width()). */
+lag_status lag_sensitivities_row(struct lag_run *run, double *row);
+/* Inputs that callers set go along u (count, nu) from now on. */
+void lag_sensitivities_inputs(lag_sensitivities *s, const lag_model *model, const double *u);
+/* All columns between two calls as bytes, and back, into sensitivities of the same directions; signature and checksum are the caller's. */
+size_t lag_sensitivities_saved_size(const lag_sensitivities *s, const lag_model *model);
+void lag_sensitivities_save(const lag_sensitivities *s, const lag_model *model, unsigned char *bytes);
+void lag_sensitivities_load(lag_sensitivities *s, const lag_model *model, const unsigned char *bytes);
 
 /* ---- for its own parts ---- */
 
@@ -189,6 +211,18 @@ lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t b
 lag_status lag_projection_tangent(lag_projection *projection, double t, const double *x, const double *dw, double h, double *direction);
 /* The same for the columns of a block. */
 lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, double *directions);
+/* Columns of delayed values at time t, into those of the discretes. */
+void lag_columns_set_delays(lag_sensitivities *s, struct lag_run *run, double t);
+/* The motion begins; its last step up to time t is the past of delayed values. */
+lag_status lag_columns_begin_past(lag_sensitivities *s, struct lag_run *run);
+lag_status lag_columns_keep_past(struct lag_run *run, double t);
+/* True if nothing but jumps of delayed values causes the instant; carries it out then, with the columns. LAG_NOT_SMOOTH: it turns something. */
+int lag_columns_jumps_alone(const struct lag_run *run, const struct lag_cause *cause);
+lag_status lag_columns_pass_jumps(lag_sensitivities *s, struct lag_run *run, const struct lag_cause *cause);
+/* Lets the columns follow a step of fixed length; slopes for its cubic, which is found at a part of the step of length h then. */
+lag_status lag_columns_fixed_step(lag_sensitivities *s, struct lag_run *run);
+lag_status lag_columns_prepare_fixed(lag_sensitivities *s, struct lag_run *run);
+void lag_columns_fixed_dense(const lag_sensitivities *s, const struct lag_run *run, size_t block, double h, double part, double *to);
 /* Columns of a block at a time within the last step, into `to` (2 nq + nz, lanes). */
 lag_status lag_columns_dense(lag_sensitivities *s, struct lag_run *run, size_t block, double t, double *to);
 

@@ -349,6 +349,16 @@ void lag_sensitivities_after(lag_companion *companion)
     s->instant.pending = 0;
 }
 
+/* The instant has ended like this: pieces of the past that follow began at it. */
+static lag_status happened(lag_sensitivities *s, const lag_run *run, lag_status status)
+{
+    if (run->motion.model->ndelay > 0) {
+        memcpy(s->past.moved, s->instant.time, s->of.count * sizeof(double));
+        s->past.happened = 1;
+    }
+    return status;
+}
+
 lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
@@ -361,6 +371,10 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     lag_fill(s->of.count, 0.0, s->instant.time);
     if (status != LAG_OK) {
         return status;
+    }
+    lag_columns_set_delays(s, run, run->stepper.t);
+    if (lag_columns_jumps_alone(run, cause)) {
+        return happened(s, run, lag_columns_pass_jumps(s, run, cause));
     }
     lag_differences_begin(&s->differences, run, s->scales);
     status = try_instant(s, &map);
@@ -386,5 +400,9 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     s->instant.pending = 1;
     status = lag_run_carry(run, cause);
     lag_sensitivities_after(&s->companion);
-    return status;
+    if (begins && (status == LAG_OK || status == LAG_STOPPED)) {
+        const lag_status begun = lag_columns_begin_past(s, run);
+        return begun == LAG_OK ? status : begun;
+    }
+    return happened(s, run, status);
 }

@@ -38,7 +38,9 @@ static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane,
     lag_fill(height, 0.0, sum);
     for (int k = -LAG_POINTS; k <= LAG_POINTS && status == LAG_OK; k += k == -1 ? 2 : 1) {
         lag_axpy(model->nw, k * h, w, motion->w);
+        lag_delays_displace(&motion->delays, w + lag_places_of(model).delay, k * h);
         status = evaluate(run, t, x, y != NULL, s->differences.value[0][0]);
+        lag_delays_displace(&motion->delays, NULL, 0.0);
         lag_axpy(height, (k > 0 ? lag_sixth[k - 1] : -lag_sixth[-k - 1]) / h, s->differences.value[0][0], sum);
         memcpy(motion->w, s->work.w, model->nw * sizeof(double));
     }
@@ -137,6 +139,7 @@ lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const 
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
+    lag_columns_set_delays(s, run, t);
     if (model->nload > 0) { /* derivatives at fixed loads are not those of the motion */
         return lag_loads_along_look(&s->work.loads, motion, t, x);
     }

@@ -65,6 +65,10 @@ lag_status lag_sensitivities_start(lag_sensitivities *s, lag_run *run, double t,
         }
         s->columns.extent[k] = lag_differences_extent(&s->differences, &along);
         status = lag_differences_along(&s->differences, &along, n + model->np, s->instant.sizes, start_values, &map, found, &error);
+        if (status == LAG_NOT_SMOOTH) {
+            s->fault.t = t;
+            s->fault.guard = k;
+        }
         lag_columns_put(s, k, n, found, s->columns.x, variables);
         lag_columns_put(s, k, model->np, found + n, s->columns.x + (n + model->nu) * s->columns.lanes, variables);
     }

@@ -1,4 +1,7 @@
-/* Columns along one step, stage by stage with the method of the state: DOP853, and Radau by its collocation equations, which are linear in them. */
+/*
+ * Columns along one step, stage by stage with the method of the state: DOP853, and Radau by its collocation equations, which are linear in them; those of
+ * fixed steps are in sensitivity_fixed.c.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -222,6 +225,12 @@ static void implicit_dense(const lag_sensitivities *s, const lag_run *run, size_
 
 /* ---- all ---- */
 
+/* True if the method does not choose the length of its steps. */
+static int is_fixed(const lag_run *run)
+{
+    return run->stepper.method->error_order == 0;
+}
+
 /* Columns where the step begins, wherever those that were found last stand; 1: another step was tried from there. */
 static int return_to_beginning(lag_sensitivities *s, const lag_run *run)
 {
@@ -247,8 +256,14 @@ lag_status lag_sensitivities_step(lag_run *run)
     const double h = stepper->t - stepper->t_before;
     const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
     double error = 0.0;
+    if (stepper->method == &lag_collocation) { /* across a singular position, where neighbours go on along other branches */
+        s->fault.t = stepper->t_before;
+        s->fault.guard = 0;
+        return LAG_NOT_SMOOTH;
+    }
     const int again = return_to_beginning(s, run);
-    lag_status status = stepper->method->implicit ? implicit_step(s, run) : explicit_step(s, run, &error);
+    lag_status status = is_fixed(run) ? lag_columns_fixed_step(s, run) :
+        stepper->method->implicit ? implicit_step(s, run) : explicit_step(s, run, &error);
     if (status != LAG_OK) {
         return status;
     }
@@ -284,7 +299,6 @@ static lag_status prepare_dense(lag_sensitivities *s, lag_run *run)
         at.x_new = s->work.point; /* without the projection behind the step */
         lag_attempt_dense(&at, s->work.terms + block * LAG_DOP853_TERMS * count);
     }
-    s->columns.t_dense = stepper->t;
     return status;
 }
 
@@ -295,12 +309,17 @@ lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, d
     const double h = s->columns.t - s->columns.t_before;
     const double part = h > 0.0 ? (t - s->columns.t_before) / h : 1.0;
     lag_status status = LAG_OK;
-    if (stepper->method->implicit) {
+    if (stepper->method->implicit && !is_fixed(run)) {
         implicit_dense(s, run, block, part, to);
         return LAG_OK;
     }
     if (s->columns.t_dense != stepper->t) {
-        status = prepare_dense(s, run);
+        status = is_fixed(run) ? lag_columns_prepare_fixed(s, run) : prepare_dense(s, run);
+        s->columns.t_dense = stepper->t;
+    }
+    if (is_fixed(run)) {
+        lag_columns_fixed_dense(s, run, block, h, part, to);
+        return status;
     }
     const double *terms = s->work.terms + block * LAG_DOP853_TERMS * count;
     const double *before = s->columns.before + block * count;
