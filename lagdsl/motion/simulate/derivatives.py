@@ -36,8 +36,11 @@ def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Dire
                 break
         else:
             _refuse(flat, name, [*parameters, *starts, *inputs])
-    by_parameter = engine.along_parameters() if p.any() else None
-    return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
+    motion = engine.differentiated()
+    alone = motion is not None and not layout.outputs  # nothing else has to be differentiated
+    by_state = None if alone else engine.along()
+    by_parameter = engine.along_parameters() if p.any() and not alone else None
+    return Directions(p=p, u=u, start=start, by_state=by_state, by_parameter=by_parameter, motion=motion)
 
 
 def check_differentiable(flat: FlatModel, solver: str, controlled: bool) -> None:

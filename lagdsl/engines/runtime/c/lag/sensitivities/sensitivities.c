@@ -52,18 +52,31 @@ static size_t behind_values(const lag_model *model, size_t count)
     return lag_larger(count * instant_values(model), 2 * most_values(model));
 }
 
+/* Equations of accelerations, multipliers and rates of states. */
+static size_t equations_of(const lag_model *model)
+{
+    return model->nq + model->nc + model->nz;
+}
+
+/* Doubles of what jacobian() tells. */
+static size_t derivatives_of_motion(const lag_model *model)
+{
+    return model->nq + model->nc + equations_of(model) * (model->nq + model->nz + lag_columns_variables(model));
+}
+
 static size_t memory_for(const lag_model *model, size_t count)
 {
     const size_t n = lag_motion_size(model);
     const size_t width = lanes_for(count);
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
-    const size_t columns = all * (2 * variables + model->nw + n + 2);
-    const size_t work = 2 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t columns = all * (2 * variables + model->nw + n + 2) + 2 * count * model->np + count + 1;
+    const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t motion = derivatives_of_motion(model) + width * equations_of(model);
     const size_t stages = LAG_RADAU_STAGES * n;
     const size_t implicit = n * n + stages * stages + 2 * stages;
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
-    return columns + work + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
+    return columns + work + motion + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
 
 static void place_instant(lag_columns_instant *instant, const lag_model *model, size_t count, double **memory)
@@ -80,6 +93,18 @@ static void place_instant(lag_columns_instant *instant, const lag_model *model, 
     instant->bend = lag_take(memory, lag_guard_count(model));
 }
 
+static void place_motion(lag_motion_derivatives *motion, const lag_model *model, size_t lanes, double **memory)
+{
+    const size_t equations = equations_of(model);
+    motion->kept = (lag_kept){*memory, derivatives_of_motion(model)};
+    motion->qdd = lag_take(memory, model->nq);
+    motion->lam = lag_take(memory, model->nc);
+    motion->response = lag_take(memory, (model->nq + model->nz) * equations);
+    motion->by_state = lag_take(memory, equations * (lag_motion_size(model) + model->nu));
+    motion->by_parameter = lag_take(memory, equations * model->np);
+    motion->sum = lag_take(memory, lanes * equations);
+}
+
 static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
 {
     const size_t n = lag_motion_size(model);
@@ -87,6 +112,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     const size_t variables = lag_columns_variables(model);
     work->state = lag_take(memory, n);
     work->state_of_stage = lag_take(memory, n);
+    work->known.x = lag_take(memory, n);
     work->slopes = lag_take(memory, all * n * LAG_DOP853_SLOPES);
     work->terms = lag_take(memory, all * n * LAG_DOP853_TERMS);
     work->point = lag_take(memory, columns->lanes * variables);
@@ -101,6 +127,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_state = lag_take(memory, model->ny * (n + model->nu));
     work->by_parameter = lag_take(memory, all * n);
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
+    place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
     work->collocation.jacobian = lag_take(memory, n * n);
     work->collocation.right = lag_take(memory, LAG_RADAU_STAGES * n);
@@ -157,7 +184,8 @@ lag_sensitivities *lag_sensitivities_place(
     s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note};
     s->of = *of;
     s->results = *rows;
-    s->along = (lag_sensitivity_functions){along[0], along[1], {0, 0}};
+    s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
+    s->sums = lag_column_sums_here();
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
     const size_t all = columns->blocks * columns->lanes;
@@ -167,8 +195,12 @@ lag_sensitivities *lag_sensitivities_place(
     columns->extent = lag_take(&memory, all);
     columns->p = lag_take(&memory, count * variables);
     columns->of_parameters = lag_take(&memory, count);
+    columns->part = lag_take(&memory, count * model->np);
+    columns->entry = (size_t *)(void *)lag_take(&memory, count * model->np);
+    columns->first = (size_t *)(void *)lag_take(&memory, count + 1);
     columns->t = columns->t_before = columns->t_dense = (double)NAN;
     columns->rejected = (double)INFINITY;
+    s->work.known.t = (double)NAN;
     place_work(&s->work, model, columns, &memory);
     place_instant(&s->instant, model, count, &memory);
     s->instant.pending = 0;
@@ -189,10 +221,20 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
     const size_t first = lag_motion_size(model) + model->nu;
     const size_t variables = lag_columns_variables(model);
     double *one = s->work.one;
+    size_t entries = 0;
     s->columns.moving = 0;
-    s->along.prepared[0] = s->along.prepared[1] = 0;
+    s->work.known.t = (double)NAN;
+    memset(s->along.prepared, 0, sizeof s->along.prepared);
     for (size_t k = 0; k < s->of.count; ++k) {
         lag_columns_get(s, k, variables, s->columns.x, variables, one);
+        s->columns.first[k] = entries;
+        for (size_t i = 0; i < model->np; ++i) {
+            if (one[first + i] != 0.0) {
+                s->columns.entry[entries] = i;
+                s->columns.part[entries++] = one[first + i];
+            }
+        }
+        s->columns.first[k + 1] = entries;
         if (lag_any(model->np, one + first)) {
             s->columns.of_parameters[s->columns.moving++] = (double)k;
         }
@@ -285,6 +327,7 @@ static lag_status back(lag_run *run, double t)
     if (t == s->columns.t) {
         return LAG_OK;
     }
+    s->work.known.t = (double)NAN;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         status = columns_at(s, run, block, t, run->stepper.x, s->work.point);
         memcpy(s->columns.x + block * height, s->work.point, height * sizeof(double));

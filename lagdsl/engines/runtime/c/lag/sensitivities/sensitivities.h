@@ -24,6 +24,7 @@
 #include "lag/equations/projection.h"
 #include "lag/methods/radau.h"
 #include "lag/run/results.h"
+#include "lag/sensitivities/column_sums.h"
 #include "lag/sensitivities/differences.h"
 
 struct lag_run;
@@ -53,10 +54,13 @@ typedef struct lag_sensitivity_directions {
     const double *start; /* (count, 2 nq + nz) */
 } lag_sensitivity_directions;
 
-/* Functions of several directions. Without tangents the functions of the model follow one direction after the other. */
+/*
+ * Functions of several directions, and the motion with its derivatives (jacobian() of its tangents). Without tangents the functions of the model follow
+ * one direction after the other.
+ */
 typedef struct lag_sensitivity_functions {
-    lag_along states, parameters;
-    int prepared[2]; /* their workspaces are those of the present parameters */
+    lag_along states, parameters, motion;
+    int prepared[3]; /* their workspaces are those of the present parameters */
 } lag_sensitivity_functions;
 
 /* Rows beside those of lag_results, in buffers of the caller. */
@@ -71,6 +75,8 @@ typedef struct lag_columns {
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
+    size_t *entry, *first; /* the entries of dp that are not zero: their numbers, column after column, with the first of each (count + 1), */
+    double *part;     /* and their values */
     size_t moving;    /* so many columns are along parameters, */
     double *of_parameters, *p; /* (moving) these, and (2 nq + nz + nu + np, moving) their directions of p alone */
     double *extent;   /* (blocks, lanes) of the directions, in natural sizes: a change by one of these is this much of order one */
@@ -86,6 +92,21 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
+/* What jacobian() tells at the present state, in memory that holds nothing else; `sum` (nq + nc + nz, lanes) are the equations along a block. */
+typedef struct lag_motion_derivatives {
+    double *qdd, *lam, *response, *by_state, *by_parameter;
+    lag_kept kept;
+    lag_arguments at; /* the state that they are asked for at, with this memory */
+    double *sum;
+    int known; /* it is that of the present state */
+} lag_motion_derivatives;
+
+/* The stage, the first or the last, whose slopes are those at time t (no number: none) and at the state x (2 nq + nz), and will be as long as nothing happens. */
+typedef struct lag_known_slopes {
+    size_t stage;
+    double t, *x;
+} lag_known_slopes;
+
 /* Arrays of one step. */
 typedef struct lag_columns_work {
     double *state, *state_of_stage; /* (2 nq + nz) each */
@@ -94,6 +115,8 @@ typedef struct lag_columns_work {
     double *point;    /* (2 nq + nz + nu + np, lanes) directions at a stage */
     double *rates, *tolerance, *y; /* (2 nq + nz, lanes) each; (ny, lanes) */
     lag_loads_along loads;
+    lag_motion_derivatives motion;
+    lag_known_slopes known;
     double *one_rates; /* (2 nq + nz + ny, lanes) */
     double *by_state, *outputs_by_state; /* (2 nq + nz, 2 nq + nz + nu) (ny, 2 nq + nz + nu) where there are more columns */
     double *by_parameter, *outputs_by_parameter; /* (2 nq + nz, moving) (ny, moving) */
@@ -131,6 +154,7 @@ typedef struct lag_sensitivities {
     lag_columns_instant instant;
     lag_sensitivity_functions along;
     lag_differences differences;
+    const lag_column_sums *sums;
     lag_columns_fault fault;
     double *scales;          /* (np) sizes of the parameters */
     unsigned char *chosen;   /* (2 nq + nz) start values that count as written */
@@ -140,7 +164,8 @@ typedef struct lag_sensitivities {
 size_t lag_sensitivities_width(const lag_model *model);
 /*
  * Bytes of the block for the sensitivities of a run, and its layout; it is zero, and aligned as malloc does. Arrays that `of`, `rows`
- * and `along` point at must outlive it; `along` (2) are the functions of several directions, of q, qd, z, u and of p; without tangents there are none.
+ * and `along` point at must outlive it; `along` (3) are the functions of several directions, of q, qd, z, u and of p, and the derivatives of the
+ * motion; without tangents there are none.
  */
 size_t lag_sensitivities_size(const lag_model *model, size_t count);
 lag_sensitivities *lag_sensitivities_place(void *block, const lag_model *model, const lag_sensitivity_directions *of, const lag_sensitivity_rows *rows,

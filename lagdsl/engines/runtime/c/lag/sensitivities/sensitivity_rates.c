@@ -1,6 +1,7 @@
 /* Rates and outputs along the columns at a state. */
 #include <string.h>
 
+#include "lag/dynamics.h"
 #include "lag/equations/jacobian.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
@@ -49,7 +50,7 @@ static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane,
     return status;
 }
 
-/* ---- by functions of several directions ---- */
+/* ---- by the derivatives of the motion ---- */
 
 /* The state of the motion for the functions of `along`, prepared for its parameters. */
 static lag_arguments here(const lag_along *along, int *prepared, const lag_motion *motion)
@@ -58,28 +59,73 @@ static lag_arguments here(const lag_along *along, int *prepared, const lag_motio
     at.context = along->model->context;
     at.workspace = along->workspace;
     at.kept = NULL;
-    *prepared = *prepared || along->model->prepare(&at) == LAG_OK;
+    if (!*prepared) {
+        *prepared = along->model->prepare(&at) == LAG_OK;
+    }
     return at;
 }
+
+/* Finds them at the present state. LAG_MISSING: there are none. */
+static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
+{
+    const lag_along *along = &s->along.motion;
+    lag_motion_derivatives *found = &s->work.motion;
+    double pivot = 0.0;
+    if (along->tangents == NULL || along->tangents->jacobian == NULL) {
+        return LAG_MISSING;
+    }
+    if (!s->along.prepared[2]) {
+        found->at = here(along, &s->along.prepared[2], motion);
+        found->at.kept = &found->kept;
+    }
+    found->at.t = motion->at.t;
+    found->at.q = motion->at.q;
+    found->at.qd = motion->at.qd;
+    found->at.z = motion->at.z;
+    found->at.u = motion->at.u;
+    found->at.w = motion->at.w;
+    found->at.p = motion->at.p;
+    const lag_status status = along->tangents->jacobian(
+        &found->at, found->qdd, found->lam, &pivot, found->response, found->by_state, found->by_parameter);
+    return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
+}
+
+/* Adds the equations along the parameters of a block to `sum`. */
+static void along_parameters(const lag_sensitivities *s, const lag_model *model, size_t block, size_t equations, double *sum)
+{
+    const size_t lanes = s->columns.lanes;
+    for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
+        const size_t *first = s->columns.first + block * lanes + lane;
+        for (size_t k = first[0]; k < first[1]; ++k) {
+            const double *column = s->work.motion.by_parameter + s->columns.entry[k];
+            const double part = s->columns.part[k];
+            for (size_t i = 0; i < equations; ++i) {
+                sum[i * lanes + lane] += part * column[i * model->np];
+            }
+        }
+    }
+}
+
+/* Rates (2 nq + nz, lanes) of a block by them, along directions of the state and of the inputs (2 nq + nz + nu, lanes). */
+static void by_motion(lag_sensitivities *s, const lag_model *model, size_t block, const double *directions, double *rates)
+{
+    const size_t n = model->nq;
+    const size_t lanes = s->columns.lanes;
+    const size_t equations = n + model->nc + model->nz;
+    double *sum = s->work.motion.sum;
+    lag_fill(equations * lanes, 0.0, sum);
+    along_parameters(s, model, block, equations, sum);
+    s->sums->multiply(equations, lag_motion_size(model) + model->nu, lanes, s->work.motion.by_state, directions, sum, sum);
+    memcpy(rates, directions + n * lanes, n * lanes * sizeof(double));
+    s->sums->multiply(n + model->nz, equations, lanes, s->work.motion.response, sum, NULL, rates + n * lanes);
+}
+
+/* ---- by functions of several directions ---- */
 
 /* True if the Jacobian by the state and the inputs serves all columns: there are more of these. */
 static int takes_jacobian(const lag_sensitivities *s, const lag_model *model)
 {
     return s->along.states.tangents != NULL && lag_motion_size(model) + model->nu <= s->of.count;
-}
-
-/* to (height, lanes) = matrix (height, width) of (width, lanes) */
-static void multiply(size_t height, size_t width, size_t lanes, const double *matrix, const double *of, double *to)
-{
-    lag_fill(height * lanes, 0.0, to);
-    for (size_t i = 0; i < height; ++i) {
-        for (size_t j = 0; j < width; ++j) {
-            const double entry = matrix[i * width + j];
-            for (size_t lane = 0; lane < lanes; ++lane) {
-                to[i * lanes + lane] += entry * of[j * lanes + lane];
-            }
-        }
-    }
 }
 
 /* Rates along q, qd, z and u. */
@@ -89,8 +135,8 @@ static lag_status along_states(lag_sensitivities *s, lag_motion *motion, const d
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
     if (takes_jacobian(s, model)) {
-        multiply(n, n + model->nu, lanes, s->work.by_state, directions, rates);
-        multiply(y != NULL ? model->ny : 0, n + model->nu, lanes, s->work.outputs_by_state, directions, y);
+        s->sums->multiply(n, n + model->nu, lanes, s->work.by_state, directions, NULL, rates);
+        s->sums->multiply(y != NULL ? model->ny : 0, n + model->nu, lanes, s->work.outputs_by_state, directions, NULL, y);
         return LAG_OK;
     }
     const lag_along *along = &s->along.states;
@@ -141,7 +187,12 @@ lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const 
         return lag_loads_along_look(&s->work.loads, motion, t, x);
     }
     lag_motion_set_state(motion, t, x);
-    const lag_status status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
+    lag_status status = outputs ? LAG_MISSING : look_at_motion(s, motion);
+    s->work.motion.known = status == LAG_OK;
+    if (status != LAG_MISSING) {
+        return status;
+    }
+    status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
     if (status != LAG_OK || !takes_jacobian(s, model)) {
         return status;
     }
@@ -178,6 +229,8 @@ lag_status lag_columns_rates(lag_sensitivities *s, lag_run *run, size_t block, d
     lag_status status = LAG_OK;
     if (model->nload > 0) {
         status = with_loads(s, motion, directions, rates, y);
+    } else if (s->work.motion.known) {
+        by_motion(s, model, block, directions, rates);
     } else if (s->along.states.tangents != NULL) {
         status = along_states(s, motion, directions, rates, y);
         add_parameters(s, model, block, rates, y);
