@@ -8,47 +8,61 @@
 extern const lag_column_sums lag_column_sums_wide, lag_column_sums_widest;
 #endif
 
-LAG_ATTEMPT_INLINED void multiply_inlined(
-    size_t height, size_t width, size_t lanes, const double *matrix, const double *of, const double *base, double *to)
+#if defined(__GNUC__)
+/* Four rows from row i on, whose sums do not wait for each other. */
+LAG_ATTEMPT_INLINED void multiply_four(
+    const lag_rows_of_columns *m, size_t i, size_t lanes, size_t lane, const double *of, const double *base, double *to)
+{
+    const lag_wide none = {0.0};
+    const double *row = m->first + i * m->apart;
+    const size_t at = i * lanes + lane;
+    lag_wide a = base != NULL ? lag_wide_at(base + at) : none;
+    lag_wide b = base != NULL ? lag_wide_at(base + at + lanes) : none;
+    lag_wide c = base != NULL ? lag_wide_at(base + at + 2 * lanes) : none;
+    lag_wide d = base != NULL ? lag_wide_at(base + at + 3 * lanes) : none;
+    for (size_t j = 0; j < m->width; ++j) {
+        const lag_wide x = lag_wide_at(of + j * lanes + lane);
+        a += row[j] * x;
+        b += row[m->apart + j] * x;
+        c += row[2 * m->apart + j] * x;
+        d += row[3 * m->apart + j] * x;
+    }
+    lag_wide_to(to + at, a);
+    lag_wide_to(to + at + lanes, b);
+    lag_wide_to(to + at + 2 * lanes, c);
+    lag_wide_to(to + at + 3 * lanes, d);
+}
+
+LAG_ATTEMPT_INLINED void multiply_one(
+    const lag_rows_of_columns *m, size_t i, size_t lanes, size_t lane, const double *of, const double *base, double *to)
+{
+    const lag_wide none = {0.0};
+    lag_wide a = base != NULL ? lag_wide_at(base + i * lanes + lane) : none;
+    for (size_t j = 0; j < m->width; ++j) {
+        a += m->first[i * m->apart + j] * lag_wide_at(of + j * lanes + lane);
+    }
+    lag_wide_to(to + i * lanes + lane, a);
+}
+#endif
+
+LAG_ATTEMPT_INLINED void multiply_inlined(const lag_rows_of_columns *m, size_t lanes, const double *of, const double *base, double *to)
 {
     size_t lane = 0;
 #if defined(__GNUC__)
-    const lag_wide none = {0.0};
     for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) {
-        size_t i = 0;
-        for (; i + 4 <= height; i += 4) { /* four sums, whose terms do not wait for each other */
-            const double *row = matrix + i * width;
-            const size_t at = i * lanes + lane;
-            lag_wide a = base != NULL ? lag_wide_at(base + at) : none;
-            lag_wide b = base != NULL ? lag_wide_at(base + at + lanes) : none;
-            lag_wide c = base != NULL ? lag_wide_at(base + at + 2 * lanes) : none;
-            lag_wide d = base != NULL ? lag_wide_at(base + at + 3 * lanes) : none;
-            for (size_t j = 0; j < width; ++j) {
-                const lag_wide x = lag_wide_at(of + j * lanes + lane);
-                a += row[j] * x;
-                b += row[width + j] * x;
-                c += row[2 * width + j] * x;
-                d += row[3 * width + j] * x;
-            }
-            lag_wide_to(to + at, a);
-            lag_wide_to(to + at + lanes, b);
-            lag_wide_to(to + at + 2 * lanes, c);
-            lag_wide_to(to + at + 3 * lanes, d);
+        for (size_t i = 0; i < m->height && m->height < 4; ++i) {
+            multiply_one(m, i, lanes, lane, of, base, to);
         }
-        for (; i < height; ++i) {
-            lag_wide a = base != NULL ? lag_wide_at(base + i * lanes + lane) : none;
-            for (size_t j = 0; j < width; ++j) {
-                a += matrix[i * width + j] * lag_wide_at(of + j * lanes + lane);
-            }
-            lag_wide_to(to + i * lanes + lane, a);
+        for (size_t i = 0; i < m->height && m->height >= 4; i += 4) { /* the last rows may be among the four before */
+            multiply_four(m, i + 4 <= m->height ? i : m->height - 4, lanes, lane, of, base, to);
         }
     }
 #endif
     for (; lane < lanes; ++lane) {
-        for (size_t i = 0; i < height; ++i) {
+        for (size_t i = 0; i < m->height; ++i) {
             double sum = base != NULL ? base[i * lanes + lane] : 0.0;
-            for (size_t j = 0; j < width; ++j) {
-                sum += matrix[i * width + j] * of[j * lanes + lane];
+            for (size_t j = 0; j < m->width; ++j) {
+                sum += m->first[i * m->apart + j] * of[j * lanes + lane];
             }
             to[i * lanes + lane] = sum;
         }
@@ -72,9 +86,9 @@ LAG_COLUMNS_TARGET static void dense(const lag_attempt_arrays *at, double *terms
 }
 
 LAG_COLUMNS_TARGET static void multiply(
-    size_t height, size_t width, size_t lanes, const double *matrix, const double *of, const double *base, double *to)
+    const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to)
 {
-    multiply_inlined(height, width, lanes, matrix, of, base, to);
+    multiply_inlined(product, lanes, of, base, to);
 }
 
 #endif

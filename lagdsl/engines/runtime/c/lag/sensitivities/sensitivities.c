@@ -70,9 +70,9 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t width = lanes_for(count);
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
-    const size_t columns = all * (2 * variables + model->nw + n + 2) + 2 * count * model->np + count + 1;
+    const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
-    const size_t motion = derivatives_of_motion(model) + width * equations_of(model);
+    const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
     const size_t stages = LAG_RADAU_STAGES * n;
     const size_t implicit = n * n + stages * stages + 2 * stages;
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
@@ -93,6 +93,22 @@ static void place_instant(lag_columns_instant *instant, const lag_model *model, 
     instant->bend = lag_take(memory, lag_guard_count(model));
 }
 
+static size_t *take_numbers(double **memory, size_t count)
+{
+    return (size_t *)(void *)lag_take(memory, count);
+}
+
+static void place_entries(lag_parameter_entries *entries, const lag_columns *columns, size_t most, double **memory)
+{
+    const size_t all = columns->blocks * columns->lanes;
+    entries->lead = take_numbers(memory, all);
+    entries->lead_part = lag_take(memory, all);
+    entries->first = take_numbers(memory, columns->blocks + 1);
+    entries->number = take_numbers(memory, most);
+    entries->lane = take_numbers(memory, most);
+    entries->part = lag_take(memory, most);
+}
+
 static void place_motion(lag_motion_derivatives *motion, const lag_model *model, size_t lanes, double **memory)
 {
     const size_t equations = equations_of(model);
@@ -103,6 +119,7 @@ static void place_motion(lag_motion_derivatives *motion, const lag_model *model,
     motion->by_state = lag_take(memory, equations * (lag_motion_size(model) + model->nu));
     motion->by_parameter = lag_take(memory, equations * model->np);
     motion->sum = lag_take(memory, lanes * equations);
+    motion->parameters = lag_take(memory, lanes * equations);
 }
 
 static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
@@ -195,9 +212,7 @@ lag_sensitivities *lag_sensitivities_place(
     columns->extent = lag_take(&memory, all);
     columns->p = lag_take(&memory, count * variables);
     columns->of_parameters = lag_take(&memory, count);
-    columns->part = lag_take(&memory, count * model->np);
-    columns->entry = (size_t *)(void *)lag_take(&memory, count * model->np);
-    columns->first = (size_t *)(void *)lag_take(&memory, count + 1);
+    place_entries(&columns->entries, columns, count * model->np, &memory);
     columns->t = columns->t_before = columns->t_dense = (double)NAN;
     columns->rejected = (double)INFINITY;
     s->work.known.t = (double)NAN;
@@ -216,25 +231,40 @@ lag_sensitivities *lag_sensitivities_place(
     return s;
 }
 
+/* The entries of the direction dp (np) of column k, behind those of the columns before. */
+static void add_entries(lag_columns *columns, size_t k, size_t np, const double *dp)
+{
+    lag_parameter_entries *entries = &columns->entries;
+    size_t *end = entries->first + k / columns->lanes + 1;
+    entries->lead[k] = 0;
+    entries->lead_part[k] = 0.0;
+    *end = k % columns->lanes == 0 ? end[-1] : *end;
+    for (size_t i = 0; i < np; ++i) {
+        if (dp[i] != 0.0 && entries->lead_part[k] == 0.0) {
+            entries->lead[k] = i;
+            entries->lead_part[k] = dp[i];
+        } else if (dp[i] != 0.0) {
+            entries->number[*end] = i;
+            entries->lane[*end] = k % columns->lanes;
+            entries->part[(*end)++] = dp[i];
+        }
+    }
+}
+
 void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
 {
-    const size_t first = lag_motion_size(model) + model->nu;
+    const size_t inputs = lag_motion_size(model);
+    const size_t first = inputs + model->nu;
     const size_t variables = lag_columns_variables(model);
     double *one = s->work.one;
-    size_t entries = 0;
     s->columns.moving = 0;
+    s->columns.shifted = 0;
     s->work.known.t = (double)NAN;
     memset(s->along.prepared, 0, sizeof s->along.prepared);
     for (size_t k = 0; k < s->of.count; ++k) {
         lag_columns_get(s, k, variables, s->columns.x, variables, one);
-        s->columns.first[k] = entries;
-        for (size_t i = 0; i < model->np; ++i) {
-            if (one[first + i] != 0.0) {
-                s->columns.entry[entries] = i;
-                s->columns.part[entries++] = one[first + i];
-            }
-        }
-        s->columns.first[k + 1] = entries;
+        add_entries(&s->columns, k, model->np, one + first);
+        s->columns.shifted = s->columns.shifted || lag_any(model->nu, one + inputs);
         if (lag_any(model->np, one + first)) {
             s->columns.of_parameters[s->columns.moving++] = (double)k;
         }

@@ -69,14 +69,25 @@ typedef struct lag_sensitivity_rows {
     double *times; /* (most_notes, count) of the instants of notes */
 } lag_sensitivity_rows;
 
+/*
+ * Entries of dp that are not zero: of each column the first (blocks, lanes), with the part zero where there is none; the others block after block, with
+ * the first of each (blocks + 1).
+ */
+typedef struct lag_parameter_entries {
+    size_t *lead;
+    double *lead_part;
+    size_t *first, *number, *lane;
+    double *part;
+} lag_parameter_entries;
+
 /* Columns in blocks of so many lanes: entry i of column k of a block is at i * lanes + k; unused ones are zero. */
 typedef struct lag_columns {
     size_t lanes, blocks;
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
-    size_t *entry, *first; /* the entries of dp that are not zero: their numbers, column after column, with the first of each (count + 1), */
-    double *part;     /* and their values */
+    lag_parameter_entries entries;
+    int shifted;      /* some column is along inputs */
     size_t moving;    /* so many columns are along parameters, */
     double *of_parameters, *p; /* (moving) these, and (2 nq + nz + nu + np, moving) their directions of p alone */
     double *extent;   /* (blocks, lanes) of the directions, in natural sizes: a change by one of these is this much of order one */
@@ -92,12 +103,12 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
-/* What jacobian() tells at the present state, in memory that holds nothing else; `sum` (nq + nc + nz, lanes) are the equations along a block. */
+/* What jacobian() tells at the present state, in memory that holds nothing else; `sum` (nq + nc + nz, lanes) are the equations along a block, `parameters` along its parameters. */
 typedef struct lag_motion_derivatives {
     double *qdd, *lam, *response, *by_state, *by_parameter;
     lag_kept kept;
     lag_arguments at; /* the state that they are asked for at, with this memory */
-    double *sum;
+    double *sum, *parameters;
     int known; /* it is that of the present state */
 } lag_motion_derivatives;
 

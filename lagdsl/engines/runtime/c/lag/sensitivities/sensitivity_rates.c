@@ -90,18 +90,23 @@ static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
     return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-/* Adds the equations along the parameters of a block to `sum`. */
+/* The equations along the parameters of a block, into `sum` (equations, lanes). */
 static void along_parameters(const lag_sensitivities *s, const lag_model *model, size_t block, size_t equations, double *sum)
 {
     const size_t lanes = s->columns.lanes;
-    for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
-        const size_t *first = s->columns.first + block * lanes + lane;
-        for (size_t k = first[0]; k < first[1]; ++k) {
-            const double *column = s->work.motion.by_parameter + s->columns.entry[k];
-            const double part = s->columns.part[k];
-            for (size_t i = 0; i < equations; ++i) {
-                sum[i * lanes + lane] += part * column[i * model->np];
-            }
+    const lag_parameter_entries *entries = &s->columns.entries;
+    const size_t *lead = entries->lead + block * lanes;
+    const double *part = entries->lead_part + block * lanes;
+    for (size_t i = 0; i < equations; ++i) {
+        const double *row = s->work.motion.by_parameter + i * model->np;
+        for (size_t lane = 0; lane < lanes; ++lane) {
+            sum[i * lanes + lane] = part[lane] * row[lead[lane]];
+        }
+    }
+    for (size_t k = entries->first[block]; k < entries->first[block + 1]; ++k) {
+        const double *column = s->work.motion.by_parameter + entries->number[k];
+        for (size_t i = 0; i < equations; ++i) {
+            sum[i * lanes + entries->lane[k]] += entries->part[k] * column[i * model->np];
         }
     }
 }
@@ -109,15 +114,19 @@ static void along_parameters(const lag_sensitivities *s, const lag_model *model,
 /* Rates (2 nq + nz, lanes) of a block by them, along directions of the state and of the inputs (2 nq + nz + nu, lanes). */
 static void by_motion(lag_sensitivities *s, const lag_model *model, size_t block, const double *directions, double *rates)
 {
+    const lag_motion_derivatives *found = &s->work.motion;
     const size_t n = model->nq;
+    const size_t size = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
     const size_t equations = n + model->nc + model->nz;
-    double *sum = s->work.motion.sum;
-    lag_fill(equations * lanes, 0.0, sum);
-    along_parameters(s, model, block, equations, sum);
-    s->sums->multiply(equations, lag_motion_size(model) + model->nu, lanes, s->work.motion.by_state, directions, sum, sum);
+    const lag_rows_of_columns by_state = {equations, size + (s->columns.shifted ? model->nu : 0), size + model->nu, found->by_state};
+    const lag_rows_of_columns response = {n + model->nz, equations, equations, found->response};
+    if (s->columns.moving > 0) {
+        along_parameters(s, model, block, equations, found->parameters);
+    }
+    s->sums->multiply(&by_state, lanes, directions, s->columns.moving > 0 ? found->parameters : NULL, found->sum);
     memcpy(rates, directions + n * lanes, n * lanes * sizeof(double));
-    s->sums->multiply(n + model->nz, equations, lanes, s->work.motion.response, sum, NULL, rates + n * lanes);
+    s->sums->multiply(&response, lanes, found->sum, NULL, rates + n * lanes);
 }
 
 /* ---- by functions of several directions ---- */
@@ -135,8 +144,10 @@ static lag_status along_states(lag_sensitivities *s, lag_motion *motion, const d
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
     if (takes_jacobian(s, model)) {
-        s->sums->multiply(n, n + model->nu, lanes, s->work.by_state, directions, NULL, rates);
-        s->sums->multiply(y != NULL ? model->ny : 0, n + model->nu, lanes, s->work.outputs_by_state, directions, NULL, y);
+        const lag_rows_of_columns by_state = {n, n + model->nu, n + model->nu, s->work.by_state};
+        const lag_rows_of_columns outputs = {y != NULL ? model->ny : 0, n + model->nu, n + model->nu, s->work.outputs_by_state};
+        s->sums->multiply(&by_state, lanes, directions, NULL, rates);
+        s->sums->multiply(&outputs, lanes, directions, NULL, y);
         return LAG_OK;
     }
     const lag_along *along = &s->along.states;

@@ -43,7 +43,7 @@ static void set_point(const lag_sensitivities *s, const lag_run *run, size_t blo
     const lag_model *model = run->motion.model;
     const size_t count = size_of(run) * s->columns.lanes;
     const size_t height = lag_columns_variables(model) * s->columns.lanes;
-    const size_t read = (model->nu + (s->work.motion.known ? 0 : model->np)) * s->columns.lanes;
+    const size_t read = (s->work.motion.known ? (s->columns.shifted ? model->nu : 0) : model->nu + model->np) * s->columns.lanes;
     memcpy(s->work.point + count, s->columns.x + block * height + count, read * sizeof(double));
 }
 
