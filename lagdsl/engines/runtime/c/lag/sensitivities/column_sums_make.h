@@ -69,6 +69,76 @@ LAG_ATTEMPT_INLINED void multiply_inlined(const lag_rows_of_columns *m, size_t l
     }
 }
 
+/* The equations along the parameters of a block. */
+LAG_ATTEMPT_INLINED void along_parameters(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes)
+{
+    const size_t *lead = entries->lead + block * lanes;
+    const double *part = entries->lead_part + block * lanes;
+    for (size_t i = 0; i < motion->by_state.height; ++i) {
+        const double *row = motion->by_parameter + i * motion->np;
+        size_t lane = 0;
+#if defined(__GNUC__)
+        for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) { /* numbers put down one by one would have to be waited for */
+            lag_wide own;
+#pragma GCC unroll 8
+            for (size_t k = 0; k < LAG_WIDTH; ++k) {
+                own[k] = row[lead[lane + k]];
+            }
+            lag_wide_to(motion->along + i * lanes + lane, lag_wide_at(part + lane) * own);
+        }
+#endif
+        for (; lane < lanes; ++lane) {
+            motion->along[i * lanes + lane] = part[lane] * row[lead[lane]];
+        }
+    }
+    for (size_t k = entries->first[block]; k < entries->first[block + 1]; ++k) {
+        const double *column = motion->by_parameter + entries->number[k];
+        for (size_t i = 0; i < motion->by_state.height; ++i) {
+            motion->along[i * lanes + entries->lane[k]] += entries->part[k] * column[i * motion->np];
+        }
+    }
+}
+
+LAG_ATTEMPT_INLINED void rates_inlined(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes,
+    const double *state, const double *inputs, double *rates)
+{
+    const size_t positions = motion->nq * lanes;
+    double *sum = motion->sum;
+    if (motion->by_parameter != NULL) {
+        along_parameters(motion, entries, block, lanes);
+    }
+    multiply_inlined(&motion->by_state, lanes, state, motion->by_parameter != NULL ? motion->along : NULL, sum);
+    if (motion->by_input.width > 0) {
+        multiply_inlined(&motion->by_input, lanes, inputs, sum, motion->along);
+        sum = motion->along;
+    }
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= positions; i += LAG_WIDTH) {
+        lag_wide_to(rates + i, lag_wide_at(state + positions + i));
+    }
+#endif
+    for (; i < positions; ++i) {
+        rates[i] = state[positions + i];
+    }
+    multiply_inlined(&motion->response, lanes, sum, NULL, rates + positions);
+}
+
+LAG_ATTEMPT_INLINED void stage_inlined(const lag_motion_product *motion, const lag_columns_stage *of)
+{
+    const size_t count = motion->size * of->lanes;
+    for (size_t block = 0; block < of->blocks; ++block) {
+        const double *x = of->x + block * count;
+        double *slopes = of->slopes + block * LAG_DOP853_SLOPES * count;
+        double *columns = of->columns + block * of->height * of->lanes;
+        double *point = of->stage == LAG_DOP853_END ? columns : of->point;
+        if (of->stage > 0) {
+            lag_combine(count, &lag_dop853_stages[of->stage], of->h, slopes, x, point);
+        }
+        rates_inlined(motion, of->entries, block, of->lanes, of->stage > 0 ? point : x, columns + count, slopes + of->stage * count);
+    }
+}
+
 LAG_COLUMNS_TARGET static void combine(
     size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
 {
@@ -89,6 +159,17 @@ LAG_COLUMNS_TARGET static void multiply(
     const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to)
 {
     multiply_inlined(product, lanes, of, base, to);
+}
+
+LAG_COLUMNS_TARGET static void rates(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes,
+    const double *state, const double *inputs, double *to)
+{
+    rates_inlined(motion, entries, block, lanes, state, inputs, to);
+}
+
+LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag_columns_stage *of)
+{
+    stage_inlined(motion, of);
 }
 
 #endif

@@ -112,14 +112,23 @@ static void place_entries(lag_parameter_entries *entries, const lag_columns *col
 static void place_motion(lag_motion_derivatives *motion, const lag_model *model, size_t lanes, double **memory)
 {
     const size_t equations = equations_of(model);
+    const size_t size = lag_motion_size(model);
     motion->kept = (lag_kept){*memory, derivatives_of_motion(model)};
     motion->qdd = lag_take(memory, model->nq);
     motion->lam = lag_take(memory, model->nc);
     motion->response = lag_take(memory, (model->nq + model->nz) * equations);
     motion->by_state = lag_take(memory, equations * (lag_motion_size(model) + model->nu));
     motion->by_parameter = lag_take(memory, equations * model->np);
-    motion->sum = lag_take(memory, lanes * equations);
-    motion->parameters = lag_take(memory, lanes * equations);
+    motion->product = (lag_motion_product){
+        .nq = model->nq,
+        .np = model->np,
+        .size = size,
+        .by_state = {equations, size, size + model->nu, motion->by_state},
+        .by_input = {equations, 0, size + model->nu, motion->by_state + size},
+        .response = {model->nq + model->nz, equations, equations, motion->response},
+        .along = lag_take(memory, lanes * equations),
+        .sum = lag_take(memory, lanes * equations),
+    };
 }
 
 static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
@@ -269,6 +278,8 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
             s->columns.of_parameters[s->columns.moving++] = (double)k;
         }
     }
+    s->work.motion.product.by_parameter = s->columns.moving > 0 ? s->work.motion.by_parameter : NULL;
+    s->work.motion.product.by_input.width = s->columns.shifted ? model->nu : 0;
     lag_fill(s->columns.moving * variables, 0.0, s->columns.p);
     for (size_t k = 0; k < s->columns.moving; ++k) {
         lag_columns_get(s, (size_t)s->columns.of_parameters[k], variables, s->columns.x, variables, one);

@@ -69,17 +69,6 @@ typedef struct lag_sensitivity_rows {
     double *times; /* (most_notes, count) of the instants of notes */
 } lag_sensitivity_rows;
 
-/*
- * Entries of dp that are not zero: of each column the first (blocks, lanes), with the part zero where there is none; the others block after block, with
- * the first of each (blocks + 1).
- */
-typedef struct lag_parameter_entries {
-    size_t *lead;
-    double *lead_part;
-    size_t *first, *number, *lane;
-    double *part;
-} lag_parameter_entries;
-
 /* Columns in blocks of so many lanes: entry i of column k of a block is at i * lanes + k; unused ones are zero. */
 typedef struct lag_columns {
     size_t lanes, blocks;
@@ -103,12 +92,12 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
-/* What jacobian() tells at the present state, in memory that holds nothing else; `sum` (nq + nc + nz, lanes) are the equations along a block, `parameters` along its parameters. */
+/* What jacobian() tells at the present state, in memory that holds nothing else. */
 typedef struct lag_motion_derivatives {
     double *qdd, *lam, *response, *by_state, *by_parameter;
     lag_kept kept;
     lag_arguments at; /* the state that they are asked for at, with this memory */
-    double *sum, *parameters;
+    lag_motion_product product;
     int known; /* it is that of the present state */
 } lag_motion_derivatives;
 
@@ -215,6 +204,8 @@ lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t,
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);
+/* The derivatives of the rates by the state (2 nq + nz, 2 nq + nz) at x, which was looked at. */
+lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *jacobian);
 /*
  * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
  * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.

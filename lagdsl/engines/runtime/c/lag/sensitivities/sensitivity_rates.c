@@ -90,43 +90,26 @@ static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
     return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-/* The equations along the parameters of a block, into `sum` (equations, lanes). */
-static void along_parameters(const lag_sensitivities *s, const lag_model *model, size_t block, size_t equations, double *sum)
+lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, double *jacobian)
 {
-    const size_t lanes = s->columns.lanes;
-    const lag_parameter_entries *entries = &s->columns.entries;
-    const size_t *lead = entries->lead + block * lanes;
-    const double *part = entries->lead_part + block * lanes;
-    for (size_t i = 0; i < equations; ++i) {
-        const double *row = s->work.motion.by_parameter + i * model->np;
-        for (size_t lane = 0; lane < lanes; ++lane) {
-            sum[i * lanes + lane] = part[lane] * row[lead[lane]];
-        }
-    }
-    for (size_t k = entries->first[block]; k < entries->first[block + 1]; ++k) {
-        const double *column = s->work.motion.by_parameter + entries->number[k];
-        for (size_t i = 0; i < equations; ++i) {
-            sum[i * lanes + entries->lane[k]] += entries->part[k] * column[i * model->np];
-        }
-    }
-}
-
-/* Rates (2 nq + nz, lanes) of a block by them, along directions of the state and of the inputs (2 nq + nz + nu, lanes). */
-static void by_motion(lag_sensitivities *s, const lag_model *model, size_t block, const double *directions, double *rates)
-{
+    const lag_model *model = run->motion.model;
     const lag_motion_derivatives *found = &s->work.motion;
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
     const size_t equations = n + model->nc + model->nz;
-    const lag_rows_of_columns by_state = {equations, size + (s->columns.shifted ? model->nu : 0), size + model->nu, found->by_state};
-    const lag_rows_of_columns response = {n + model->nz, equations, equations, found->response};
-    if (s->columns.moving > 0) {
-        along_parameters(s, model, block, equations, found->parameters);
+    if (!found->known) {
+        return run->stepper.ode->jacobian(run->stepper.ode->context, t, x, jacobian);
     }
-    s->sums->multiply(&by_state, lanes, directions, s->columns.moving > 0 ? found->parameters : NULL, found->sum);
-    memcpy(rates, directions + n * lanes, n * lanes * sizeof(double));
-    s->sums->multiply(&response, lanes, found->sum, NULL, rates + n * lanes);
+    lag_fill(size * size, 0.0, jacobian);
+    for (size_t i = 0; i < n; ++i) {
+        jacobian[i * size + n + i] = 1.0;
+    }
+    for (size_t i = 0; i < n + model->nz; ++i) {
+        for (size_t k = 0; k < equations; ++k) {
+            lag_axpy(size, found->response[i * equations + k], found->by_state + k * (size + model->nu), jacobian + (n + i) * size);
+        }
+    }
+    return LAG_OK;
 }
 
 /* ---- by functions of several directions ---- */
@@ -241,7 +224,8 @@ lag_status lag_columns_rates(lag_sensitivities *s, lag_run *run, size_t block, d
     if (model->nload > 0) {
         status = with_loads(s, motion, directions, rates, y);
     } else if (s->work.motion.known) {
-        by_motion(s, model, block, directions, rates);
+        const double *inputs = directions + lag_motion_size(model) * lanes;
+        s->sums->rates(&s->work.motion.product, &s->columns.entries, block, lanes, directions, inputs, rates);
     } else if (s->along.states.tangents != NULL) {
         status = along_states(s, motion, directions, rates, y);
         add_parameters(s, model, block, rates, y);

@@ -58,6 +58,12 @@ static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_a
         lag_combine(of_state->size, stage, of_state->h, of_state->slope, of_state->x, s->work.state_of_stage);
     }
     lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
+    if (status == LAG_OK && s->work.motion.known && !lag_any(s->columns.blocks * run->motion.model->nw * at->lanes, s->columns.w)) {
+        const lag_columns_stage all = {s->columns.blocks, at->lanes, i, at->h, s->columns.before, s->work.slopes, s->columns.x,
+            lag_columns_variables(run->motion.model), at->stage, &s->columns.entries};
+        s->sums->stage(&s->work.motion.product, &all);
+        return LAG_OK;
+    }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         move_to(s, run, block, at);
         if (i == 0) {
@@ -193,8 +199,8 @@ static lag_status implicit_rows(lag_sensitivities *s, lag_run *run, const lag_ra
     for (size_t j = 0; j < n; ++j) {
         s->work.state_of_stage[j] = stepper->x_before[j] + of_state->z[i * n + j];
     }
-    lag_status status = stepper->ode->jacobian(stepper->ode->context, t, s->work.state_of_stage, s->work.collocation.jacobian);
-    status = status == LAG_OK ? lag_columns_look(s, run, t, s->work.state_of_stage, 0) : status;
+    lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
+    status = status == LAG_OK ? lag_columns_jacobian(s, run, t, s->work.state_of_stage, s->work.collocation.jacobian) : status;
     for (size_t j = 0; j < n; ++j) {
         double *row = s->work.collocation.matrix + (i * n + j) * width;
         lag_fill(width, 0.0, row);
