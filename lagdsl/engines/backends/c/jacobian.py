@@ -19,7 +19,7 @@ def jacobian_source(program: Program, stem: str) -> str:
     lines = [
         f"/* Derivatives of the motion of {comment_text(program.name)}, generated: see lag/parallel.h. */",
         "#include <math.h>\n",
-        '#include "lag/elementary.h"\n#include "lag/parallel.h"\n#include "lag/trigonometry.h"\n',
+        '#include "lag/elementary.h"\n#include "lag/lanes.h"\n#include "lag/parallel.h"\n#include "lag/trigonometry.h"\n',
         f"extern {name};\n",
     ]
     if found is None:
@@ -30,5 +30,5 @@ def jacobian_source(program: Program, stem: str) -> str:
     head = Head("model_jacobian", parameters, ["at", *RESULTS], fused=True)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)
     text = definition(head, made, contents, SINGLE, f"at->workspace + {len(prepared)}")
-    members = f".workspace = {len(prepared) + made.scratch}, .jacobian = model_jacobian"
+    members = f".workspace = {len(prepared) + made.scratch}, .width = LAG_LANES, .jacobian = model_jacobian"
     return "\n".join([*lines, text, f"{name} = {{{members}}};\n"])

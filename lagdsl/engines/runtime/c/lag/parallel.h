@@ -36,6 +36,7 @@ typedef struct lag_states {
 typedef struct lag_tangents {
     size_t lanes;
     size_t workspace; /* doubles that the functions need; prepare() of the model fills the first ones */
+    size_t width;     /* as in lag_states */
     /* t q qd z u w p qdd lam: what all directions share, left in the workspace for the functions that follow */
     lag_status (*primal)(const lag_arguments *at);
     /* t q qd z u w p -> the same, and qdd (nq), lam (nc) and pivot as elimination() gives them. Stands for `primal` where it is

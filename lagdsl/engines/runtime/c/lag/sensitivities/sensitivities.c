@@ -189,6 +189,16 @@ void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault
     *fault = s->fault;
 }
 
+/* Doubles in a register of the processor, as far as one of the functions knows. */
+static size_t width_of(const lag_along *along)
+{
+    size_t width = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        width = lag_larger(width, along[i].tangents != NULL ? along[i].tangents->width : 0);
+    }
+    return width;
+}
+
 static lag_status row(lag_run *run, size_t number, double t, const double *x);
 static lag_status back(lag_run *run, double t);
 static void note(lag_companion *companion, size_t number);
@@ -211,7 +221,7 @@ lag_sensitivities *lag_sensitivities_place(
     s->of = *of;
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
-    s->sums = lag_column_sums_here();
+    s->sums = lag_column_sums_of(width_of(along));
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
     const size_t all = columns->blocks * columns->lanes;

@@ -383,23 +383,3 @@ void lag_tape_functions(lag_tape *tape)
         model->dynamics = dynamics_by_columns;
     }
 }
-
-/* ---- derivatives of the motion ---- */
-
-static lag_status jacobian(
-    const lag_arguments *at, double *qdd, double *lam, double *pivot, double *response, double *by_state, double *by_parameter)
-{
-    double *const results[] = {qdd, lam, pivot, response, by_state, by_parameter};
-    return run(at, LAG_TAPE_JACOBIAN, results);
-}
-
-void lag_tape_differentiated(lag_tape *tape, int has)
-{
-    tape->differentiated = (lag_tangents){.workspace = tape->row, .jacobian = has ? jacobian : NULL};
-}
-
-const lag_tangents *lag_tape_jacobian(const lag_model *model)
-{
-    const lag_tape *tape = model->context;
-    return tape->differentiated.jacobian != NULL ? &tape->differentiated : NULL;
-}
