@@ -79,7 +79,7 @@ LAG_ATTEMPT_INLINED void along_parameters(const lag_motion_product *motion, cons
         size_t lane = 0;
 #if defined(__GNUC__)
         for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) { /* numbers put down one by one would have to be waited for */
-            lag_wide own;
+            lag_wide own = {0.0};
 #pragma GCC unroll 8
             for (size_t k = 0; k < LAG_WIDTH; ++k) {
                 own[k] = row[lead[lane + k]];
