@@ -7,9 +7,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-import lagdsl
 import numpy as np
 import peers
+
+import lagdsl
 
 HERE = Path(__file__).parent
 PENDULUM = HERE.parent / "models" / "double_pendulum.lag"
@@ -18,7 +19,10 @@ ROUNDS = 15
 # Gravity and friction are two more quantities of the double pendulum.
 TEN = (
     ("gravity = -g_n*world.y;", "gravity = -g*world.y;"),
-    ("coordinate Angle a", "parameter Acceleration g = 9.80665 m/s2;\n  parameter Damping c = 0;\n  coordinate Angle a"),
+    (
+        "coordinate Angle a",
+        "parameter Acceleration g = 9.80665 m/s2;\n  parameter Damping c = 0;\n  coordinate Angle a",
+    ),
     ("mass m1 at P1;", "mass m1 at P1;\n  dissipation 1/2*c*(1 m2)*der(a)^2;"),
 )
 CASADI = [10.0**-k for k in range(5, 13)]
@@ -106,9 +110,14 @@ def _derivatives(model: lagdsl.Model, tolerance: float) -> np.ndarray:
 def section(found: dict[str, Any]) -> list[str]:
     """Of README.md."""
     lines = ["## Derivatives of motions", ""]
-    lines += ["`simulate(tangents=...)` at the tolerance of the text against the same run without: CPU time, medians of"]
+    lines += [
+        "`simulate(tangents=...)` at the tolerance of the text against the same run without: CPU time, medians of"
+    ]
     lines += [f"{ROUNDS} rounds in which both take turns.", ""]
-    lines += ["| | columns | engine | a run [ms] | with derivatives [ms] | runs | steps |", "|---|---|---|---|---|---|---|"]
+    lines += [
+        "| | columns | engine | a run [ms] | with derivatives [ms] | runs | steps |",
+        "|---|---|---|---|---|---|---|",
+    ]
     for name in ROWS:
         for engine, rows in found["rows"].items():
             row = rows[name]
@@ -120,4 +129,3 @@ def section(found: dict[str, Any]) -> list[str]:
     lines += ["", "CVODES by CasADi, forward sensitivities of the double pendulum at equal error of the derivatives"]
     lines += [f"({peer['own error']:.0e} here, {peer['error']:.0e} there): {peer['tangents'] * 1e3:.0f} ms,"]
     return [*lines, f"{peer['tangents'] / peer['run']:.0f} of its own runs."]
-

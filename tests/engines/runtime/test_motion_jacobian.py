@@ -110,7 +110,11 @@ def test_the_derivatives_written_out_are_those_along_directions(text: str) -> No
     qdd, _, pivot, response, by_state, by_parameter = on_tape
     assert qdd == pytest.approx(engine.solve(*_arguments(state))[0], rel=1e-12, abs=1e-12)
     assert pivot > 0.0
-    for by, columns in (("state", by_state[:, : 2 * n + nz]), ("input", by_state[:, 2 * n + nz :]), ("parameter", by_parameter)):
+    for by, columns in (
+        ("state", by_state[:, : 2 * n + nz]),
+        ("input", by_state[:, 2 * n + nz :]),
+        ("parameter", by_parameter),
+    ):
         rates = engine.jacobian_many(by, *_arguments(state))[0][n:]
         size = max(1.0, float(np.abs(rates).max(initial=0.0)))
         assert response @ columns == pytest.approx(rates, rel=1e-9, abs=1e-11 * size)

@@ -1,9 +1,9 @@
 """The motion at one state with its derivatives by everything: the equations of the accelerations differentiated, and
 their solution for any right-hand side.
 
-The accelerations and multipliers v and the rates zd solve F(x, p, v, zd) = 0: r = 0, s = 0 and zd - g = 0. So d(qdd, zd)
-along a direction is `response` times (by_state d + by_parameter dp), with F_x and F_p at the solution. F has few
-entries for each parameter, and one product with `response` serves all of them.
+The accelerations and multipliers v and the rates zd solve F(x, p, v, zd) = 0: r = 0, s = 0 and zd - g = 0. So
+d(qdd, zd) along a direction is `response` times (by_state d + by_parameter dp), with F_x and F_p at the solution. F has
+few entries for each parameter, and one product with `response` serves all of them.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ class MotionJacobian:
 
 @remembered
 def motion_jacobian(program: Program) -> MotionJacobian | None:
-    """None where passes over lanes of directions take fewer operations, a vector counting as one; and where multipliers,
-    or loads, are left to run time."""
+    """None where passes over lanes of directions take fewer operations, a vector counting as one; and where
+    multipliers, or loads, are left to run time."""
     factor = program.factor
     if factor is None or program.kept_rows or "load" in program.layout.kinds:
         return None

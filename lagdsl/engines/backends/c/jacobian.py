@@ -19,13 +19,16 @@ def jacobian_source(program: Program, stem: str) -> str:
     lines = [
         f"/* Derivatives of the motion of {comment_text(program.name)}, generated: see lag/parallel.h. */",
         "#include <math.h>\n",
-        '#include "lag/elementary.h"\n#include "lag/lanes.h"\n#include "lag/parallel.h"\n#include "lag/trigonometry.h"\n',
+        '#include "lag/elementary.h"\n#include "lag/lanes.h"',
+        '#include "lag/parallel.h"\n#include "lag/trigonometry.h"\n',
         f"extern {name};\n",
     ]
     if found is None:
         return "\n".join([*lines, f"{name} = {{0}};\n"])
     prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
-    contents = filled(program.graph, ((own, block, ()) for own, block in zip(RESULTS, found.results, strict=True)), SINGLE)
+    contents = filled(
+        program.graph, ((own, block, ()) for own, block in zip(RESULTS, found.results, strict=True)), SINGLE
+    )
     parameters = ["const lag_arguments *at", *(f"double *{own}" for own in RESULTS)]
     head = Head("model_jacobian", parameters, ["at", *RESULTS], fused=True)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)
