@@ -61,7 +61,7 @@ class Tangents(Structure):
 
 
 def _called(model: NativeModel, shapes: list[tuple[int, ...]], state: dict[Group, Floats]) -> list[Floats]:
-    """What the function in C tells, into arrays that are zero."""
+    """Results of the function in C, in arrays that were zero."""
     tangents = cast(model.part_address, POINTER(Tangents)).contents
     workspace = np.zeros(model.workspace + 8)
     native = cast(model.address, POINTER(Model)).contents

@@ -58,7 +58,7 @@ typedef struct lag_column_sums {
     void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
 } lag_column_sums;
 
-/* Those of a processor with so many doubles in a register, or of any. */
+/* The sums for a processor with so many doubles in a register, or for any. */
 const lag_column_sums *lag_column_sums_of(size_t width);
 
 #endif

@@ -92,7 +92,7 @@ typedef struct lag_collocation_system {
     double *pivots, *right;  /* (stages n) each */
 } lag_collocation_system;
 
-/* What jacobian() tells at the present state, in memory that holds nothing else. */
+/* Results of jacobian() at the present state, in memory that holds nothing else. */
 typedef struct lag_motion_derivatives {
     double *qdd, *lam, *response, *by_state, *by_parameter;
     lag_kept kept;
