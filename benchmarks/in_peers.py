@@ -210,6 +210,10 @@ def main() -> None:
         from peer_motion import measure
 
         answer = measure(rest[0])
+    elif command == "tangents":
+        from peer_tangents import measure
+
+        answer = measure(float(rest[0]), json.loads(rest[1]))
     else:
         arm = ARMS[rest[0]](int(rest[1]))
         if command == "calls":

@@ -8,6 +8,7 @@ import living_page
 import motion
 import sizes_page
 import steps
+import tangents
 from dynamics import OURS, family, ratio_name
 from problems import ROWS
 from targets import Results, table, targets
@@ -53,6 +54,7 @@ def page(found: dict[str, Results]) -> str:
         ("arm", _arm),
         ("calls", calls.section),
         ("steps", steps.section),
+        ("tangents", tangents.section),
         ("chains", _chains),
         ("text", _text),
         ("growth", _growth),

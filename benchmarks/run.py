@@ -31,6 +31,7 @@ import peers
 import sizes
 import start
 import steps
+import tangents
 import tape
 import text
 
@@ -42,6 +43,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "arm": arm.measure,
     "calls": calls.measure,
     "steps": steps.measure,
+    "tangents": tangents.measure,
     "chains": chains.measure,
     "accuracy": accuracy.measure,
     "growth": growth.measure,

@@ -147,6 +147,7 @@ def targets(found: Results) -> list[Target]:
         ),
         *_calls(found.get("calls", {})),
         *_steps(found.get("steps", {})),
+        *_derivatives(found.get("tangents", {})),
         *_starts(found.get("start", {})),
         *_motions(found),
         *_tapes(found),
@@ -236,6 +237,23 @@ def _steps(found: Results) -> list[Target]:
     return [
         Target("a step of a session above the integrator, double pendulum [us]", (10,), (3,), (above,), "steps"),
         Target("the same, all of it, against an FMU under FMPy", (1,), (0.8,), (ratio,), "steps"),
+    ]
+
+
+def _derivatives(found: Results) -> list[Target]:
+    def runs(name: str) -> tuple[Figure, ...]:
+        engines = found.get("rows", {"auto": {}, "c": {}}).values()
+        return tuple(rows[name]["tangents"] / rows[name]["run"] if name in rows else None for rows in engines)
+
+    rows = (
+        ("derivatives of 10 s of double pendulum by 8 quantities, in runs: auto / c", "double pendulum", (3.5, 3.0)),
+        ("the same by 10, with gravity and friction", "with gravity and friction", (3.5, 3.0)),
+        ("a motion of the 7-axis arm by 70 inertial parameters", "7-axis arm", (12.0, 8.0)),
+        ("stiff slider-crank by 10 parameters, Radau", "stiff slider-crank", (4.0, 2.0)),
+    )
+    return [
+        Target(text, (must,) * 2, (stretch,) * 2, runs(name), "tangents", "{:.1f}")
+        for text, name, (must, stretch) in rows
     ]
 
 

@@ -205,6 +205,9 @@ static inline void put_functions(random_tape *tape, const lag_tape_parts *parts)
             put_function(tape, parts, i, row);
         }
     }
+    if (any(&tape->seed, 1) == 0) {
+        put_function(tape, parts, LAG_TAPE_JACOBIAN, (row_of){n[LAG_TAPE_PREPARED], n[LAG_TAPE_ROW]});
+    }
     for (uint32_t part = 0; part < 2; ++part) {
         const uint32_t base = LAG_TAPE_ALONG + part * LAG_TAPE_ALONG_COUNT;
         uint32_t *own = n + LAG_TAPE_SHARED + 2 * part;

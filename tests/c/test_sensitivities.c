@@ -27,7 +27,7 @@ static void columns_are_those_of_the_closed_form(const lag_method *method, doubl
     const double nothing[1] = {0.0};
     const lag_sensitivity_directions of = {COLUMNS, nothing, nothing, start[0]};
     const lag_sensitivity_rows to = {derivatives[0][0], (double[COLUMNS]){0.0}};
-    const lag_along along[2] = {{0}, {0}};
+    const lag_along along[3] = {{0}, {0}};
     double times[ROWS];
     lag_note note;
     lag_results results = {.most_rows = ROWS, .most_notes = 1, .rows = rows[0], .notes = &note, .full = keep_all};

@@ -126,6 +126,30 @@ static void run_along(const lag_model *model, const uint32_t *size, int paramete
     take_back(&to);
 }
 
+static void run_jacobian(const lag_model *model, const uint32_t *size)
+{
+    const lag_tangents *tangents = lag_tape_jacobian(model);
+    if (tangents == NULL) {
+        return;
+    }
+    const size_t equations = model->nq + model->nc + model->nz;
+    given to;
+    give(&to, model, size, 0x7f, 1, lag_jacobian_workspace(model, tangents));
+    double *qdd = numbers(model->nq);
+    double *lam = numbers(model->nc);
+    double *pivot = numbers(1);
+    double *response = numbers((model->nq + model->nz) * equations);
+    double *by_state = numbers(equations * (2 * model->nq + model->nz + model->nu));
+    double *by_parameter = numbers(equations * model->np);
+    CHECK(lag_prepare(model, &to.at) == LAG_OK);
+    CHECK(tangents->jacobian(&to.at, qdd, lam, pivot, response, by_state, by_parameter) == LAG_OK);
+    double *const all[] = {qdd, lam, pivot, response, by_state, by_parameter};
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
+        free(all[i]);
+    }
+    take_back(&to);
+}
+
 /* Everything that the tables say is there. */
 static void read_tables(const lag_model *model, const lag_start *start)
 {
@@ -193,6 +217,7 @@ static int taken(const unsigned char *bytes, size_t count, int whole)
         run_states(model, size, whole);
         run_along(model, size, 0);
         run_along(model, size, 1);
+        run_jacobian(model, size);
         free(size);
         free(memory);
     }

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import prod
 
+from lagdsl.algebra.eliminate.solve import Factor
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.foundation.record import record
@@ -151,11 +152,12 @@ class Function:
     doc: str = ""
 
 
-@record(kw_only=True)
+@record(kw_only=True, weak=True)
 class Program:
     """One complete model as functions. `lagdsl/derivation/program/functions.py` lists the functions.
 
-    `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time.
+    `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time; `factor` is
+    what it solves other right-hand sides by.
     """
 
     name: str
@@ -163,6 +165,7 @@ class Program:
     graph: Graph
     functions: tuple[Function, ...]
     kept_rows: tuple[int, ...] = ()
+    factor: Factor | None = None
 
     def has(self, name: str) -> bool:
         return any(f.name == name for f in self.functions)

@@ -106,6 +106,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "tape_start": (_AT, (_AT,)),
     "tape_states": (_AT, (_AT,)),
     "tape_tangents": (_AT, (_AT, c_int)),
+    "tape_jacobian": (_AT, (_AT,)),
 }
 
 

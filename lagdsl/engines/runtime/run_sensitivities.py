@@ -19,13 +19,15 @@ from lagdsl.foundation.record import record
 class Directions:
     """Quantities that a motion is differentiated by, `count` of them: directions of the parameters (count, np), of
     constant shifts of the inputs (count, nu) and of the start values (count, 2 nq + nz). `by_state` and `by_parameter`
-    have the functions of several directions, None: one is followed after the other."""
+    have the functions of several directions, None: one is followed after the other; `motion` has the derivatives of the
+    motion, which stand for them."""
 
     p: Floats
     u: Floats
     start: Floats
     by_state: NativeModel | None
     by_parameter: NativeModel | None
+    motion: NativeModel | None
 
 
 class _Functions:
@@ -51,9 +53,9 @@ class RunSensitivities:
         block = aligned(int(library.sensitivities_size(model.model, count)) // 8 + 1)
         arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in (of.p, of.u, of.start)]
         directions = SensitivityDirections(count, *map(place_of, arrays))
-        functions = [_Functions(each) for each in (of.by_state, of.by_parameter)]
+        functions = [_Functions(each) for each in (of.by_state, of.by_parameter, of.motion)]
         rows = SensitivityRows(place_of(self._rows), place_of(self._times))
-        told = (Along * 2)(*(each.told for each in functions))
+        told = (Along * 3)(*(each.told for each in functions))
         place = library.sensitivities_place
         self.address = int(place(place_of(block), model.model, byref(directions), byref(rows), byref(told)))
         self.of = of

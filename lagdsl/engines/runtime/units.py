@@ -28,7 +28,11 @@ _UNITS = {
     "units/fmi3.c": ("fmi3/*.c",),
 }
 # They decide what their headers mean to them.
-ALONE = tuple(f"lag/methods/attempts{kind}.c" for kind in ("", "_wide", "_widest"))
+ALONE = tuple(
+    f"lag/{file}{kind}.c"
+    for file in ("methods/attempts", "sensitivities/column_sums")
+    for kind in ("", "_wide", "_widest")
+)
 
 _HEAD = "/* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */\n"
 _SKIPPED = re.compile(r'/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'', re.DOTALL)

@@ -27,8 +27,11 @@ def directions_of(flat: FlatModel, engine: Engine, names: Sequence[str]) -> Dire
     """Unit directions of the quantities `names`: parameters, starts as `theta.start`, inputs. Raises as
     `check_differentiable`."""
     p, u, start = _units(flat, engine.layout, names)
-    by_parameter = engine.along_parameters() if p.any() else None
-    return Directions(p=p, u=u, start=start, by_state=engine.along(), by_parameter=by_parameter)
+    motion = engine.differentiated()
+    alone = motion is not None and not engine.layout.outputs  # nothing else has to be differentiated
+    by_state = None if alone else engine.along()
+    by_parameter = engine.along_parameters() if p.any() and not alone else None
+    return Directions(p=p, u=u, start=start, by_state=by_state, by_parameter=by_parameter, motion=motion)
 
 
 def _units(flat: FlatModel, layout: Layout, names: Sequence[str]) -> tuple[Floats, Floats, Floats]:

@@ -8,6 +8,7 @@ from functools import partial
 from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.backend import Artifact
 from lagdsl.engines.backends.c.include_files import included
+from lagdsl.engines.backends.c.jacobian import jacobian_source
 from lagdsl.engines.backends.c.lanes import states_source, tangents_source
 from lagdsl.engines.backends.c.literal import number
 from lagdsl.engines.backends.c.source import header, source, symbol
@@ -20,7 +21,10 @@ PARTS: dict[str, Callable[[Program, str], str]] = {
     "states": states_source,
     "tangents": partial(tangents_source, parameters=False),
     "parameter_tangents": partial(tangents_source, parameters=True),
+    "jacobian": jacobian_source,
 }
+# Of these, what files for others have: functions of many states, and of many directions.
+_BATCH = ("states", "tangents", "parameter_tangents")
 
 _EXAMPLES = ("main.c", "realtime.c")
 
@@ -31,7 +35,7 @@ class CBackend:
     name = "c"
 
     def __init__(self, *, batch: bool = False, start: Start | None = None) -> None:
-        self._parts = tuple(PARTS) if batch else ()
+        self._parts = _BATCH if batch else ()
         self._start = start
 
     def emit(self, program: Program) -> Artifact:

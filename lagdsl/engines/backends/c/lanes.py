@@ -32,7 +32,7 @@ def states_source(program: Program, stem: str) -> str:
         definition(head, made, Results(), LANES, beyond),
         braced("static lag_status model_prepare(const lag_arguments *at)", body),
     ]
-    scratch, members = made.scratch, [".width = LAG_LANES", ".prepare = model_prepare"]
+    scratch, members = made.scratch, [".prepare = model_prepare"]
     for name in _of_states(program):
         text, made = _function(program, program.function(name), prepared, LANES, beyond)
         texts.append(text)
@@ -117,7 +117,7 @@ def _shared(graph: Graph, contents: Sequence[Results], prepared: Mapping[int, Pl
 
 def _file(program: Program, stem: str, kind: str, texts: Sequence[str], members: Sequence[str]) -> str:
     name = f"const lag_{kind.removeprefix('parameter_')} {stem}_{kind}"
-    table = "".join(f"    {member},\n" for member in (".lanes = LAG_LANES", *members))
+    table = "".join(f"    {member},\n" for member in (".lanes = LAG_LANES", ".width = LAG_LANES", *members))
     return "\n".join(
         [
             f"/* {kind.replace('_', ' ')} of {comment_text(program.name)} in lanes, generated: see lag/parallel.h. */",

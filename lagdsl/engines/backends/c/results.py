@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.derivation.program.functions import BY_NAME
@@ -33,13 +33,18 @@ class Results:
 def results(program: Program, function: Function, dialect: Dialect) -> Results:
     """Clears arrays that are mostly zero first, and copies one half of symmetric ones. Matrices in what the model
     alone writes (lag/model.h) are clear."""
-    graph = program.graph
+    named = enumerate(zip(names_of(function.name), function.results, strict=True))
+    arrays = [(name, block, _places(program.layout, function.name, position)) for position, (name, block) in named]
+    return filled(program.graph, arrays, dialect)
+
+
+def filled(graph: Graph, arrays: Iterable[tuple[str, Block, Sequence[Slot]]], dialect: Dialect) -> Results:
+    """The same for arrays by their names in C, with the slots whose declarations their rows come from."""
     first: list[str] = []
     last: list[str] = []
     stores: list[Store] = []
-    for position, (name, block) in enumerate(zip(names_of(function.name), function.results, strict=True)):
+    for name, block, places in arrays:
         mirrored = _is_symmetric(block)
-        places = _places(program.layout, function.name, position)
         if _is_sparse(graph, block):
             count, zero = len(block.elements), dialect.literal(0.0)
             where = f"lag_is_kept(at, {name}) ? 0 : {count}" if dialect is SINGLE and len(block.shape) == 2 else count

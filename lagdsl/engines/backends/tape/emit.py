@@ -13,6 +13,7 @@ import numpy as np
 from lagdsl.derivation.program import functions as known
 from lagdsl.derivation.program.lengths import counted, sizes
 from lagdsl.derivation.program.passes.along import Along, along, elements, shared
+from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.passes.pattern import patterns
 from lagdsl.derivation.program.program import Layout, Program, Slot
 from lagdsl.engines.backends.start import Start
@@ -59,19 +60,22 @@ SIZES: Final = (
 _ROWS: Final = SIZES[-7:-1]
 
 # Optional parts beside the functions of one state, and the functions of each part.
-PARTS: Final = ("tangents", "parameter_tangents")
+PARTS: Final = ("tangents", "parameter_tangents", "jacobian")
 ALONG: Final = ("residual", "acceleration", "state_derivative", "output")
 
 
 def tape(program: Program, start: Start | None = None, parts: Collection[str] = ()) -> bytes:
     """The tape of `program`; the same program gives the same bytes. `start` tells where its motion begins.
 
-    `parts` of PARTS are the functions of several directions of derivatives at once that are wanted.
+    `parts` of PARTS are what is wanted beside the functions of one state: those of several directions of derivatives
+    at once, the derivatives of the motion.
     """
-    found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS]
+    found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS[:2]]
+    written = motion_jacobian(program) if PARTS[2] in parts else None
     nodes = nodes_of(program.graph)
     single = [program.function(name).results if program.has(name) else () for name in FUNCTIONS]
     several = [each.functions[name].results for each in found if each is not None for name in each.functions]
+    several += [] if written is None else [written.results]
     blocks = [[np.array(block.elements, dtype=np.int64) for block in results] for results in (*single, *several)]
     roots = [distinct(len(nodes.op), *own) for own in blocks]
     lives = live_sets(nodes, roots)
@@ -93,6 +97,10 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
         codes += words_along
         ends.append(end)
         rows += [shared_end, own_row]
+    if written is not None:
+        words, end = words_of(nodes, lives[-1], blocks[-1], settled)
+        codes.append(words)
+        ends.append(end)
     return _written(program, constants, start, codes, [max(ends), settled.first, *rows])
 
 

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 # Calls of one value at one state from one look at their time to the next.
 _CALLS = 4096
+# The part with the derivatives of the motion.
+_DERIVATIVES = ("jacobian",)
 
 
 class AutoEngine(TapeEngine):
@@ -48,6 +50,7 @@ class AutoEngine(TapeEngine):
         self._compiled: NativeModel | None = None
         self._worked = 0.0
         self._build: BackgroundBuild | None = None
+        self._derivatives: BackgroundBuild | NativeModel | None = None
         super().__init__(program, together=together)
 
     @property
@@ -61,7 +64,8 @@ class AutoEngine(TapeEngine):
             return
         self._worked += seconds
         if pays(max(left, self._worked), self._tape) and self._compiler is not None:
-            self._build = _building(self._program, self._parts_of_native, self._name(self._compiler))
+            parts = self._parts_of_native
+            self._build = _building(self._program, parts, self._name(self._compiler, parts))
             weakref.finalize(self, self._build.cancel)
 
     @property
@@ -83,6 +87,22 @@ class AutoEngine(TapeEngine):
             self._use(self._compiled)
         return self._compiled
 
+    def differentiated(self) -> NativeModel | None:
+        """On the tape at first. Where the motion is worth compiling, so are its derivatives, which take longer."""
+        taped = super().differentiated()
+        if taped is None or self._compiled is None or self._compiler is None:
+            return taped
+        if self._derivatives is None:
+            name = self._name(self._compiler, _DERIVATIVES)
+            self._derivatives = _cached(name, self._program, _DERIVATIVES)
+            if self._derivatives is None:
+                self._derivatives = build = _building(self._program, _DERIVATIVES, name)
+                weakref.finalize(self, build.cancel)
+        if not isinstance(self._derivatives, NativeModel) and not self._derivatives.is_running:
+            library = self._derivatives.library
+            self._derivatives = taped if library is None else _loaded(library, self._program, _DERIVATIVES) or taped
+        return self._derivatives if isinstance(self._derivatives, NativeModel) else taped
+
     @property
     def _patience(self) -> int:
         return 0 if self.is_compiled else _CALLS
@@ -100,7 +120,8 @@ class AutoEngine(TapeEngine):
 
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._has_library() and self._compiler is not None:
-            self._compiled = _cached(self._name(self._compiler), self._program, self._parts_of_native)
+            parts = self._parts_of_native
+            self._compiled = _cached(self._name(self._compiler, parts), self._program, parts)
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
 
     def _has_library(self) -> bool:
@@ -133,12 +154,12 @@ class AutoEngine(TapeEngine):
         """The folder in the cache of libraries that were made of this program."""
         return digest(self._program)[:20]
 
-    def _name(self, compiler: Compiler) -> str:
-        """Of the library in the cache: made of all that decides what is in it."""
+    def _name(self, compiler: Compiler, parts: tuple[str, ...]) -> str:
+        """Of the library in the cache with these parts: made of all that decides what is in it."""
         from lagdsl.engines.runtime.building.build import content_hash
         from lagdsl.engines.runtime.building.compiler import ALIKE
 
-        made_of = {"program": _writers(), **dict.fromkeys(self._parts_of_native, "")}
+        made_of = {"program": _writers(), **dict.fromkeys(parts, "")}
         return f"{self._key}/{content_hash(made_of, compiler, (ALIKE,))}"
 
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from lagdsl.algebra.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.derivation.program.functions import BY_NAME, STATE
+from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.python.sizes import motion_sizes
 from lagdsl.engines.backends.python.support.derivatives import variables
@@ -98,6 +99,10 @@ class CEngine:
     def along_parameters(self) -> NativeModel:
         """A tape, too."""
         return self._taped("parameter_tangents")
+
+    def differentiated(self) -> NativeModel | None:
+        """Compiled, too: it is called at every stage of a step."""
+        return self._part("jacobian") if motion_jacobian(self._program) is not None else None
 
     def _taped(self, part: str) -> NativeModel:
         known = self._parts.get(f"tape of {part}")

@@ -50,6 +50,10 @@ class Engine(Protocol):
         """The same along parameters."""
         ...
 
+    def differentiated(self) -> NativeModel | None:
+        """The model with the derivatives of its motion at one state; None where it does not write them out."""
+        ...
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

@@ -74,6 +74,9 @@ class NumpyEngine:
     def along_parameters(self) -> None:
         """There are none."""
 
+    def differentiated(self) -> None:
+        """Nor are they."""
+
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:

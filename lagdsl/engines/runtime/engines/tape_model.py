@@ -18,7 +18,8 @@ class DamagedTape(ValueError):  # noqa: N818  it says what is the matter
 
 def load_tape(tape: bytes, part: str | None = None) -> NativeModel:
     """The model of the bytes that `lagdsl.engines.backends.tape` made, with the functions of several states at once
-    (`part` "states") or of several directions ("tangents", "parameter_tangents"), where there are some.
+    (`part` "states") or of several directions ("tangents", "parameter_tangents"), or with the derivatives of the motion
+    ("jacobian"), where there are some.
 
     Raises DamagedTape.
     """
@@ -35,4 +36,6 @@ def load_tape(tape: bytes, part: str | None = None) -> NativeModel:
     tangents = None
     if part in ("tangents", "parameter_tangents"):
         tangents = runtime.tape_tangents(byref(model), part != "tangents")
+    if part == "jacobian":
+        tangents = runtime.tape_jacobian(byref(model))
     return native_model(model, (held, memory), states=states, tangents=tangents)

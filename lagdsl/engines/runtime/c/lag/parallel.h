@@ -36,6 +36,7 @@ typedef struct lag_states {
 typedef struct lag_tangents {
     size_t lanes;
     size_t workspace; /* doubles that the functions need; prepare() of the model fills the first ones */
+    size_t width;     /* as in lag_states */
     /* t q qd z u w p qdd lam: what all directions share, left in the workspace for the functions that follow */
     lag_status (*primal)(const lag_arguments *at);
     /* t q qd z u w p -> the same, and qdd (nq), lam (nc) and pivot as elimination() gives them. Stands for `primal` where it is
@@ -49,6 +50,13 @@ typedef struct lag_tangents {
     /* the same and dqdd dlam -> dzd (nz), dy (ny) */
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);
     lag_status (*output)(const lag_arguments *at, double *y);
+    /*
+     * Of one state, without lanes: t q qd z u w p -> qdd (nq), lam (nc) and pivot as elimination() gives them, and the equations F of r, s and
+     * zd differentiated there: response (nq + nz, nq + nc + nz), by_state (nq + nc + nz, 2 nq + nz + nu) by q, qd, z, u, by_parameter
+     * (nq + nc + nz, np). Along a direction dx, dp, (dqdd, dzd) is response (by_state dx + by_parameter dp). Only where the model writes them out.
+     */
+    lag_status (*jacobian)(
+        const lag_arguments *at, double *qdd, double *lam, double *pivot, double *response, double *by_state, double *by_parameter);
 } lag_tangents;
 
 #endif

@@ -56,7 +56,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_MESSAGES,       /* uint32: assertions (na), frictions (nfriction), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
     LAG_TAPE_TEXTS,          /* bytes, every text ended by a zero */
     /* uint32 (functions, 2): first word and number of words, which is zero where there is none: prepare(), those of lag_function,
-     * then twice the members of lag_tangents, primal() or motion() first */
+     * then twice the members of lag_tangents, primal() or motion() first; then jacobian(), which may be left out */
     LAG_TAPE_FUNCTIONS,
     LAG_TAPE_WORDS,          /* uint32: the instructions */
     LAG_TAPE_SECTIONS
@@ -128,6 +128,9 @@ const lag_states *lag_tape_states(const lag_model *model);
 
 /* Its functions of several directions at once, of states and inputs or of parameters; null where the tape has none. */
 const lag_tangents *lag_tape_tangents(const lag_model *model, int parameters);
+
+/* jacobian() and nothing else; null where the tape has none. */
+const lag_tangents *lag_tape_jacobian(const lag_model *model);
 
 /* Start of the motion of such a model; null if its tape does not contain one. */
 const lag_start *lag_tape_start(const lag_model *model);

@@ -9,13 +9,9 @@
 
 #include "lag/methods/attempts.h"
 
-/* 1: there are files for other widths than that of the library. */
-#if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__
-#define LAG_ATTEMPTS_WIDE 1
+#if LAG_ATTEMPTS_WIDE
 void lag_attempts_make_wide(lag_attempts *groups, size_t count, lag_stepper *const *s);
 void lag_attempts_make_widest(lag_attempts *groups, size_t count, lag_stepper *const *s);
-#else
-#define LAG_ATTEMPTS_WIDE 0
 #endif
 
 static int rates_of_stage(void *context, size_t i, const double *t, const double *x, double *xd)

@@ -50,6 +50,13 @@ lag_attempt_arrays lag_dop853_last(const struct lag_stepper *s);
 /* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
 typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);
 
+/* 1: there are files for other widths of registers than that of the library. */
+#if defined(__x86_64__) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__
+#define LAG_ATTEMPTS_WIDE 1
+#else
+#define LAG_ATTEMPTS_WIDE 0
+#endif
+
 #if defined(__GNUC__)
 #define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
 /* So many numbers are side by side as a register holds: compilers keep longer vectors in memory. */

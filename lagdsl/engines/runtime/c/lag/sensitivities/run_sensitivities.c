@@ -77,7 +77,7 @@ static lag_status forget(void *context, lag_results *results)
 lag_run_sensitivities *lag_run_sensitivities_place(
     void *block, const lag_model *model, size_t count, const char *const *by, const lag_along *along)
 {
-    static const lag_along none[2] = {{0}, {0}};
+    static const lag_along none[3] = {{0}, {0}, {0}};
     static const lag_sensitivity_rows no_rows = {0};
     const size_t size = lag_motion_size(model);
     lag_run_sensitivities *s = block;

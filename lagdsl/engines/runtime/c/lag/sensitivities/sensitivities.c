@@ -52,18 +52,31 @@ static size_t behind_values(const lag_model *model, size_t count)
     return lag_larger(count * instant_values(model), 2 * most_values(model));
 }
 
+/* Equations of accelerations, multipliers and rates of states. */
+static size_t equations_of(const lag_model *model)
+{
+    return model->nq + model->nc + model->nz;
+}
+
+/* Doubles of what jacobian() tells. */
+static size_t derivatives_of_motion(const lag_model *model)
+{
+    return model->nq + model->nc + equations_of(model) * (model->nq + model->nz + lag_columns_variables(model));
+}
+
 static size_t memory_for(const lag_model *model, size_t count)
 {
     const size_t n = lag_motion_size(model);
     const size_t width = lanes_for(count);
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
-    const size_t columns = all * (2 * variables + model->nw + n + 2);
-    const size_t work = 2 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
+    const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
     const size_t stages = LAG_RADAU_STAGES * n;
     const size_t implicit = n * n + stages * stages + 2 * stages;
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
-    return columns + work + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
+    return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
 
 static void place_instant(lag_columns_instant *instant, const lag_model *model, size_t count, double **memory)
@@ -80,6 +93,44 @@ static void place_instant(lag_columns_instant *instant, const lag_model *model, 
     instant->bend = lag_take(memory, lag_guard_count(model));
 }
 
+static size_t *take_numbers(double **memory, size_t count)
+{
+    return (size_t *)(void *)lag_take(memory, count);
+}
+
+static void place_entries(lag_parameter_entries *entries, const lag_columns *columns, size_t most, double **memory)
+{
+    const size_t all = columns->blocks * columns->lanes;
+    entries->lead = take_numbers(memory, all);
+    entries->lead_part = lag_take(memory, all);
+    entries->first = take_numbers(memory, columns->blocks + 1);
+    entries->number = take_numbers(memory, most);
+    entries->lane = take_numbers(memory, most);
+    entries->part = lag_take(memory, most);
+}
+
+static void place_motion(lag_motion_derivatives *motion, const lag_model *model, size_t lanes, double **memory)
+{
+    const size_t equations = equations_of(model);
+    const size_t size = lag_motion_size(model);
+    motion->kept = (lag_kept){*memory, derivatives_of_motion(model)};
+    motion->qdd = lag_take(memory, model->nq);
+    motion->lam = lag_take(memory, model->nc);
+    motion->response = lag_take(memory, (model->nq + model->nz) * equations);
+    motion->by_state = lag_take(memory, equations * (lag_motion_size(model) + model->nu));
+    motion->by_parameter = lag_take(memory, equations * model->np);
+    motion->product = (lag_motion_product){
+        .nq = model->nq,
+        .np = model->np,
+        .size = size,
+        .by_state = {equations, size, size + model->nu, motion->by_state},
+        .by_input = {equations, 0, size + model->nu, motion->by_state + size},
+        .response = {model->nq + model->nz, equations, equations, motion->response},
+        .along = lag_take(memory, lanes * equations),
+        .sum = lag_take(memory, lanes * equations),
+    };
+}
+
 static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
 {
     const size_t n = lag_motion_size(model);
@@ -87,6 +138,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     const size_t variables = lag_columns_variables(model);
     work->state = lag_take(memory, n);
     work->state_of_stage = lag_take(memory, n);
+    work->known.x = lag_take(memory, n);
     work->slopes = lag_take(memory, all * n * LAG_DOP853_SLOPES);
     work->terms = lag_take(memory, all * n * LAG_DOP853_TERMS);
     work->point = lag_take(memory, columns->lanes * variables);
@@ -101,6 +153,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_state = lag_take(memory, model->ny * (n + model->nu));
     work->by_parameter = lag_take(memory, all * n);
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
+    place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
     work->collocation.jacobian = lag_take(memory, n * n);
     work->collocation.right = lag_take(memory, LAG_RADAU_STAGES * n);
@@ -136,6 +189,16 @@ void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault
     *fault = s->fault;
 }
 
+/* Doubles in a register of the processor, as far as one of the functions knows. */
+static size_t width_of(const lag_along *along)
+{
+    size_t width = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        width = lag_larger(width, along[i].tangents != NULL ? along[i].tangents->width : 0);
+    }
+    return width;
+}
+
 static lag_status row(lag_run *run, size_t number, double t, const double *x);
 static lag_status back(lag_run *run, double t);
 static void note(lag_companion *companion, size_t number);
@@ -157,7 +220,8 @@ lag_sensitivities *lag_sensitivities_place(
     s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note, lag_columns_keep_past};
     s->of = *of;
     s->results = *rows;
-    s->along = (lag_sensitivity_functions){along[0], along[1], {0, 0}};
+    s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
+    s->sums = lag_column_sums_of(width_of(along));
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
     const size_t all = columns->blocks * columns->lanes;
@@ -167,8 +231,10 @@ lag_sensitivities *lag_sensitivities_place(
     columns->extent = lag_take(&memory, all);
     columns->p = lag_take(&memory, count * variables);
     columns->of_parameters = lag_take(&memory, count);
+    place_entries(&columns->entries, columns, count * model->np, &memory);
     columns->t = columns->t_before = columns->t_dense = (double)NAN;
     columns->rejected = (double)INFINITY;
+    s->work.known.t = (double)NAN;
     place_work(&s->work, model, columns, &memory);
     place_instant(&s->instant, model, count, &memory);
     s->instant.pending = 0;
@@ -185,19 +251,46 @@ lag_sensitivities *lag_sensitivities_place(
     return s;
 }
 
+/* The entries of the direction dp (np) of column k, behind those of the columns before. */
+static void add_entries(lag_columns *columns, size_t k, size_t np, const double *dp)
+{
+    lag_parameter_entries *entries = &columns->entries;
+    size_t *end = entries->first + k / columns->lanes + 1;
+    entries->lead[k] = 0;
+    entries->lead_part[k] = 0.0;
+    *end = k % columns->lanes == 0 ? end[-1] : *end;
+    for (size_t i = 0; i < np; ++i) {
+        if (dp[i] != 0.0 && entries->lead_part[k] == 0.0) {
+            entries->lead[k] = i;
+            entries->lead_part[k] = dp[i];
+        } else if (dp[i] != 0.0) {
+            entries->number[*end] = i;
+            entries->lane[*end] = k % columns->lanes;
+            entries->part[(*end)++] = dp[i];
+        }
+    }
+}
+
 void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
 {
-    const size_t first = lag_motion_size(model) + model->nu;
+    const size_t inputs = lag_motion_size(model);
+    const size_t first = inputs + model->nu;
     const size_t variables = lag_columns_variables(model);
     double *one = s->work.one;
     s->columns.moving = 0;
-    s->along.prepared[0] = s->along.prepared[1] = 0;
+    s->columns.shifted = 0;
+    s->work.known.t = (double)NAN;
+    memset(s->along.prepared, 0, sizeof s->along.prepared);
     for (size_t k = 0; k < s->of.count; ++k) {
         lag_columns_get(s, k, variables, s->columns.x, variables, one);
+        add_entries(&s->columns, k, model->np, one + first);
+        s->columns.shifted = s->columns.shifted || lag_any(model->nu, one + inputs);
         if (lag_any(model->np, one + first)) {
             s->columns.of_parameters[s->columns.moving++] = (double)k;
         }
     }
+    s->work.motion.product.by_parameter = s->columns.moving > 0 ? s->work.motion.by_parameter : NULL;
+    s->work.motion.product.by_input.width = s->columns.shifted ? model->nu : 0;
     lag_fill(s->columns.moving * variables, 0.0, s->columns.p);
     for (size_t k = 0; k < s->columns.moving; ++k) {
         lag_columns_get(s, (size_t)s->columns.of_parameters[k], variables, s->columns.x, variables, one);
@@ -297,6 +390,7 @@ static lag_status back(lag_run *run, double t)
     if (t == s->columns.t) {
         return LAG_OK;
     }
+    s->work.known.t = (double)NAN;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         status = columns_at(s, run, block, t, run->stepper.x, s->work.point);
         memcpy(s->columns.x + block * height, s->work.point, height * sizeof(double));

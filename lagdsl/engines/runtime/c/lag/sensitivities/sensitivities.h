@@ -24,6 +24,7 @@
 #include "lag/equations/projection.h"
 #include "lag/methods/radau.h"
 #include "lag/run/results.h"
+#include "lag/sensitivities/column_sums.h"
 #include "lag/sensitivities/differences.h"
 
 struct lag_run;
@@ -53,10 +54,13 @@ typedef struct lag_sensitivity_directions {
     const double *start; /* (count, 2 nq + nz) */
 } lag_sensitivity_directions;
 
-/* Functions of several directions. Without tangents the functions of the model follow one direction after the other. */
+/*
+ * Functions of several directions, and the motion with its derivatives (jacobian() of its tangents). Without tangents the functions of the model follow
+ * one direction after the other.
+ */
 typedef struct lag_sensitivity_functions {
-    lag_along states, parameters;
-    int prepared[2]; /* their workspaces are those of the present parameters */
+    lag_along states, parameters, motion;
+    int prepared[3]; /* their workspaces are those of the present parameters */
 } lag_sensitivity_functions;
 
 /* Rows beside those of lag_results, in buffers of the caller; null: not wanted. */
@@ -71,6 +75,8 @@ typedef struct lag_columns {
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
+    lag_parameter_entries entries;
+    int shifted;      /* some column is along inputs */
     size_t moving;    /* so many columns are along parameters, */
     double *of_parameters, *p; /* (moving) these, and (2 nq + nz + nu + np, moving) their directions of p alone */
     double *extent;   /* (blocks, lanes) of the directions, in natural sizes: a change by one of these is this much of order one */
@@ -99,6 +105,21 @@ typedef struct lag_columns_past {
 size_t lag_columns_past_memory(const lag_model *model, size_t count);
 void lag_columns_past_place(lag_columns_past *past, const lag_model *model, size_t count, double *memory);
 
+/* Results of jacobian() at the present state, in memory that holds nothing else. */
+typedef struct lag_motion_derivatives {
+    double *qdd, *lam, *response, *by_state, *by_parameter;
+    lag_kept kept;
+    lag_arguments at; /* the state that they are asked for at, with this memory */
+    lag_motion_product product;
+    int known; /* it is that of the present state */
+} lag_motion_derivatives;
+
+/* The stage, the first or the last, whose slopes are those at time t (no number: none) and at the state x (2 nq + nz), and will be as long as nothing happens. */
+typedef struct lag_known_slopes {
+    size_t stage;
+    double t, *x;
+} lag_known_slopes;
+
 /* Arrays of one step. */
 typedef struct lag_columns_work {
     double *state, *state_of_stage; /* (2 nq + nz) each */
@@ -107,6 +128,8 @@ typedef struct lag_columns_work {
     double *point;    /* (2 nq + nz + nu + np, lanes) directions at a stage */
     double *rates, *tolerance, *y; /* (2 nq + nz, lanes) each; (ny, lanes) */
     lag_loads_along loads;
+    lag_motion_derivatives motion;
+    lag_known_slopes known;
     double *one_rates; /* (2 nq + nz + ny, lanes) */
     double *by_state, *outputs_by_state; /* (2 nq + nz, 2 nq + nz + nu) (ny, 2 nq + nz + nu) where there are more columns */
     double *by_parameter, *outputs_by_parameter; /* (2 nq + nz, moving) (ny, moving) */
@@ -145,6 +168,7 @@ typedef struct lag_sensitivities {
     lag_columns_instant instant;
     lag_sensitivity_functions along;
     lag_differences differences;
+    const lag_column_sums *sums;
     lag_columns_fault fault;
     double *scales;          /* (np) sizes of the parameters */
     unsigned char *chosen;   /* (2 nq + nz) start values that count as written */
@@ -154,7 +178,8 @@ typedef struct lag_sensitivities {
 size_t lag_sensitivities_width(const lag_model *model);
 /*
  * Bytes of the block for the sensitivities of a run, and its layout; it is zero, and aligned as malloc does. Arrays that `of`, `rows`
- * and `along` point at must outlive it; `along` (2) are the functions of several directions, of q, qd, z, u and of p; without tangents there are none.
+ * and `along` point at must outlive it; `along` (3) are the functions of several directions, of q, qd, z, u and of p, and the derivatives of the
+ * motion; without tangents there are none.
  */
 size_t lag_sensitivities_size(const lag_model *model, size_t count);
 lag_sensitivities *lag_sensitivities_place(void *block, const lag_model *model, const lag_sensitivity_directions *of, const lag_sensitivity_rows *rows,
@@ -204,6 +229,8 @@ lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t,
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);
+/* The derivatives of the rates by the state (2 nq + nz, 2 nq + nz) at x, which was looked at. */
+lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *jacobian);
 /*
  * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
  * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.

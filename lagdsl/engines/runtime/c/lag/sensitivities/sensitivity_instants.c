@@ -364,6 +364,7 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     lag_sensitivities *s = lag_sensitivities_of(run);
     instant_map map = {s, run, cause, run->stepper.t, 0};
     const int begins = cause->kind == LAG_CAUSE_START;
+    s->work.known.t = (double)NAN;
     if (run->motion.model->event == NULL && (cause->kind != LAG_CAUSE_INPUTS || run->motion.inputs == NULL)) {
         return lag_run_carry(run, cause);
     }

@@ -1,6 +1,7 @@
 /* Rates and outputs along the columns at a state. */
 #include <string.h>
 
+#include "lag/dynamics.h"
 #include "lag/equations/jacobian.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
@@ -51,7 +52,7 @@ static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane,
     return status;
 }
 
-/* ---- by functions of several directions ---- */
+/* ---- by the derivatives of the motion ---- */
 
 /* The state of the motion for the functions of `along`, prepared for its parameters. */
 static lag_arguments here(const lag_along *along, int *prepared, const lag_motion *motion)
@@ -60,28 +61,65 @@ static lag_arguments here(const lag_along *along, int *prepared, const lag_motio
     at.context = along->model->context;
     at.workspace = along->workspace;
     at.kept = NULL;
-    *prepared = *prepared || along->model->prepare(&at) == LAG_OK;
+    if (!*prepared) {
+        *prepared = along->model->prepare(&at) == LAG_OK;
+    }
     return at;
 }
+
+/* Finds them at the present state. LAG_MISSING: there are none. */
+static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
+{
+    const lag_along *along = &s->along.motion;
+    lag_motion_derivatives *found = &s->work.motion;
+    double pivot = 0.0;
+    if (along->tangents == NULL || along->tangents->jacobian == NULL) {
+        return LAG_MISSING;
+    }
+    if (!s->along.prepared[2]) {
+        found->at = here(along, &s->along.prepared[2], motion);
+        found->at.kept = &found->kept;
+    }
+    found->at.t = motion->at.t;
+    found->at.q = motion->at.q;
+    found->at.qd = motion->at.qd;
+    found->at.z = motion->at.z;
+    found->at.u = motion->at.u;
+    found->at.w = motion->at.w;
+    found->at.p = motion->at.p;
+    const lag_status status = along->tangents->jacobian(
+        &found->at, found->qdd, found->lam, &pivot, found->response, found->by_state, found->by_parameter);
+    return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
+}
+
+lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, double *jacobian)
+{
+    const lag_model *model = run->motion.model;
+    const lag_motion_derivatives *found = &s->work.motion;
+    const size_t n = model->nq;
+    const size_t size = lag_motion_size(model);
+    const size_t equations = n + model->nc + model->nz;
+    if (!found->known) {
+        return run->stepper.ode->jacobian(run->stepper.ode->context, t, x, jacobian);
+    }
+    lag_fill(size * size, 0.0, jacobian);
+    for (size_t i = 0; i < n; ++i) {
+        jacobian[i * size + n + i] = 1.0;
+    }
+    for (size_t i = 0; i < n + model->nz; ++i) {
+        for (size_t k = 0; k < equations; ++k) {
+            lag_axpy(size, found->response[i * equations + k], found->by_state + k * (size + model->nu), jacobian + (n + i) * size);
+        }
+    }
+    return LAG_OK;
+}
+
+/* ---- by functions of several directions ---- */
 
 /* True if the Jacobian by the state and the inputs serves all columns: there are more of these. */
 static int takes_jacobian(const lag_sensitivities *s, const lag_model *model)
 {
     return s->along.states.tangents != NULL && lag_motion_size(model) + model->nu <= s->of.count;
-}
-
-/* to (height, lanes) = matrix (height, width) of (width, lanes) */
-static void multiply(size_t height, size_t width, size_t lanes, const double *matrix, const double *of, double *to)
-{
-    lag_fill(height * lanes, 0.0, to);
-    for (size_t i = 0; i < height; ++i) {
-        for (size_t j = 0; j < width; ++j) {
-            const double entry = matrix[i * width + j];
-            for (size_t lane = 0; lane < lanes; ++lane) {
-                to[i * lanes + lane] += entry * of[j * lanes + lane];
-            }
-        }
-    }
 }
 
 /* Rates along q, qd, z and u. */
@@ -91,8 +129,10 @@ static lag_status along_states(lag_sensitivities *s, lag_motion *motion, const d
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
     if (takes_jacobian(s, model)) {
-        multiply(n, n + model->nu, lanes, s->work.by_state, directions, rates);
-        multiply(y != NULL ? model->ny : 0, n + model->nu, lanes, s->work.outputs_by_state, directions, y);
+        const lag_rows_of_columns by_state = {n, n + model->nu, n + model->nu, s->work.by_state};
+        const lag_rows_of_columns outputs = {y != NULL ? model->ny : 0, n + model->nu, n + model->nu, s->work.outputs_by_state};
+        s->sums->multiply(&by_state, lanes, directions, NULL, rates);
+        s->sums->multiply(&outputs, lanes, directions, NULL, y);
         return LAG_OK;
     }
     const lag_along *along = &s->along.states;
@@ -144,7 +184,12 @@ lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const 
         return lag_loads_along_look(&s->work.loads, motion, t, x);
     }
     lag_motion_set_state(motion, t, x);
-    const lag_status status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
+    lag_status status = outputs ? LAG_MISSING : look_at_motion(s, motion);
+    s->work.motion.known = status == LAG_OK;
+    if (status != LAG_MISSING) {
+        return status;
+    }
+    status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
     if (status != LAG_OK || !takes_jacobian(s, model)) {
         return status;
     }
@@ -181,6 +226,9 @@ lag_status lag_columns_rates(lag_sensitivities *s, lag_run *run, size_t block, d
     lag_status status = LAG_OK;
     if (model->nload > 0) {
         status = with_loads(s, motion, directions, rates, y);
+    } else if (s->work.motion.known) {
+        const double *inputs = directions + lag_motion_size(model) * lanes;
+        s->sums->rates(&s->work.motion.product, &s->columns.entries, block, lanes, directions, inputs, rates);
     } else if (s->along.states.tangents != NULL) {
         status = along_states(s, motion, directions, rates, y);
         add_parameters(s, model, block, rates, y);

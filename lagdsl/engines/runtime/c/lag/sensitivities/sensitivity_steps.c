@@ -7,6 +7,7 @@
 
 #include "lag/elimination/lu.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
 
@@ -15,56 +16,95 @@ static size_t size_of(const lag_run *run)
     return run->stepper.ode->size;
 }
 
-/* Arrays of a block, for the sums of DOP853. */
+/* Arrays of a block, for the sums of DOP853; `at` has those of another one. */
+static void move_to(const lag_sensitivities *s, const lag_run *run, size_t block, lag_attempt_arrays *at)
+{
+    const size_t count = at->size * at->lanes;
+    at->x = s->columns.before + block * count;
+    at->slope = s->work.slopes + block * LAG_DOP853_SLOPES * count;
+    at->x_new = s->columns.x + block * lag_columns_variables(run->motion.model) * at->lanes;
+}
+
+/* The same of any. */
 static lag_attempt_arrays arrays_of(const lag_sensitivities *s, const lag_run *run, size_t block)
 {
     const lag_stepper *stepper = &run->stepper;
-    const size_t count = size_of(run) * s->columns.lanes;
     lag_attempt_arrays at;
     at.size = size_of(run);
     at.lanes = s->columns.lanes;
-    at.x = s->columns.before + block * count;
     at.tolerance = s->work.tolerance;
-    at.slope = s->work.slopes + block * LAG_DOP853_SLOPES * count;
     at.stage = s->work.point;
-    at.x_new = s->columns.x + block * lag_columns_variables(run->motion.model) * s->columns.lanes;
     lag_fill(LAG_ATTEMPT_LANES, stepper->t - stepper->t_before, at.h);
     lag_fill(LAG_ATTEMPT_LANES, stepper->t_before, at.t);
+    move_to(s, run, block, &at);
     return at;
 }
 
 /* Directions of inputs and parameters of the block, behind the columns in work.point. */
 static void set_point(const lag_sensitivities *s, const lag_run *run, size_t block)
 {
+    const lag_model *model = run->motion.model;
     const size_t count = size_of(run) * s->columns.lanes;
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
-    memcpy(s->work.point + count, s->columns.x + block * height + count, (height - count) * sizeof(double));
+    const size_t height = lag_columns_variables(model) * s->columns.lanes;
+    const size_t read = (s->work.motion.known ? (s->columns.shifted ? model->nu : 0) : model->nu + model->np) * s->columns.lanes;
+    memcpy(s->work.point + count, s->columns.x + block * height + count, read * sizeof(double));
 }
 
-/* Rates of all blocks at stage i, 0 being the beginning and LAG_DOP853_END the end. */
-static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_attempt_arrays *of_state, size_t i)
+/* Rates of all blocks at stage i, 0 being the beginning and LAG_DOP853_END the end; `at` are the arrays of a block. */
+static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_attempt_arrays *of_state, size_t i, lag_attempt_arrays *at)
 {
     const lag_combination *stage = &lag_dop853_stages[i];
     const double t = of_state->t[0] + (i > 0 ? stage->node * of_state->h[0] : 0.0);
-    lag_status status = LAG_OK;
+    const size_t count = at->size * at->lanes;
     memcpy(s->work.state_of_stage, of_state->x, of_state->size * sizeof(double));
     if (i > 0) {
         lag_combine(of_state->size, stage, of_state->h, of_state->slope, of_state->x, s->work.state_of_stage);
     }
-    status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
+    lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
+    if (status == LAG_OK && s->work.motion.known && !lag_any(s->columns.blocks * run->motion.model->nw * at->lanes, s->columns.w)) {
+        const lag_columns_stage all = {s->columns.blocks, at->lanes, i, at->h, s->columns.before, s->work.slopes, s->columns.x,
+            lag_columns_variables(run->motion.model), at->stage, &s->columns.entries};
+        s->sums->stage(&s->work.motion.product, &all);
+        return LAG_OK;
+    }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        const lag_attempt_arrays at = arrays_of(s, run, block);
-        const size_t count = at.size * at.lanes;
-        memcpy(at.stage, at.x, count * sizeof(double));
-        if (i > 0) {
-            lag_combine(count, stage, at.h, at.slope, at.x, at.stage);
+        move_to(s, run, block, at);
+        if (i == 0) {
+            memcpy(at->stage, at->x, count * sizeof(double));
+        } else {
+            s->sums->combine(count, stage, at->h, at->slope, at->x, at->stage);
         }
         if (i == LAG_DOP853_END) {
-            memcpy(at.x_new, at.stage, count * sizeof(double));
+            memcpy(at->x_new, at->stage, count * sizeof(double));
         }
         set_point(s, run, block);
-        status = lag_columns_rates(s, run, block, t, s->work.state_of_stage, s->work.point, at.slope + i * count, NULL);
+        status = lag_columns_rates(s, run, block, t, s->work.state_of_stage, s->work.point, at->slope + i * count, NULL);
     }
+    return status;
+}
+
+/* The slopes in the first stage, or in the last, are those at this time and state. */
+static void remember_slopes(lag_sensitivities *s, size_t stage, double t, const double *x, size_t size)
+{
+    s->work.known.stage = stage;
+    s->work.known.t = t;
+    memcpy(s->work.known.x, x, size * sizeof(double));
+}
+
+/* Rates at the beginning: those at the end of the step before, or of one that began there, where nothing has happened since. */
+static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_attempt_arrays *of_state, lag_attempt_arrays *at)
+{
+    const size_t count = at->size * at->lanes;
+    lag_status status = LAG_OK;
+    if (s->work.known.t != of_state->t[0] || !lag_same(of_state->size, s->work.known.x, of_state->x)) {
+        status = explicit_stage(s, run, of_state, 0, at);
+    } else if (s->work.known.stage != 0) {
+        for (size_t block = 0; block < s->columns.blocks; ++block) {
+            move_to(s, run, block, at);
+            memcpy(at->slope, at->slope + s->work.known.stage * count, count * sizeof(double));
+        }
+    }
+    remember_slopes(s, 0, of_state->t[0], of_state->x, of_state->size);
     return status;
 }
 
@@ -75,47 +115,60 @@ static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_a
 static void set_tolerances(const lag_sensitivities *s, const lag_run *run, size_t block, const lag_attempt_arrays *at)
 {
     const double *tolerance = run->stepper.tolerance;
-    for (size_t lane = 0; lane < at->lanes; ++lane) {
-        double before = 0.0;
-        double behind = 0.0;
-        for (size_t i = 0; i < at->size; ++i) {
-            const double a = at->x[i * at->lanes + lane] / tolerance[i];
-            const double b = at->x_new[i * at->lanes + lane] / tolerance[i];
-            before += a * a;
-            behind += b * b;
+    double length[LAG_ATTEMPT_LANES];
+    double before[LAG_ATTEMPT_LANES] = {0.0};
+    double behind[LAG_ATTEMPT_LANES] = {0.0};
+    for (size_t i = 0; i < at->size; ++i) {
+        const double per = 1.0 / tolerance[i];
+        for (size_t lane = 0; lane < at->lanes; ++lane) {
+            const double a = at->x[i * at->lanes + lane] * per;
+            const double b = at->x_new[i * at->lanes + lane] * per;
+            before[lane] += a * a;
+            behind[lane] += b * b;
         }
-        const double length = fmax(s->columns.extent[block * at->lanes + lane], run->accuracy.relative * sqrt(fmax(before, behind) / (double)at->size));
-        for (size_t i = 0; i < at->size; ++i) {
-            s->work.tolerance[i * at->lanes + lane] = length > 0.0 ? length * tolerance[i] : 1.0;
+    }
+    for (size_t lane = 0; lane < at->lanes; ++lane) {
+        const double part = run->accuracy.relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size);
+        length[lane] = fmax(s->columns.extent[block * at->lanes + lane], part);
+    }
+    for (size_t i = 0; i < at->size; ++i) {
+        for (size_t lane = 0; lane < at->lanes; ++lane) {
+            s->work.tolerance[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * tolerance[i] : 1.0;
         }
     }
 }
 
-static double largest_error(lag_sensitivities *s, lag_run *run)
+/*
+ * Error of the worst column as a part of what it may be. The local error of a method of order p goes with the (p + 1)th power of h over the time in which the
+ * motion changes, and its derivative by what stretches this time is p + 1 times the error itself: so much is in order where the error of the state is.
+ */
+static double largest_error(lag_sensitivities *s, lag_run *run, lag_attempt_arrays *at)
 {
+    const double allowed = run->stepper.method->order + 1;
     double most = 0.0;
     for (size_t block = 0; block < s->columns.blocks; ++block) {
-        const lag_attempt_arrays at = arrays_of(s, run, block);
         double error[LAG_ATTEMPT_LANES];
-        set_tolerances(s, run, block, &at);
-        lag_attempt_errors(&at, error);
-        for (size_t lane = 0; lane < at.lanes; ++lane) {
-            most = fmax(most, error[lane]);
+        move_to(s, run, block, at);
+        set_tolerances(s, run, block, at);
+        s->sums->errors(at, error);
+        for (size_t lane = 0; lane < at->lanes; ++lane) {
+            most = fmax(most, error[lane] / allowed);
         }
     }
     return most;
 }
 
-/* One step with DOP853; the error of the worst column as a part of what it may be. */
+/* One step with DOP853, and its error. */
 static lag_status explicit_step(lag_sensitivities *s, lag_run *run, double *error)
 {
     const lag_attempt_arrays of_state = lag_dop853_last(&run->stepper);
-    lag_status status = LAG_OK;
-    for (size_t i = 0; i <= LAG_DOP853_END && status == LAG_OK; ++i) {
-        status = explicit_stage(s, run, &of_state, i);
+    lag_attempt_arrays at = arrays_of(s, run, 0);
+    lag_status status = first_stage(s, run, &of_state, &at);
+    for (size_t i = 1; i <= LAG_DOP853_END && status == LAG_OK; ++i) {
+        status = explicit_stage(s, run, &of_state, i, &at);
     }
-    *error = status == LAG_OK ? largest_error(s, run) : 0.0;
-    return status;
+    *error = status == LAG_OK ? largest_error(s, run, &at) : 0.0;
+    return status == LAG_OK && !isfinite(*error) ? LAG_NOT_FINITE : status;
 }
 
 /* ---- Radau ---- */
@@ -149,8 +202,8 @@ static lag_status implicit_rows(lag_sensitivities *s, lag_run *run, const lag_ra
     for (size_t j = 0; j < n; ++j) {
         s->work.state_of_stage[j] = stepper->x_before[j] + of_state->z[i * n + j];
     }
-    lag_status status = stepper->ode->jacobian(stepper->ode->context, t, s->work.state_of_stage, s->work.collocation.jacobian);
-    status = status == LAG_OK ? lag_columns_look(s, run, t, s->work.state_of_stage, 0) : status;
+    lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
+    status = status == LAG_OK ? lag_columns_jacobian(s, run, t, s->work.state_of_stage, s->work.collocation.jacobian) : status;
     for (size_t j = 0; j < n; ++j) {
         double *row = s->work.collocation.matrix + (i * n + j) * width;
         lag_fill(width, 0.0, row);
@@ -276,6 +329,9 @@ lag_status lag_sensitivities_step(lag_run *run)
         return LAG_TOO_LONG;
     }
     s->columns.rejected = (double)INFINITY;
+    if (run->motion.model->nc == 0 && !stepper->method->implicit) { /* no projection follows */
+        remember_slopes(s, LAG_DOP853_END, stepper->t, stepper->x, size_of(run));
+    }
     stepper->h = error > 0.0 && !rounding ? fmin(stepper->h, h * fmin(factor, 1.0 / LAG_DOP853_SHRINK)) : stepper->h;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         status = lag_columns_project(s, run, block, stepper->t, stepper->x, s->columns.x + block * height);
@@ -289,15 +345,16 @@ static lag_status prepare_dense(lag_sensitivities *s, lag_run *run)
     const lag_stepper *stepper = &run->stepper;
     lag_status status = lag_stepper_dense(&run->stepper, stepper->t, s->work.state); /* its own further stages */
     const lag_attempt_arrays of_state = lag_dop853_last(stepper);
+    lag_attempt_arrays at = arrays_of(s, run, 0);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES && status == LAG_OK; ++i) {
-        status = explicit_stage(s, run, &of_state, i);
+        status = explicit_stage(s, run, &of_state, i, &at);
     }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        lag_attempt_arrays at = arrays_of(s, run, block);
+        move_to(s, run, block, &at);
         const size_t count = at.size * at.lanes;
-        lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at.h, at.slope, at.x, s->work.point);
+        s->sums->combine(count, &lag_dop853_stages[LAG_DOP853_END], at.h, at.slope, at.x, s->work.point);
         at.x_new = s->work.point; /* without the projection behind the step */
-        lag_attempt_dense(&at, s->work.terms + block * LAG_DOP853_TERMS * count);
+        s->sums->dense(&at, s->work.terms + block * LAG_DOP853_TERMS * count);
     }
     return status;
 }

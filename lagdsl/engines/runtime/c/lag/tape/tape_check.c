@@ -80,9 +80,20 @@ static const lag_tape_signature SIGNATURES_ALONG[LAG_TAPE_ALONG_COUNT] = {
 /* Instead of the first of them, where no multiplier is left to run time. */
 static const lag_tape_signature MOTION = {0x007f, 3, {VECTOR(NQ), VECTOR(NC), NUMBER}};
 
+/* Instead of all of these. */
+static const lag_tape_signature JACOBIAN = {0x007f, 6, {VECTOR(NQ), VECTOR(NC), NUMBER, MATRIX(RATES, EQUATIONS),
+    MATRIX(EQUATIONS, VARIABLES), MATRIX(EQUATIONS, NP)}};
+
 static uint64_t length_of(const uint32_t *size, unsigned which)
 {
-    return which == ONE ? 1u : size[which];
+    const uint64_t n = size[LAG_TAPE_NQ];
+    switch (which) {
+    case ONE: return 1;
+    case LAG_TAPE_EQUATIONS: return n + size[LAG_TAPE_NC] + size[LAG_TAPE_NZ];
+    case LAG_TAPE_RATES: return n + size[LAG_TAPE_NZ];
+    case LAG_TAPE_VARIABLES: return 2 * n + size[LAG_TAPE_NZ] + size[LAG_TAPE_NU];
+    default: return size[which];
+    }
 }
 
 uint64_t lag_tape_argument_length(const uint32_t *size, uint32_t group)
@@ -102,6 +113,9 @@ const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, siz
 {
     if (function < LAG_TAPE_ALONG) {
         return SIGNATURES + function;
+    }
+    if (function == LAG_TAPE_JACOBIAN) {
+        return &JACOBIAN;
     }
     const size_t which = (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT;
     return which == LAG_TAPE_PRIMAL && lag_tape_moves(parts) ? &MOTION : SIGNATURES_ALONG + which;
@@ -253,11 +267,16 @@ static void find_signature(view *at, const lag_tape_parts *parts, size_t functio
     at->own = lag_tape_signature_of(parts, function);
     at->first = function == 0 ? 0 : size[LAG_TAPE_PREPARED];
     at->row = size[LAG_TAPE_ROW];
-    if (function >= LAG_TAPE_ALONG && (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT != LAG_TAPE_PRIMAL) {
+    if (function >= LAG_TAPE_ALONG && function < LAG_TAPE_JACOBIAN && (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT != LAG_TAPE_PRIMAL) {
         const size_t part = (function - LAG_TAPE_ALONG) / LAG_TAPE_ALONG_COUNT;
         at->first = size[LAG_TAPE_SHARED + 2 * part];
         at->row = size[LAG_TAPE_ALONG_ROW + 2 * part];
     }
+}
+
+int lag_tape_tells(const lag_tape_parts *parts, size_t function)
+{
+    return function < parts->part[LAG_TAPE_FUNCTIONS].length / (2 * sizeof(uint32_t));
 }
 
 int lag_tape_runs(const lag_tape_parts *parts)
@@ -267,7 +286,7 @@ int lag_tape_runs(const lag_tape_parts *parts)
     const uint64_t count = parts->part[LAG_TAPE_WORDS].length / sizeof(uint32_t);
     view at = {.size = parts->size};
     at.constants = parts->part[LAG_TAPE_CONSTANT_POOL].length / sizeof(double);
-    for (size_t i = 0; i < LAG_TAPE_FUNCTION_COUNT; ++i) {
+    for (size_t i = 0; i < LAG_TAPE_FUNCTION_COUNT && lag_tape_tells(parts, i); ++i) {
         const uint64_t first = table[2 * i];
         const uint64_t own = table[2 * i + 1];
         if (first > count || own > count - first || (i == 0 && own == 0)) {

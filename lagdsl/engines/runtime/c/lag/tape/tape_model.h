@@ -18,10 +18,11 @@ enum {
     LAG_TAPE_ALONG_COUNT
 };
 
-/* prepare(), the functions of lag_function, those of directions of states and inputs, and of parameters. */
+/* prepare(), the functions of lag_function, those of directions of states and inputs, and of parameters; jacobian(), which the table may lack. */
 enum {
     LAG_TAPE_ALONG = 1 + LAG_LAST_FUNCTION + 1,
-    LAG_TAPE_FUNCTION_COUNT = LAG_TAPE_ALONG + 2 * LAG_TAPE_ALONG_COUNT
+    LAG_TAPE_JACOBIAN = LAG_TAPE_ALONG + 2 * LAG_TAPE_ALONG_COUNT,
+    LAG_TAPE_FUNCTION_COUNT
 };
 
 typedef struct lag_tape {
@@ -30,7 +31,7 @@ typedef struct lag_tape {
     lag_pattern jacobian, response, coupling;
     lag_patterns patterns; /* of these, those that are told */
     lag_states states;
-    lag_tangents tangents[2];
+    lag_tangents tangents[2], differentiated; /* of states and inputs, of parameters; with jacobian() alone, or nothing */
     size_t row, shared[2], along_row[2];
     const uint32_t *words, *functions;
     const double *constants;
@@ -58,6 +59,12 @@ typedef struct lag_tape_signature {
     unsigned char count;
     unsigned char results[LAG_TAPE_RESULTS][2];
 } lag_tape_signature;
+
+/* Lengths that are sums of sizes, behind that of a single one: nq + nc + nz, nq + nz, 2 nq + nz + nu. */
+enum { LAG_TAPE_EQUATIONS = LAG_TAPE_NUMBER_OF_SIZES + 1, LAG_TAPE_RATES, LAG_TAPE_VARIABLES };
+
+/* True if the table has the function. */
+int lag_tape_tells(const lag_tape_parts *parts, size_t function);
 
 /* Of the function in that place of LAG_TAPE_FUNCTIONS. */
 const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, size_t function);
@@ -96,6 +103,9 @@ uint64_t lag_tape_workspace(const uint32_t *size);
 
 /* Gives the model its functions. */
 void lag_tape_functions(lag_tape *tape);
+
+/* Gives it its derivatives, if it has some. */
+void lag_tape_differentiated(lag_tape *tape, int has);
 
 /* Gives the model its functions of several states and directions. */
 void lag_tape_parallel(lag_tape *tape);

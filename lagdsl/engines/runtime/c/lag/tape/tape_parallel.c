@@ -124,9 +124,9 @@ static int has_along(const lag_tape *tape, size_t part, size_t which)
 void lag_tape_parallel(lag_tape *tape)
 {
     static const lag_tangents all[2] = {
-        {LAG_TAPE_LANES, 0, state_primal, state_motion, state_residual, state_acceleration, state_rates, state_output},
-        {LAG_TAPE_LANES, 0, parameter_primal, parameter_motion, parameter_residual, parameter_acceleration, parameter_rates,
-            parameter_output},
+        {LAG_TAPE_LANES, 0, 0, state_primal, state_motion, state_residual, state_acceleration, state_rates, state_output, NULL},
+        {LAG_TAPE_LANES, 0, 0, parameter_primal, parameter_motion, parameter_residual, parameter_acceleration, parameter_rates,
+            parameter_output, NULL},
     };
     const int moves = tape->model.nk == 0 && lag_tape_has(tape, LAG_ELIMINATION);
     tape->states = (lag_states){
@@ -139,9 +139,11 @@ void lag_tape_parallel(lag_tape *tape)
         .state_derivative = tape->model.nz > 0 ? state_derivative : NULL,
         .monitor = lag_tape_has(tape, LAG_MONITOR) ? monitor : NULL,
     };
+    tape->differentiated.width = lag_tape_lanes_width();
     for (size_t part = 0; part < 2; ++part) {
         lag_tangents *own = tape->tangents + part;
         *own = all[part];
+        own->width = lag_tape_lanes_width();
         own->workspace = (size_t)lag_tape_aligned(tape->row) + LAG_TAPE_LANES * tape->along_row[part];
         own->primal = moves ? NULL : own->primal;
         own->motion = moves ? own->motion : NULL;

@@ -1,0 +1,64 @@
+/*
+ * Sums over columns in lanes, in registers as wide as the processor has them. All widths give the same bits: lanes do not meet, and each number is
+ * summed in the order of its terms.
+ */
+#ifndef LAG_COLUMN_SUMS_H
+#define LAG_COLUMN_SUMS_H
+
+#include "lag/methods/dop853.h"
+
+/* The first `width` numbers of each of `height` rows, which start `apart` numbers from one another. */
+typedef struct lag_rows_of_columns {
+    size_t height, width, apart;
+    const double *first;
+} lag_rows_of_columns;
+
+/*
+ * Entries of dp that are not zero: of each column the first (blocks, lanes), with the part zero where there is none; the others block after block, with
+ * the first of each (blocks + 1).
+ */
+typedef struct lag_parameter_entries {
+    size_t *lead;
+    double *lead_part;
+    size_t *first, *number, *lane;
+    double *part;
+} lag_parameter_entries;
+
+/* The derivatives of the motion at a state (jacobian() of lag/parallel.h), with arrays for the equations along the columns of one block. */
+typedef struct lag_motion_product {
+    size_t nq, np, size;                    /* of the state */
+    lag_rows_of_columns by_state, by_input; /* by_input of width 0: no column is along inputs */
+    lag_rows_of_columns response;
+    const double *by_parameter;             /* (equations, np); null: no column is along parameters */
+    double *along, *sum;                    /* (equations, lanes) each */
+} lag_motion_product;
+
+/* A stage of a step for all blocks of columns. */
+typedef struct lag_columns_stage {
+    size_t blocks, lanes, stage;
+    const double *h;          /* (8) */
+    const double *x;          /* (blocks, size, lanes) at the beginning */
+    double *slopes;           /* (blocks, 16, size, lanes) */
+    double *columns;          /* (blocks, height, lanes): where the last stage leaves the new columns, with the directions of the inputs behind them */
+    size_t height;
+    double *point;            /* (size, lanes) */
+    const lag_parameter_entries *entries;
+} lag_columns_stage;
+
+typedef struct lag_column_sums {
+    void (*combine)(size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out); /* lag_combine() */
+    void (*errors)(const lag_attempt_arrays *at, double *error); /* lag_attempt_errors() */
+    void (*dense)(const lag_attempt_arrays *at, double *terms);  /* lag_attempt_dense() */
+    /* to (height, lanes) = base (null: zero) + product of (width, lanes); `to` is neither of these */
+    void (*multiply)(const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to);
+    /* Rates (size, lanes) of one block, whose number is that of its entries, along directions of the state (size, lanes) and of the inputs (nu, lanes). */
+    void (*rates)(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes, const double *state,
+        const double *inputs, double *rates);
+    /* Rates of the stage, into its slopes. */
+    void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
+} lag_column_sums;
+
+/* The sums for a processor with so many doubles in a register, or for any. */
+const lag_column_sums *lag_column_sums_of(size_t width);
+
+#endif

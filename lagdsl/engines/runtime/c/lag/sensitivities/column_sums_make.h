@@ -1,0 +1,175 @@
+/* The sums of column_sums.h for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
+#ifndef LAG_COLUMN_SUMS_MAKE_H
+#define LAG_COLUMN_SUMS_MAKE_H
+
+#include "lag/sensitivities/column_sums.h"
+
+#if LAG_ATTEMPTS_WIDE
+extern const lag_column_sums lag_column_sums_wide, lag_column_sums_widest;
+#endif
+
+#if defined(__GNUC__)
+/* Four rows from row i on, whose sums do not wait for each other. */
+LAG_ATTEMPT_INLINED void multiply_four(
+    const lag_rows_of_columns *m, size_t i, size_t lanes, size_t lane, const double *of, const double *base, double *to)
+{
+    const lag_wide none = {0.0};
+    const double *row = m->first + i * m->apart;
+    const size_t at = i * lanes + lane;
+    lag_wide a = base != NULL ? lag_wide_at(base + at) : none;
+    lag_wide b = base != NULL ? lag_wide_at(base + at + lanes) : none;
+    lag_wide c = base != NULL ? lag_wide_at(base + at + 2 * lanes) : none;
+    lag_wide d = base != NULL ? lag_wide_at(base + at + 3 * lanes) : none;
+    for (size_t j = 0; j < m->width; ++j) {
+        const lag_wide x = lag_wide_at(of + j * lanes + lane);
+        a += row[j] * x;
+        b += row[m->apart + j] * x;
+        c += row[2 * m->apart + j] * x;
+        d += row[3 * m->apart + j] * x;
+    }
+    lag_wide_to(to + at, a);
+    lag_wide_to(to + at + lanes, b);
+    lag_wide_to(to + at + 2 * lanes, c);
+    lag_wide_to(to + at + 3 * lanes, d);
+}
+
+LAG_ATTEMPT_INLINED void multiply_one(
+    const lag_rows_of_columns *m, size_t i, size_t lanes, size_t lane, const double *of, const double *base, double *to)
+{
+    const lag_wide none = {0.0};
+    lag_wide a = base != NULL ? lag_wide_at(base + i * lanes + lane) : none;
+    for (size_t j = 0; j < m->width; ++j) {
+        a += m->first[i * m->apart + j] * lag_wide_at(of + j * lanes + lane);
+    }
+    lag_wide_to(to + i * lanes + lane, a);
+}
+#endif
+
+LAG_ATTEMPT_INLINED void multiply_inlined(const lag_rows_of_columns *m, size_t lanes, const double *of, const double *base, double *to)
+{
+    size_t lane = 0;
+#if defined(__GNUC__)
+    for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) {
+        for (size_t i = 0; i < m->height && m->height < 4; ++i) {
+            multiply_one(m, i, lanes, lane, of, base, to);
+        }
+        for (size_t i = 0; i < m->height && m->height >= 4; i += 4) { /* the last rows may be among the four before */
+            multiply_four(m, i + 4 <= m->height ? i : m->height - 4, lanes, lane, of, base, to);
+        }
+    }
+#endif
+    for (; lane < lanes; ++lane) {
+        for (size_t i = 0; i < m->height; ++i) {
+            double sum = base != NULL ? base[i * lanes + lane] : 0.0;
+            for (size_t j = 0; j < m->width; ++j) {
+                sum += m->first[i * m->apart + j] * of[j * lanes + lane];
+            }
+            to[i * lanes + lane] = sum;
+        }
+    }
+}
+
+/* The equations along the parameters of a block. */
+LAG_ATTEMPT_INLINED void along_parameters(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes)
+{
+    const size_t *lead = entries->lead + block * lanes;
+    const double *part = entries->lead_part + block * lanes;
+    for (size_t i = 0; i < motion->by_state.height; ++i) {
+        const double *row = motion->by_parameter + i * motion->np;
+        size_t lane = 0;
+#if defined(__GNUC__)
+        for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) { /* numbers put down one by one would have to be waited for */
+            lag_wide own = {0.0};
+#pragma GCC unroll 8
+            for (size_t k = 0; k < LAG_WIDTH; ++k) {
+                own[k] = row[lead[lane + k]];
+            }
+            lag_wide_to(motion->along + i * lanes + lane, lag_wide_at(part + lane) * own);
+        }
+#endif
+        for (; lane < lanes; ++lane) {
+            motion->along[i * lanes + lane] = part[lane] * row[lead[lane]];
+        }
+    }
+    for (size_t k = entries->first[block]; k < entries->first[block + 1]; ++k) {
+        const double *column = motion->by_parameter + entries->number[k];
+        for (size_t i = 0; i < motion->by_state.height; ++i) {
+            motion->along[i * lanes + entries->lane[k]] += entries->part[k] * column[i * motion->np];
+        }
+    }
+}
+
+LAG_ATTEMPT_INLINED void rates_inlined(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes,
+    const double *state, const double *inputs, double *rates)
+{
+    const size_t positions = motion->nq * lanes;
+    double *sum = motion->sum;
+    if (motion->by_parameter != NULL) {
+        along_parameters(motion, entries, block, lanes);
+    }
+    multiply_inlined(&motion->by_state, lanes, state, motion->by_parameter != NULL ? motion->along : NULL, sum);
+    if (motion->by_input.width > 0) {
+        multiply_inlined(&motion->by_input, lanes, inputs, sum, motion->along);
+        sum = motion->along;
+    }
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= positions; i += LAG_WIDTH) {
+        lag_wide_to(rates + i, lag_wide_at(state + positions + i));
+    }
+#endif
+    for (; i < positions; ++i) {
+        rates[i] = state[positions + i];
+    }
+    multiply_inlined(&motion->response, lanes, sum, NULL, rates + positions);
+}
+
+LAG_ATTEMPT_INLINED void stage_inlined(const lag_motion_product *motion, const lag_columns_stage *of)
+{
+    const size_t count = motion->size * of->lanes;
+    for (size_t block = 0; block < of->blocks; ++block) {
+        const double *x = of->x + block * count;
+        double *slopes = of->slopes + block * LAG_DOP853_SLOPES * count;
+        double *columns = of->columns + block * of->height * of->lanes;
+        double *point = of->stage == LAG_DOP853_END ? columns : of->point;
+        if (of->stage > 0) {
+            lag_combine(count, &lag_dop853_stages[of->stage], of->h, slopes, x, point);
+        }
+        rates_inlined(motion, of->entries, block, of->lanes, of->stage > 0 ? point : x, columns + count, slopes + of->stage * count);
+    }
+}
+
+LAG_COLUMNS_TARGET static void combine(
+    size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
+{
+    lag_combine(count, c, h, slope, base, out);
+}
+
+LAG_COLUMNS_TARGET static void errors(const lag_attempt_arrays *at, double *error)
+{
+    lag_attempt_errors(at, error);
+}
+
+LAG_COLUMNS_TARGET static void dense(const lag_attempt_arrays *at, double *terms)
+{
+    lag_attempt_dense(at, terms);
+}
+
+LAG_COLUMNS_TARGET static void multiply(
+    const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to)
+{
+    multiply_inlined(product, lanes, of, base, to);
+}
+
+LAG_COLUMNS_TARGET static void rates(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes,
+    const double *state, const double *inputs, double *to)
+{
+    rates_inlined(motion, entries, block, lanes, state, inputs, to);
+}
+
+LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag_columns_stage *of)
+{
+    stage_inlined(motion, of);
+}
+
+#endif

@@ -1,0 +1,13 @@
+/* Sums in registers of 512 bits, for processors that have them. */
+#define LAG_ATTEMPT_WIDTH 8
+#define LAG_COLUMNS_TARGET __attribute__((target("avx512f")))
+
+#include "lag/methods/dop853.h"
+
+#if LAG_ATTEMPTS_WIDE
+
+#include "lag/sensitivities/column_sums_make.h"
+
+const lag_column_sums lag_column_sums_widest = {combine, errors, dense, multiply, rates, stage};
+
+#endif

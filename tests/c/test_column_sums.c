@@ -1,0 +1,120 @@
+/* Sums over columns in lanes: all widths of registers give the bits of plain loops. */
+#include <string.h>
+
+#include "check.h"
+#include "lag/sensitivities/column_sums.h"
+
+enum { HEIGHT = 7, WIDTH = 5, APART = 6, MOST = 8, BLOCKS = 2, NQ = 2, SIZE = 5, EQUATIONS = 4, NP = 3 };
+
+/* 1: the processor has registers of so many doubles. */
+static int has(size_t width)
+{
+#if LAG_ATTEMPTS_WIDE
+    return width == 2 || (width == 4 && __builtin_cpu_supports("avx")) || (width == 8 && __builtin_cpu_supports("avx512f"));
+#else
+    return width == 2;
+#endif
+}
+
+static void draw_all(unsigned long long *seed, size_t count, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = draw(seed);
+    }
+}
+
+static void multiply_plainly(const lag_rows_of_columns *m, size_t lanes, const double *of, const double *base, double *to)
+{
+    for (size_t i = 0; i < m->height; ++i) {
+        for (size_t k = 0; k < lanes; ++k) {
+            double sum = base != NULL ? base[i * lanes + k] : 0.0;
+            for (size_t j = 0; j < m->width; ++j) {
+                sum += m->first[i * m->apart + j] * of[j * lanes + k];
+            }
+            to[i * lanes + k] = sum;
+        }
+    }
+}
+
+static void test_products(size_t width, size_t lanes)
+{
+    unsigned long long seed = 1 + width + lanes;
+    double matrix[HEIGHT * APART];
+    double of[WIDTH * MOST];
+    double base[HEIGHT * MOST];
+    double plain[HEIGHT * MOST];
+    double found[HEIGHT * MOST];
+    draw_all(&seed, HEIGHT * APART, matrix);
+    draw_all(&seed, WIDTH * MOST, of);
+    draw_all(&seed, HEIGHT * MOST, base);
+    for (size_t height = 1; height <= HEIGHT; ++height) {
+        const lag_rows_of_columns m = {height, WIDTH, APART, matrix};
+        for (int based = 0; based < 2; ++based) {
+            multiply_plainly(&m, lanes, of, based ? base : NULL, plain);
+            lag_column_sums_of(width)->multiply(&m, lanes, of, based ? base : NULL, found);
+            CHECK(memcmp(plain, found, height * lanes * sizeof(double)) == 0);
+        }
+    }
+}
+
+/* Rates of column k of a block by plain loops, along dp of several entries: d' = response (by_state d + by_input du + by_parameter dp). */
+static void test_rates(size_t width, size_t lanes)
+{
+    unsigned long long seed = 7 + width + lanes;
+    double by[EQUATIONS * (SIZE + 1)];
+    double by_parameter[EQUATIONS * NP];
+    double response[(SIZE - NQ) * EQUATIONS];
+    double state[SIZE * MOST];
+    double inputs[MOST];
+    double along[EQUATIONS * MOST];
+    double sum[EQUATIONS * MOST];
+    double rates[SIZE * MOST];
+    size_t lead[BLOCKS * MOST];
+    double lead_part[BLOCKS * MOST];
+    size_t first[BLOCKS + 1] = {0, 0, 1};
+    size_t number[1] = {2};
+    size_t lane[1] = {0};
+    double part[1] = {-0.5};
+    const lag_parameter_entries entries = {lead, lead_part, first, number, lane, part};
+    const lag_motion_product motion = {NQ, NP, SIZE, {EQUATIONS, SIZE, SIZE + 1, by}, {EQUATIONS, 1, SIZE + 1, by + SIZE},
+        {SIZE - NQ, EQUATIONS, EQUATIONS, response}, by_parameter, along, sum};
+    draw_all(&seed, EQUATIONS * (SIZE + 1), by);
+    draw_all(&seed, EQUATIONS * NP, by_parameter);
+    draw_all(&seed, (SIZE - NQ) * EQUATIONS, response);
+    draw_all(&seed, SIZE * MOST, state);
+    draw_all(&seed, MOST, inputs);
+    draw_all(&seed, BLOCKS * MOST, lead_part);
+    for (size_t i = 0; i < BLOCKS * MOST; ++i) {
+        lead[i] = i % 2;
+    }
+    lag_column_sums_of(width)->rates(&motion, &entries, 1, lanes, state, inputs, rates);
+    for (size_t k = 0; k < lanes; ++k) {
+        for (size_t i = 0; i < NQ; ++i) {
+            CHECK(rates[i * lanes + k] == state[(NQ + i) * lanes + k]);
+        }
+        for (size_t i = NQ; i < SIZE; ++i) {
+            double exact = 0.0;
+            for (size_t e = 0; e < EQUATIONS; ++e) {
+                double f = lead_part[lanes + k] * by_parameter[e * NP + lead[lanes + k]] + (k == 0 ? part[0] * by_parameter[e * NP + 2] : 0.0);
+                for (size_t j = 0; j < SIZE; ++j) {
+                    f += by[e * (SIZE + 1) + j] * state[j * lanes + k];
+                }
+                f += by[e * (SIZE + 1) + SIZE] * inputs[k];
+                exact += response[(i - NQ) * EQUATIONS + e] * f;
+            }
+            CHECK(fabs(rates[i * lanes + k] - exact) <= 1e-13);
+        }
+    }
+}
+
+int main(void)
+{
+    for (size_t width = 2; width <= MOST; width *= 2) {
+        for (size_t lanes = 1; lanes <= MOST && has(width); lanes *= 2) {
+            test_products(width, lanes);
+            test_rates(width, lanes);
+        }
+    }
+    (void)puts("column_sums: ok");
+    return 0;
+}
