@@ -365,7 +365,11 @@ def test_squares_are_those_of_the_modes(name: str) -> None:
         if any(entry != 0 for row in linear.damping for entry in row):
             continue
         values = {symbol.name: model_number(model, value) for symbol, value in each.at}
-        modes = model.modes(q=values, qd=dict.fromkeys(values, 0.0))
+        try:
+            modes = model.modes(q=values, qd=dict.fromkeys(values, 0.0))
+        except lagdsl.CompilationFailed as failure:  # a contact without force, whose modes are those of one side
+            assert failure.diagnostics[0].code == "E0860"
+            continue
         squares = sorted((-(modes.eigenvalues**2)).real.tolist())
         own = sorted(2 * [frequency.number for frequency in linear.frequencies])
         np.testing.assert_allclose(squares, own, rtol=1e-7, atol=1e-7 * max(map(abs, own)))

@@ -91,7 +91,7 @@ def test_long_work_goes_on_in_c_with_the_same_numbers(work: tuple[float, float])
 def test_a_library_that_cannot_be_loaded_is_not_used() -> None:
     engine = _auto()
     assert engine._compiler is not None
-    library = cache_folder() / f"{engine._name(engine._compiler)}.so"
+    library = cache_folder() / f"{engine._name(engine._compiler, engine._parts_of_native)}.so"
     library.parent.mkdir()
     library.write_bytes(b"not a library")
     assert not _auto().is_compiled
@@ -137,7 +137,7 @@ def test_an_engine_that_is_no_longer_used_ends_its_compiler(tmp_path: Path, monk
 def test_a_change_of_what_writes_c_is_another_library(monkeypatch: pytest.MonkeyPatch) -> None:
     engine = _auto()
     assert engine._compiler is not None
-    before = engine._name(engine._compiler)
-    assert _auto()._name(engine._compiler) == before
+    before = engine._name(engine._compiler, engine._parts_of_native)
+    assert _auto()._name(engine._compiler, engine._parts_of_native) == before
     monkeypatch.setattr(auto_engine, "_writers", lambda: "another")
-    assert engine._name(engine._compiler) != before
+    assert engine._name(engine._compiler, engine._parts_of_native) != before

@@ -17,6 +17,9 @@ void lag_sensitivities_inputs(lag_sensitivities *s, const lag_model *model, cons
     for (size_t k = 0; k < s->of.count; ++k) {
         lag_columns_put(s, k, model->nu, u + k * model->nu, first, lag_columns_variables(model));
     }
+    s->columns.shifted = 1;
+    s->work.motion.product.by_input.width = model->nu;
+    s->work.known.t = (double)NAN;
 }
 
 /* All that is remembered between two calls: the rest is found anew. */

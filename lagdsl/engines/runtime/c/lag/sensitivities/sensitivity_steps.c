@@ -83,11 +83,11 @@ static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_a
     return status;
 }
 
-/* The slopes in the first stage, or in the last, are those at this time and state. */
-static void remember_slopes(lag_sensitivities *s, size_t stage, double t, const double *x, size_t size)
+/* The slopes in the first stage, or in the last, are those at this time and state. The past of delayed values moves on between two steps. */
+static void remember_slopes(lag_sensitivities *s, const lag_model *model, size_t stage, double t, const double *x, size_t size)
 {
     s->work.known.stage = stage;
-    s->work.known.t = t;
+    s->work.known.t = model->ndelay == 0 ? t : (double)NAN;
     memcpy(s->work.known.x, x, size * sizeof(double));
 }
 
@@ -104,7 +104,7 @@ static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_atte
             memcpy(at->slope, at->slope + s->work.known.stage * count, count * sizeof(double));
         }
     }
-    remember_slopes(s, 0, of_state->t[0], of_state->x, of_state->size);
+    remember_slopes(s, run->motion.model, 0, of_state->t[0], of_state->x, of_state->size);
     return status;
 }
 
@@ -329,8 +329,8 @@ lag_status lag_sensitivities_step(lag_run *run)
         return LAG_TOO_LONG;
     }
     s->columns.rejected = (double)INFINITY;
-    if (run->motion.model->nc == 0 && !stepper->method->implicit) { /* no projection follows */
-        remember_slopes(s, LAG_DOP853_END, stepper->t, stepper->x, size_of(run));
+    if (run->motion.model->nc == 0 && !stepper->method->implicit && !is_fixed(run)) { /* no projection follows */
+        remember_slopes(s, run->motion.model, LAG_DOP853_END, stepper->t, stepper->x, size_of(run));
     }
     stepper->h = error > 0.0 && !rounding ? fmin(stepper->h, h * fmin(factor, 1.0 / LAG_DOP853_SHRINK)) : stepper->h;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
