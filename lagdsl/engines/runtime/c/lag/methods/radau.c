@@ -39,13 +39,8 @@ static void begin_radau(lag_stepper *s)
         .trust = 1.0,
         .fresh = found.fresh,
         .usable = found.usable,
-        .placed = found.placed,
-        .ordered = found.ordered,
-        .lower = found.lower,
-        .upper = found.upper,
-        .entries = found.entries,
-        .banded = found.banded,
     };
+    lag_radau_keep_band(memo, s->ode);
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
