@@ -50,6 +50,9 @@ typedef struct lag_radau_memo {
     double placed;     /* 1: `middle` is that of the Jacobian at hand */
     double lower, upper; /* band of the matrices, in the order of lag_ode.patterns, */
     double banded;     /* 1: they are decomposed in it; 0: they are dense */
+    double within;     /* error between the ends of the step that was looked at last, as a part of the tolerance, */
+    double missed;     /* by how much its stages were missed by their first guess, 0: nothing is known, */
+    double unseen;     /* and how many there were since */
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
 
@@ -108,6 +111,7 @@ typedef struct lag_radau_outcome {
     unsigned iterations;
     double rate;   /* of contraction in the last iteration; 0: there was only one */
     double smooth; /* geometric mean of the last two rates */
+    double missed; /* how far the first guess was off, as the first iteration says it, as a part of the tolerance */
 } lag_radau_outcome;
 
 unsigned lag_radau_iterations(unsigned stages); /* at most */

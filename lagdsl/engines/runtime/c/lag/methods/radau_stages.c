@@ -208,7 +208,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
     const unsigned most = lag_radau_iterations(at->table->stages);
-    lag_radau_outcome result = {0, 0, 0.0, 1.0};
+    lag_radau_outcome result = {.smooth = 1.0};
     double before = 0.0;
     double trust = pow(fmax(at->memo->trust, 1e-16), 0.8);
     lag_radau_transform(n, stages, at->table->inverse, at->z, at->w);
@@ -219,6 +219,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         }
         const double size = correction(s, at, h);
         const double rate = before > 0.0 ? size / before : 0.0;
+        result.missed = k == 0 ? size : result.missed;
         const double remaining = pow(rate, (double)(most - k)) / (1.0 - rate) * size;
         if (!isfinite(size) || (before > 0.0 && (rate >= 1.0 || remaining > NEWTON_TOLERANCE))) {
             return result;
@@ -244,7 +245,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
 lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome)
 {
-    *outcome = (lag_radau_outcome){0, 0, 0.0, 1.0};
+    *outcome = (lag_radau_outcome){.smooth = 1.0};
     for (;;) {
         guess(s, at, h);
         const lag_status status = prepare(s, at, h);
