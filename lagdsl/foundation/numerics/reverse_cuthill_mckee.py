@@ -1,8 +1,8 @@
 """An order of rows and columns in which the entries of a sparse matrix lie near its diagonal.
 
 Sources: Cuthill and McKee, Reducing the bandwidth of sparse symmetric matrices, Proc. 24th Nat. Conf. ACM (1969);
-reversed, and the first row: George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), sections
-4.2 and 4.3.
+reversed, and the first row: George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981),
+sections 4.2 and 4.3.
 """
 
 from __future__ import annotations
