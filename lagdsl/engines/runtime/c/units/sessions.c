@@ -10,6 +10,7 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
@@ -54,6 +55,8 @@
 #include "lag/sensitivities/projection_tangent.c"
 
 #include "lag/sensitivities/sensitivities.c"
+
+#include "lag/sensitivities/sensitivity_collocation.c"
 
 #include "lag/sensitivities/sensitivity_instants.c"
 

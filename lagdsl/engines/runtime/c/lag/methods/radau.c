@@ -23,12 +23,10 @@ static const double ACCURATE[LAG_RADAU_TABLES] = {0.0, 1e5, 1e9};
 static const double LOWER = 0.8;
 static const double STEADY[2] = {0.8, 1.2};
 /*
- * The error between the ends is not looked at, for some steps in a row, where the last look saw less than SMALL of the error at the end, foretells
- * less than CLEAR, and what it foretells from has not grown by more than 1/SMALL.
+ * The error between the ends is not looked at, for UNSEEN steps in a row, where the last look saw less than one part of LITTLE of the error at the end,
+ * foretells less than that of the tolerance, and what it foretells from has not grown by more than LITTLE.
  */
-static const double SMALL = 0.1;
-static const double CLEAR = 0.1;
-enum { UNSEEN = 4 };
+enum { UNSEEN = 4, LITTLE = 10 };
 /* After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them. */
 static const double BELOW = 0.8;
 static const double RECEDE = 1.03;
@@ -168,12 +166,13 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
 static double error_along(lag_stepper *s, const lag_radau_places *at, double h, const lag_radau_outcome *solved, double error)
 {
     lag_radau_memo *memo = at->memo;
-    if (memo->missed > 0.0 && memo->unseen < UNSEEN && fmax(memo->within, SMALL * CLEAR) * solved->missed < CLEAR * memo->missed) {
+    const double seen = fmax(memo->within, 1.0 / (LITTLE * LITTLE));
+    if (memo->missed > 0.0 && memo->unseen < UNSEEN && LITTLE * seen * solved->missed < memo->missed) {
         memo->unseen += 1.0;
         return error;
     }
     memo->within = error_within(s, at, h);
-    memo->missed = memo->within < SMALL * error ? solved->missed : 0.0;
+    memo->missed = LITTLE * memo->within < error ? solved->missed : 0.0;
     memo->unseen = 0.0;
     return fmax(error, memo->within);
 }

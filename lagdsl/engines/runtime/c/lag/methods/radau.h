@@ -81,7 +81,7 @@ static inline size_t lag_radau_entries(const lag_ode *ode)
     return pattern != NULL ? pattern->count : ode->size * ode->size;
 }
 
-/* Those of a row behind the rows of the coordinates: from `first` to before `end`, in these columns; null: in all of them. */
+/* A row behind those of the coordinates has entries from `first` to before `end`, in these columns; null: in all of them. */
 typedef struct lag_radau_row {
     size_t first, end;
     const size_t *column;
@@ -173,6 +173,12 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
  * changes along it, to a small part of itself.
  */
 void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x);
+
+/*
+ * The slopes of the stages, in `slope`, become one correction of their w by Newton's method with what is decomposed; its size as a part of the
+ * tolerances.
+ */
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h);
 
 /*
  * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new

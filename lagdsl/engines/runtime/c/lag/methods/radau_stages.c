@@ -131,13 +131,12 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
 
 void lag_radau_transform(size_t n, size_t stages, const double matrix[STAGES][STAGES], const double *in, double *out)
 {
+    memset(out, 0, stages * n * sizeof(double));
     for (size_t k = 0; k < stages; ++k) {
-        for (size_t i = 0; i < n; ++i) {
-            double sum = 0.0;
-            for (size_t j = 0; j < stages; ++j) {
-                sum += matrix[k][j] * in[j * n + i];
+        for (size_t j = 0; j < stages; ++j) {
+            for (size_t i = 0; i < n; ++i) {
+                out[k * n + i] += matrix[k][j] * in[j * n + i];
             }
-            out[k * n + i] = sum;
         }
     }
 }
@@ -189,8 +188,7 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
     return sum;
 }
 
-/* The slopes of the stages become one correction of w by Newton's method; its size as a part of the tolerances. */
-static double correction(const lag_stepper *s, const lag_radau_places *at, double h)
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h)
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
@@ -217,7 +215,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         if (stage_slopes(s, at, h) != LAG_OK) {
             return result;
         }
-        const double size = correction(s, at, h);
+        const double size = lag_radau_correction(s, at, h);
         const double rate = before > 0.0 ? size / before : 0.0;
         result.missed = k == 0 ? size : result.missed;
         const double remaining = pow(rate, (double)(most - k)) / (1.0 - rate) * size;

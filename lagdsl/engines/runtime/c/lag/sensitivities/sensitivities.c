@@ -60,8 +60,8 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t variables = lag_columns_variables(model);
     const size_t columns = all * (2 * variables + model->nw + n + 2);
     const size_t work = 2 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
-    const size_t stages = LAG_RADAU_STAGES * n;
-    const size_t implicit = n * n + stages * stages + 2 * stages;
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + implicit + instant + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -102,10 +102,10 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->by_parameter = lag_take(memory, all * n);
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
-    work->collocation.jacobian = lag_take(memory, n * n);
-    work->collocation.right = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.pivots = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.matrix = lag_take(memory, LAG_RADAU_STAGES * n * LAG_RADAU_STAGES * n);
+    const lag_ode ode = lag_motion_ode(model);
+    work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
+    work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)

@@ -81,9 +81,9 @@ typedef struct lag_columns {
 
 /* The linear equations of the stages of Radau; n: size of the state. */
 typedef struct lag_collocation_system {
-    double *jacobian;        /* (n, n) of a stage */
-    double *matrix;          /* (stages n, stages n) decomposed */
-    double *pivots, *right;  /* (stages n) each */
+    double *jacobian;        /* (stages, entries) as Radau keeps them */
+    double *slope;           /* (stages, n) where the column begins, */
+    double *z;               /* (stages, n) and what the stages add to it */
 } lag_collocation_system;
 
 /* Arrays of one step. */
@@ -164,6 +164,9 @@ lag_status lag_sensitivities_step(struct lag_run *run);
 lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause *cause);
 /* which are those behind it from now on. */
 void lag_sensitivities_after(lag_companion *companion);
+
+/* z of a column, by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
+int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system);
 
 /* Entries of a direction: q, qd, z, u, p. */
 size_t lag_columns_variables(const lag_model *model);
