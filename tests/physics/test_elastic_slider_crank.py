@@ -11,7 +11,7 @@ import lagdsl
 MODEL = Path(__file__).parents[2] / "benchmarks" / "models" / "elastic_slider_crank.lag"
 
 # F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers (2008), problem crank: values at 0.1 s, by name,
-# and how far they may be off. The start has nine digits, and nothing damps what they leave in the stretching of the rod.
+# and how far they may be off. The start has nine digits, and nothing damps what they leave in how the rod stretches.
 END = {
     "psi": (-3.311734987910881e-01, 1e-10),
     "x": (1.697373326718410e-01, 1e-10),
