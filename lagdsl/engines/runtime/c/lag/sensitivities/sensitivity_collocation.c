@@ -55,8 +55,8 @@ int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at
         const double length = sqrt(lag_radau_inner(stepper, stages, at->w, at->w) / (double)(n > 0 ? stages * n : 1));
         const double rate = size / before;
         const double left = rate < 1.0 ? rate / (1.0 - rate) * size : (double)INFINITY;
-        const int settled = rate >= 1.0 && size <= sqrt(LAG_ROUNDING) * length; /* what does not shrink any more is round-off */
-        if (size == 0.0 || left <= 10.0 * LAG_ROUNDING * length || settled) {
+        const int settled = rate >= 1.0 && size <= 1e5 * LAG_ROUNDING * length; /* what does not shrink any more is round-off */
+        if (size == 0.0 || (k > 0 && left <= 10.0 * LAG_ROUNDING * length) || settled) {
             return 1;
         }
         before = size;
