@@ -56,3 +56,19 @@ def test_rows_between_long_steps(tolerance: float, solver: str) -> None:
     exact = (np.cos(motion.time) + np.sin(motion.time) / rate) / (1 + rate**-2)
     assert np.max(np.abs(motion["z"][1:] - exact[1:])) < 3 * tolerance
     assert abs(motion["z"][-1] - cos(100.0)) < 3 * tolerance + 1 / rate
+
+
+@pytest.mark.parametrize("width", [0.3, 0.2, 0.1])
+def test_rows_where_an_equilibrium_bends(width: float) -> None:
+    """Steps that a bend makes doubtful are looked at between their nodes. The state is late by 1/rate."""
+    tolerance, rate = 1e-4, 1e6
+    text = model(
+        "state Real z(start = -1);",
+        f"der(z) = -{rate}*(z - tanh((time - 0.5 s)/({width} s)) - exp(-((time - 2 s)/({width} s))^2));".replace(
+            " s", ""
+        ),
+    )
+    motion = lagdsl.compile(text).simulate(stop=3.0, tolerance=tolerance, interval=1e-3, solver="radau")
+    t = motion.time[1:] - 1 / rate
+    exact = np.tanh((t - 0.5) / width) + np.exp(-(((t - 2.0) / width) ** 2))
+    assert np.max(np.abs(motion["z"][1:] - exact)) < 3 * tolerance

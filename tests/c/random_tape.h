@@ -303,6 +303,11 @@ static inline size_t write_random_tape(random_tape *tape)
     put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]);
     put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NK]);
     const uint32_t members = n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
+    const size_t told = tape->count;
+    put_pattern(tape, members, state);
+    const uint32_t is_told = tape->count > told;
+    put_rows(tape, is_told * members, members);
+    put_rows(tape, is_told * state, state);
     put_rows(tape, any(&tape->seed, 1) == 0 ? members : 0, members);
     put_section(tape, numbers, started ? (1 + state) * sizeof(double) : 0);
     put_section(tape, flags, started ? state : 0);

@@ -7,7 +7,7 @@
 
 enum { LANES = 4, GROUPS = 2, ALL = LANES * GROUPS, SIZE = 3, MOST = 4096 };
 
-static const lag_ode SMOOTH = {SIZE, 0, NULL, smooth_rates, smooth_jacobian};
+static const lag_ode SMOOTH = {.size = SIZE, .nq = 0, .rates = smooth_rates, .jacobian = smooth_jacobian};
 
 /* Each lane by the rates of one; in the lane of this time, if any, there are none. */
 static void rates(void *context, const double *t, const double *x, double *xd, double *fault)
@@ -30,7 +30,7 @@ static void rates(void *context, const double *t, const double *x, double *xd, d
 static void begin(lag_stepper *s, double *memory, size_t k)
 {
     memset(memory, 0, MOST * sizeof(double));
-    CHECK(lag_stepper_memory(SIZE) <= MOST);
+    CHECK(lag_stepper_memory(&SMOOTH) <= MOST);
     lag_stepper_place(s, &SMOOTH, memory);
     s->t = 0.1 * (double)k;
     smooth_exact(s->t, s->x);

@@ -1,4 +1,4 @@
-/* Elimination in a band against that of dense matrices, and orders of graphs of which the least band is known. */
+/* Elimination in a band against that of dense matrices. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,70 +7,6 @@
 #include "lag/elimination/lu.h"
 
 enum { MOST = 40 };
-
-/* Numbers 0 to n - 1 in another order. */
-static void shuffle(size_t n, size_t *name, unsigned long long *seed)
-{
-    for (size_t i = 0; i < n; ++i) {
-        name[i] = i;
-    }
-    for (size_t i = n; i-- > 1;) {
-        const size_t other = (size_t)fabs(draw(seed) * 1e6) % (i + 1);
-        const size_t kept = name[i];
-        name[i] = name[other];
-        name[other] = kept;
-    }
-}
-
-static lag_band ordered(size_t n, const double *a, double *order)
-{
-    static double memory[MOST * MOST + 2 * MOST + 1];
-    double place[MOST];
-    int seen[MOST] = {0};
-    CHECK(lag_cuthill_mckee_memory(n) <= sizeof memory / sizeof *memory);
-    lag_cuthill_mckee(n, a, order, memory);
-    const lag_band band = lag_band_of(n, a, order, place);
-    for (size_t k = 0; k < n; ++k) {
-        CHECK(seen[(size_t)order[k]]++ == 0);
-        CHECK((size_t)place[(size_t)order[k]] == k);
-    }
-    return band;
-}
-
-/* A ladder of two rails: its least band is 2. One triangle of the matrix tells the graph. */
-static void a_ladder_has_its_least_band(void)
-{
-    enum { RUNGS = 20, N = 2 * RUNGS };
-    unsigned long long seed = 3;
-    double a[N * N] = {0};
-    double order[N];
-    size_t name[N];
-    shuffle(N, name, &seed);
-    for (size_t i = 0; i < RUNGS; ++i) {
-        a[name[2 * i] * N + name[2 * i + 1]] = 1.0;
-        for (size_t side = 0; side < 2 && i > 0; ++side) {
-            a[name[2 * i + side] * N + name[2 * i - 2 + side]] = 1.0;
-        }
-    }
-    const lag_band band = ordered(N, a, order);
-    CHECK(band.lower <= 2 && band.upper <= 2 && band.lower + band.upper >= 2);
-}
-
-/* Chains that do not touch, and rows alone: the band is that of a chain. */
-static void parts_are_ordered_by_themselves(void)
-{
-    enum { N = 24, CHAIN = 8 };
-    unsigned long long seed = 5;
-    double a[N * N] = {0};
-    double order[N];
-    size_t name[N];
-    shuffle(N, name, &seed);
-    for (size_t i = 1; i < N; ++i) {
-        a[name[i] * N + name[i - 1]] = i % CHAIN != 0 && i < 2 * CHAIN ? 2.0 : 0.0;
-    }
-    const lag_band band = ordered(N, a, order);
-    CHECK(band.lower <= 1 && band.upper <= 1);
-}
 
 /* Entry (i, j), of `parts` doubles, of a matrix in a band. */
 static double *entry(const lag_band *band, double *a, size_t parts, size_t i, size_t j)
@@ -136,8 +72,6 @@ static void a_singular_matrix_is_told(void)
 int main(void)
 {
     unsigned long long seed = 1;
-    a_ladder_has_its_least_band();
-    parts_are_ordered_by_themselves();
     for (size_t n = 4; n <= MOST; n += 3) {
         for (size_t lower = 1; lower < n; lower = 2 * lower + 1) {
             solutions_agree(n, lower, 1 + (3 * lower) % (n - 1), 1, &seed);

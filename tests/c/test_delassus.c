@@ -35,7 +35,7 @@ static lag_status solve_kept(
     double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
-    const lag_patterns patterns = {NULL, NULL, NULL};
+    const lag_patterns patterns = {.jacobian = NULL};
     CHECK(memory != NULL);
     lag_delassus_place(&system, x->n, x->m, kept, row, &patterns, memory);
     for (size_t i = 0; i < kept; ++i) {
@@ -348,7 +348,7 @@ static void a_chain_has_as_many_entries_as_it_is_long(void)
     beside_first[LINKS] = next;
     const lag_pattern of_rows = {LINKS, LINKS + 1, 2 * LINKS, row, column, first};
     const lag_pattern couplings = {LINKS, LINKS, next, beside_row, beside, beside_first};
-    const lag_patterns patterns = {&of_rows, &of_rows, &couplings};
+    const lag_patterns patterns = {.jacobian = &of_rows, .response = &of_rows, .coupling = &couplings};
     double *memory = malloc(lag_delassus_memory(LINKS, LINKS) * sizeof(double));
     lag_delassus system;
     CHECK(memory != NULL);

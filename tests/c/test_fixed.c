@@ -43,7 +43,7 @@ static void go(lag_fixed_step *step, const lag_ode *ode, double stop, size_t cou
 
 static void order(lag_fixed_step *step, const char *name, double nominal)
 {
-    static const lag_ode ode = {3, 1, NULL, driven_rates, driven_jacobian};
+    static const lag_ode ode = {.size = 3, .nq = 1, .rates = driven_rates, .jacobian = driven_jacobian};
     double error[2] = {0.0, 0.0};
     double exact[3] = {0.5, 0.0, 0.2};
     go(lag_rk4, &ode, 2.0, 2000, exact);
@@ -70,7 +70,7 @@ static lag_status pendulum_rates(void *context, double t, const double *x, doubl
 /* 2000 s of a pendulum at 25 steps per swing: the energy comes back. */
 static void the_leapfrog_keeps_energy(void)
 {
-    static const lag_ode ode = {2, 1, NULL, pendulum_rates, NULL};
+    static const lag_ode ode = {.size = 2, .nq = 1, .rates = pendulum_rates};
     double x[2] = {1.0, 0.0};
     double most = 0.0;
     for (size_t i = 0; i < 8000; ++i) {
@@ -84,7 +84,7 @@ static void the_leapfrog_keeps_energy(void)
 static void the_rosenbrock_method_is_stable(void)
 {
     static double epsilon = 1e-6;
-    static const lag_ode ode = {2, 1, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
+    static const lag_ode ode = {.size = 2, .nq = 1, .context = &epsilon, .rates = van_der_pol_rates, .jacobian = van_der_pol_jacobian};
     double x[2] = {2.0, -0.66};
     go(lag_ros2, &ode, 0.5, 500, x);
     CHECK_NEAR(x[1], x[0] / (1.0 - x[0] * x[0]), 1e-4);
@@ -108,7 +108,7 @@ static lag_status one_jacobian(void *context, double t, const double *x, double 
 
 static void what_fails_changes_nothing(lag_fixed_step *step)
 {
-    static const lag_ode ode = {1, 0, NULL, failing_rates, one_jacobian};
+    static const lag_ode ode = {.size = 1, .nq = 0, .rates = failing_rates, .jacobian = one_jacobian};
     double x[1] = {1.0};
     CHECK(step(&ode, 0.0, 0.4, x, memory) == LAG_OK);
     const double before = x[0];

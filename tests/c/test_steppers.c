@@ -12,7 +12,7 @@ static double block[MOST_MEMORY];
 
 static lag_stepper *place(lag_stepper *s, const lag_ode *ode, const double *x, double tolerance)
 {
-    CHECK(lag_stepper_memory(ode->size) <= MOST_MEMORY);
+    CHECK(lag_stepper_memory(ode) <= MOST_MEMORY);
     lag_stepper_place(s, ode, block);
     memcpy(s->x, x, ode->size * sizeof(double));
     for (size_t i = 0; i < ode->size; ++i) {
@@ -53,8 +53,8 @@ static double distance(size_t size, const double *x, const double *y)
     return most;
 }
 
-static const lag_ode SMOOTH = {3, 1, NULL, smooth_rates, smooth_jacobian};
-static const lag_ode LINEAR = {3, 1, NULL, linear_rates, linear_jacobian};
+static const lag_ode SMOOTH = {.size = 3, .nq = 1, .rates = smooth_rates, .jacobian = smooth_jacobian};
+static const lag_ode LINEAR = {.size = 3, .nq = 1, .rates = linear_rates, .jacobian = linear_jacobian};
 
 typedef struct errors {
     double at_end, inside; /* inside the steps by dense output */
@@ -101,7 +101,7 @@ static void orders(const lag_method *method, errors coarse, errors fine)
 
 static double arenstorf_error(double tolerance)
 {
-    static const lag_ode ode = {4, 2, NULL, arenstorf_rates, NULL};
+    static const lag_ode ode = {.size = 4, .nq = 2, .rates = arenstorf_rates};
     lag_stepper s;
     place(&s, &ode, ARENSTORF_START, tolerance);
     CHECK(go(&s, &lag_dop853, ARENSTORF_PERIOD) == LAG_OK);
@@ -120,7 +120,7 @@ static double arenstorf_error(double tolerance)
 static void van_der_pol(double tolerance, double worst, size_t most)
 {
     static double epsilon = 1e-6;
-    static const lag_ode ode = {2, 1, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
+    static const lag_ode ode = {.size = 2, .nq = 1, .context = &epsilon, .rates = van_der_pol_rates, .jacobian = van_der_pol_jacobian};
     static const double start[2] = {2.0, 0.0};
     static const double exact[2] = {0.1706167732170483e1, -0.8928097010247975};
     lag_stepper s;
@@ -137,7 +137,7 @@ static void van_der_pol(double tolerance, double worst, size_t most)
 /* The error against a run that is far more accurate goes with the tolerance. */
 static void double_pendulum(void)
 {
-    static const lag_ode ode = {4, 2, NULL, double_pendulum_rates, NULL};
+    static const lag_ode ode = {.size = 4, .nq = 2, .rates = double_pendulum_rates};
     static const double start[4] = {1.0, 1.5, 0.0, 0.0};
     double reference[4];
     lag_stepper s;
@@ -157,7 +157,7 @@ static void double_pendulum(void)
 /* Stiff directions that turn: steps are limited by accuracy, not by how far the Jacobian changes. */
 static void turning(const lag_method *method, double tolerance, size_t most)
 {
-    static const lag_ode ode = {2, 0, NULL, turning_rates, turning_jacobian};
+    static const lag_ode ode = {.size = 2, .nq = 0, .rates = turning_rates, .jacobian = turning_jacobian};
     static const double start[2] = {0.0, 1.0};
     const double exact[2] = {sin(3.0), cos(3.0)};
     lag_stepper s;
@@ -180,7 +180,7 @@ static lag_status wall_rates(void *context, double t, const double *x, double *x
 
 static void trouble_stops_at_the_wall(void)
 {
-    static const lag_ode ode = {1, 0, NULL, wall_rates, NULL};
+    static const lag_ode ode = {.size = 1, .nq = 0, .rates = wall_rates};
     static const double start[1] = {0.0};
     lag_stepper s;
     place(&s, &ode, start, 1e-8);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,24 +15,34 @@ Indices = NDArray[np.intp]
 
 def occurrences(graph: Graph, elements: Sequence[int], group: Group) -> tuple[Indices, Indices]:
     """For each symbol of `group` in an element: the place of the element and the index of the symbol, element by
-    element. Sets of symbols are sets of bits, so that a node costs little more than its operands."""
-    known: dict[int, int] = {}
-    operands, groups = graph.operands, graph.groups
-    for node in graph.live(elements):
-        if groups[node] >> group & 1:
-            found = 0 if operands[node] else 1 << graph.b[node]
-            for operand in operands[node]:
-                found |= known.get(operand, 0)
-            known[node] = found
+    element."""
     rows, columns = [], []
-    for place, element in enumerate(elements):
-        own = np.flatnonzero(_flags(known.get(element, 0)))
+    for place, found in enumerate(dependences(graph, elements, {group: 0})):
+        own = members(found)
         rows.append(np.full(len(own), place, dtype=np.intp))
         columns.append(own)
     empty = np.zeros(0, dtype=np.intp)
     return np.concatenate([empty, *rows]), np.concatenate([empty, *columns])
 
 
-def _flags(bits: int) -> NDArray[np.uint8]:
+def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> list[int]:
+    """The symbols in each element, as a set of bits: those of a group from its `first` bit on. A node costs little more
+    than its operands."""
+    known: dict[int, int] = {}
+    operands, groups = graph.operands, graph.groups
+    mask = sum(1 << group for group in first)
+    for node in graph.live(elements):
+        if groups[node] & mask:
+            found = 0 if operands[node] else 1 << first[graph.group(node)] + graph.b[node]
+            for operand in operands[node]:
+                found |= known.get(operand, 0)
+            known[node] = found
+    return [known.get(element, 0) for element in elements]
+
+
+def members(bits: int) -> Indices:
+    """The numbers of the bits that are set, ascending. Zeros below the first one cost nothing."""
+    first = ((bits & -bits).bit_length() - 1) // 8 * 8 if bits else 0
+    bits >>= first
     data = bits.to_bytes((bits.bit_length() + 7) // 8, "little")
-    return np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little")
+    return first + np.flatnonzero(np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little"))

@@ -1,13 +1,18 @@
-"""Entries of matrices of the rows that are left to run time: none is missing, and those of a chain are a band."""
+"""Entries of matrices: none is missing, and those of a chain are a band."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import examples
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from lagdsl.derivation.program.passes.pattern import patterns
+import lagdsl
+from lagdsl.derivation.program.passes.pattern import patterns, rates_pattern
 from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.reverse_cuthill_mckee import reverse_cuthill_mckee
 from lagdsl.foundation.source import SourceFile
 from lagdsl.motion.pipeline import Compilation, compile_flat, flatten_file
 
@@ -73,3 +78,56 @@ def test_no_entry_is_missing(text: str) -> None:
         for name, matrix in (("response", response), ("coupling", jacobian @ response.T)):
             assert not np.any((abs(matrix) > 1e-12) & ~dense(*told[name])), name
             assert np.any(matrix)
+
+
+NET = """
+model Net "masses in a row, some behind a lag, one on a lever with the next: rates of one depend on its neighbours"
+  structural parameter Integer N = 9;
+  coordinate Length x[N](start = {0.01 m*i for i in 1:N});
+  state Length z[N];
+  coordinate Angle a(start = 0.3 rad), b(start = 0.2 rad);
+  mass 1 kg at {(1 m)*cos(a), (1 m)*sin(a)};
+  mass 1 kg at {(1 m)*(cos(a) + cos(b)), (1 m)*(sin(a) + sin(b))};
+  for i in 1:N loop
+    kinetic 1/2*(1 kg)*der(x[i])^2;
+    dissipation 1/2*(3 N.s/m)*der(x[i])^2;
+  end for;
+  for i in 1:N-1 loop
+    potential 1/2*(50 N/m)*(x[i+1] - x[i])^2*(1 + x[i]*(1 m^-1));
+  end for;
+  force (2 N/m)*z[1] on x[1];
+equation
+  for i in 1:N loop
+    der(z[i]) = (x[i] - z[i])/(0.1 s);
+  end for;
+end Net;
+"""
+
+
+def test_rates_depend_on_what_is_told() -> None:
+    model = lagdsl.compile(NET)
+    told = rates_pattern(model._compilation.program)
+    nq, nz = len(model.coordinates), len(model.states)
+    rng = np.random.default_rng(1)
+    slopes = np.zeros((nq + nz, 2 * nq + nz))
+    for _ in range(2):
+        state = rng.uniform(0.1, 0.5, 2 * nq + nz)
+        slopes += abs(model.linearize(q=state[:nq], qd=state[nq : 2 * nq], z=state[2 * nq :]).A[nq:])
+    expected = dense(slopes.shape, told.entries)
+    assert np.array_equal(slopes != 0.0, expected)
+    for group in range(max(told.groups) + 1):
+        assert np.max(np.sum(expected[:, np.array(told.groups) == group], axis=1)) <= 1
+    assert sorted(told.places) == list(range(nq + nz))
+
+
+@settings(max_examples=examples(20), deadline=None)
+@given(st.integers(2, 30), st.integers(0, 2**31))
+def test_a_ladder_has_its_least_band(rungs: int, seed: int) -> None:
+    """Two rails: its least band is 2, and one triangle tells the graph. Rows alone are parts by themselves."""
+    name = np.random.default_rng(seed).permutation(2 * rungs + 3).tolist()
+    rungs_and_rails = [(2 * i, 2 * i + 1) for i in range(rungs)] + [(i, i + 2) for i in range(2 * rungs - 2)]
+    entries = [(name[i], name[j]) for i, j in rungs_and_rails]
+    order = reverse_cuthill_mckee(len(name), entries)
+    assert sorted(order) == list(range(len(name)))
+    place = np.argsort(order)
+    assert max(abs(int(place[i] - place[j])) for i, j in entries) == 2

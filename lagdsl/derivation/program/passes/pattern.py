@@ -2,10 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.algebra.graph.occurrence import dependences, members
+from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
+from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
+from lagdsl.foundation.numerics.reverse_cuthill_mckee import reverse_cuthill_mckee
 
 # Rows and columns of entries, row by row.
-Pattern = tuple[list[int], list[int]]
+Pattern = tuple[Sequence[int], Sequence[int]]
+
+
+@dataclass(frozen=True)
+class RatesPattern:
+    """Entries of d(qdd, zd)/d(q, qd, z), (nq + nz, 2 nq + nz); all empty where they are not told.
+
+    `places` (nq + nz) of its rows, and of the columns of rates and states, in an order in which entries lie near the
+    diagonal, columns of coordinates under those of their rates. `groups` (2 nq + nz): columns of one share no row.
+    """
+
+    entries: Pattern = ((), ())
+    places: tuple[int, ...] = ()
+    groups: tuple[int, ...] = ()
 
 
 def patterns(program: Program) -> dict[str, tuple[tuple[int, int], Pattern]]:
@@ -56,3 +78,51 @@ def _listed(rows: list[set[int]], width: int) -> Pattern:
         return [], []
     entries = [(i, j) for i, row in enumerate(rows) for j in sorted(row)]
     return [i for i, _ in entries], [j for _, j in entries]
+
+
+def rates_pattern(program: Program) -> RatesPattern:
+    """Told where accelerations are expressions and groups of columns are fewer than columns: each derivative of a group
+    takes as long as that of a single one. Multipliers that are left to run time, or a system that is, join all of a
+    component. Loads that depend on accelerations are not followed."""
+    rows = _rates_rows(program)
+    nq, count = len(program.layout.coordinates), len(rows)
+    own = [members(row) for row in rows]
+    places = np.repeat(np.arange(count), [len(row) for row in own])
+    columns = np.concatenate([np.zeros(0, dtype=np.intp), *own])
+    groups = disjoint_columns(places, columns, (count, nq + count)).tolist()
+    if not columns.size or len(set(groups)) == nq + count:
+        return RatesPattern()
+    entries = places.tolist(), columns.tolist()
+    others = (column - nq if column >= nq else column for column in entries[1])
+    order = reverse_cuthill_mckee(count, zip(entries[0], others, strict=True))
+    return RatesPattern(entries, tuple(np.argsort(order).tolist()), tuple(groups))
+
+
+def _rates_rows(program: Program) -> list[int]:
+    """Row by row the variables (q, qd, z) that it depends on, as bits; empty where that is not known."""
+    layout = program.layout
+    nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
+    if program.has("load") or not program.has("residual"):
+        return []
+    components = layout.components or (0,) * (nq + nz)  # none are told: all are one
+    whole: dict[int, int] = {}
+    for place, component in enumerate(components):
+        whole[component] = whole.get(component, 0) | (1 << nq + place) | (1 << place if place < nq else 0)
+    first = {Group.Q: 0, Group.QD: nq, Group.Z: 2 * nq}
+    if program.has("elimination") and not program.kept_rows:
+        accelerations, multipliers = (block.elements for block in program.function("elimination").results[:2])
+        solved = dependences(program.graph, [*accelerations, *multipliers], first)
+    else:
+        own = [whole[components[i]] for i in range(nq)]
+        solved = own + [sum(set(whole.values()))] * nc
+    if nz == 0:
+        return solved[:nq]
+    first |= {Group.QDD: 2 * nq + nz, Group.LAMBDA: 3 * nq + nz}
+    given = (1 << 2 * nq + nz) - 1
+    rates = []
+    for bits in dependences(program.graph, program.function("state_derivative").results[0].elements, first):
+        row = bits & given
+        for place in members(bits >> 2 * nq + nz):
+            row |= solved[place]
+        rates.append(row)
+    return solved[:nq] + rates

@@ -89,7 +89,7 @@ struct lag_method {
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
     unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `h_fixed` */
-    size_t (*memory)(size_t size);
+    size_t (*memory)(const lag_ode *ode);
     void (*begin)(lag_stepper *s);
     lag_status (*step)(lag_stepper *s, double limit);
     lag_status (*prepare_dense)(lag_stepper *s);
@@ -104,8 +104,8 @@ extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
  */
 extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
 
-/* Doubles for states of `size` numbers; enough for any method of this runtime. */
-size_t lag_stepper_memory(size_t size);
+/* Doubles for states of that system, of which size, nq and patterns are read; enough for any method of this runtime. */
+size_t lag_stepper_memory(const lag_ode *ode);
 
 /* Lays out `s` in `memory` for the system. The caller sets t, x, tolerance, h_least and h_most, then begins. */
 void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory);

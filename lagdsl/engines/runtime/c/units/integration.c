@@ -45,10 +45,6 @@
 #include "lag/elimination/band.c"
 #undef least
 
-#define number cuthill_mckee_number
-#include "lag/elimination/cuthill_mckee.c"
-#undef number
-
 #define swap_rows lu_swap_rows
 #include "lag/elimination/lu.c"
 #undef swap_rows
@@ -135,9 +131,7 @@
 #undef multiply
 #undef scale
 
-#define put_in_order rank_order_put_in_order
 #include "lag/equations/rank_order.c"
-#undef put_in_order
 
 #define find_excess system_find_excess
 #define least system_least
@@ -205,7 +199,9 @@
 #include "lag/linalg/svd.c"
 #undef MOST_SWEEPS
 
+#define place_of accuracy_place_of
 #include "lag/methods/accuracy.c"
+#undef place_of
 
 #define GROW dop853_GROW
 #define accept dop853_accept
@@ -238,11 +234,9 @@
 
 #define EXPLICIT radau_effort_EXPLICIT
 #define ITERATIONS radau_effort_ITERATIONS
-#define SWEEPS radau_effort_SWEEPS
 #include "lag/methods/radau_effort.c"
 #undef EXPLICIT
 #undef ITERATIONS
-#undef SWEEPS
 
 #define MOST radau_gmres_MOST
 #define STAGES radau_gmres_STAGES
@@ -260,17 +254,13 @@
 #undef iterate
 #undef prepare
 
-#define SWEEPS radau_systems_SWEEPS
 #define eliminate radau_systems_eliminate
 #define multiply radau_systems_multiply
-#define number radau_systems_number
-#define put_in_order radau_systems_put_in_order
+#define place_of radau_systems_place_of
 #include "lag/methods/radau_systems.c"
-#undef SWEEPS
 #undef eliminate
 #undef multiply
-#undef number
-#undef put_in_order
+#undef place_of
 
 #include "lag/methods/radau_tables.c"
 

@@ -11,6 +11,7 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
@@ -65,6 +66,8 @@
 #include "lag/sensitivities/run_sensitivities.c"
 
 #include "lag/sensitivities/sensitivities.c"
+
+#include "lag/sensitivities/sensitivity_collocation.c"
 
 #define place_of sensitivity_delays_place_of
 #define sample sensitivity_delays_sample

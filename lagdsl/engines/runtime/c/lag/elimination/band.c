@@ -6,27 +6,6 @@
 
 #include "lag/elimination/complex.h"
 
-lag_band lag_band_of(size_t n, const double *a, const double *order, double *place)
-{
-    lag_band band = {n, 0, 0};
-    for (size_t k = 0; k < n; ++k) {
-        place[(size_t)order[k]] = (double)k;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        const size_t row = (size_t)place[i];
-        for (size_t j = 0; j < n; ++j) {
-            if (a[i * n + j] != 0.0) {
-                const size_t column = (size_t)place[j];
-                const size_t below = row > column ? row - column : 0;
-                const size_t above = column > row ? column - row : 0;
-                band.lower = below > band.lower ? below : band.lower;
-                band.upper = above > band.upper ? above : band.upper;
-            }
-        }
-    }
-    return band;
-}
-
 double lag_band_operations(const lag_band *band)
 {
     return (double)band->n * (double)band->lower * (double)(band->lower + band->upper + 1);

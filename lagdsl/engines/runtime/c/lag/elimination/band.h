@@ -1,6 +1,6 @@
 /*
- * Square matrices whose nonzero entries lie near the diagonal once rows and columns are put into another order: the order, and
- * Gaussian elimination with partial pivoting within the band, real and complex.
+ * Square matrices whose nonzero entries lie near the diagonal: Gaussian elimination with partial pivoting within the band, real and
+ * complex.
  *
  * Row i of a matrix in a band holds the columns i - lower to i + lower + upper: exchanges of rows fill the last `lower` of them, which
  * are zero at first.
@@ -36,21 +36,6 @@ static inline size_t lag_band_end(const lag_band *band, size_t i)
 {
     return i + band->upper + 1 < band->n ? i + band->upper + 1 : band->n;
 }
-
-/* Doubles that lag_cuthill_mckee() works in. */
-size_t lag_cuthill_mckee_memory(size_t n);
-
-/*
- * The reverse order of Cuthill and McKee into `order` (n), row numbers as doubles, for the pattern of the nonzero entries of a (n, n) and
- * of its transpose. Every connected part begins at a row that is far from some other.
- *
- * Source: Cuthill and McKee, Reducing the bandwidth of sparse symmetric matrices, Proc. 24th Nat. Conf. ACM (1969) 157; reversed, and the
- * first row: George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), sections 4.2 and 4.3.
- */
-void lag_cuthill_mckee(size_t n, const double *a, double *order, double *memory);
-
-/* The band of a (n, n) in this order; place (n): that of each row. */
-lag_band lag_band_of(size_t n, const double *a, const double *order, double *place);
 
 /* Multiplications of the elimination in a band; those of a dense matrix are n^3 / 3. */
 double lag_band_operations(const lag_band *band);

@@ -45,6 +45,7 @@ typedef struct lag_motion {
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */
+    double *directions;  /* of models that tell where rates depend on what: groups of its columns, then the rates along these */
     lag_written written;
     double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
@@ -62,6 +63,9 @@ static inline size_t lag_motion_size(const lag_model *model)
 {
     return 2 * model->nq + model->nz;
 }
+
+/* The system that the methods see, of no motion yet. */
+lag_ode lag_motion_ode(const lag_model *model);
 
 /* Doubles for a motion. */
 size_t lag_motion_memory(const lag_model *model);

@@ -50,9 +50,9 @@ static double *place_dense(const lag_stepper *s)
     return s->work + (LAG_DOP853_SLOPES + 2) * s->ode->size;
 }
 
-static size_t memory_of_dop853(size_t size)
+static size_t memory_of_dop853(const lag_ode *ode)
 {
-    return (LAG_DOP853_SLOPES + 2 + LAG_DOP853_TERMS) * size;
+    return (LAG_DOP853_SLOPES + 2 + LAG_DOP853_TERMS) * ode->size;
 }
 
 /* ---- attempts ---- */

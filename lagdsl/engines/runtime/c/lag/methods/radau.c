@@ -22,6 +22,11 @@ static const double ACCURATE[LAG_RADAU_TABLES] = {0.0, 1e5, 1e9};
 /* It goes down where Newton's method contracts by this while the length of steps stays within these bounds, or fails. */
 static const double LOWER = 0.8;
 static const double STEADY[2] = {0.8, 1.2};
+/*
+ * The error between the ends is not looked at, for UNSEEN steps in a row, where the last look saw less than one part of LITTLE of the error at the end,
+ * foretells less than that of the tolerance, and what it foretells from has not grown by more than LITTLE.
+ */
+enum { UNSEEN = 4, LITTLE = 10 };
 /* After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them. */
 static const double BELOW = 0.8;
 static const double RECEDE = 1.03;
@@ -39,13 +44,8 @@ static void begin_radau(lag_stepper *s)
         .trust = 1.0,
         .fresh = found.fresh,
         .usable = found.usable,
-        .placed = found.placed,
-        .ordered = found.ordered,
-        .lower = found.lower,
-        .upper = found.upper,
-        .entries = found.entries,
-        .banded = found.banded,
     };
+    lag_radau_keep_band(memo, s->ode);
 }
 
 /* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
@@ -159,6 +159,24 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
     return s->method->factor * lag_stepper_norm(s, at->error);
 }
 
+/*
+ * The error of a step whose end has this one: that between its ends counts, too. A look costs an evaluation, and only few motions need it. The
+ * polynomial of the step before, continued, misses the stages by as high a power of the length: by their ratio the miss foretells what a look would see.
+ */
+static double error_along(lag_stepper *s, const lag_radau_places *at, double h, const lag_radau_outcome *solved, double error)
+{
+    lag_radau_memo *memo = at->memo;
+    const double seen = fmax(memo->within, 1.0 / (LITTLE * LITTLE));
+    if (memo->missed > 0.0 && memo->unseen < UNSEEN && LITTLE * seen * solved->missed < memo->missed) {
+        memo->unseen += 1.0;
+        return error;
+    }
+    memo->within = error_within(s, at, h);
+    memo->missed = LITTLE * memo->within < error ? solved->missed : 0.0;
+    memo->unseen = 0.0;
+    return fmax(error, memo->within);
+}
+
 /* Gustafsson's prediction from two errors, (8.25). */
 static double factor_of(const lag_stepper *s, unsigned stages, double h, double error)
 {
@@ -221,7 +239,7 @@ static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_r
     } else {
         return;
     }
-    memo->age = memo->decomposed = 0.0;
+    memo->age = memo->decomposed = memo->missed = 0.0;
     memo->trust = 1.0;
     s->last.error = 0.0;
 }
@@ -245,7 +263,7 @@ static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h,
 {
     const lag_status status = lag_radau_solve(s, at, h, predict, solved);
     *error = status == LAG_OK && solved->converged ? error_of(s, at, h, again) : (double)INFINITY;
-    *error = *error < 1.0 ? fmax(*error, error_within(s, at, h)) : *error;
+    *error = *error < 1.0 ? error_along(s, at, h, solved, *error) : *error;
     return status;
 }
 

@@ -47,33 +47,60 @@ typedef struct lag_radau_memo {
     double ahead;      /* length of step along which it changes by `change`, 0: not known */
     double before;     /* length of the step that `trend` is from, 0: none */
     double wall;       /* stage equations of a step so long could not be solved, 0: none such */
-    double placed;     /* 1: the order of the states is that for the Jacobian at hand */
-    double ordered;    /* 1: there is an order, with this band; */
-    double lower, upper;
-    double entries;    /* so many of the Jacobian are not zero */
-    double banded;     /* and matrices are decomposed in it */
+    double placed;     /* 1: `middle` is that of the Jacobian at hand */
+    double lower, upper; /* band of the matrices, in the order of lag_ode.patterns, */
+    double banded;     /* 1: they are decomposed in it; 0: they are dense */
+    double within;     /* error between the ends of the step that was looked at last, as a part of the tolerance, */
+    double missed;     /* by how much its stages were missed by their first guess, 0: nothing is known, */
+    double unseen;     /* and how many there were since */
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
 
-/* Arrays of a method; n: size of the state. */
+/* Arrays of a method; n: size of the state, m: numbers of it that are not coordinates, entries: those of the Jacobian that are kept. */
 typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
-    double *jacobian;               /* (n, n) */
-    double *rows;                   /* (2, n, n) its entries in the order of the matrices */
-    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed, where that pays in a band, without coordinates */
+    double *jacobian;               /* (entries) */
+    double *middle;                 /* (entries) what is decomposed: the Jacobian at the start of the step, or at its middle */
+    double *real, *complex;         /* (m, width), (pairs, m, width, 2): decomposed, without coordinates; width: that of the band, or m */
     double *pivots;                 /* (1 + pairs, n) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
-    double *order;                  /* (3, n) what the matrices are of, in the order of the band, the places in it, and a vector */
-    double *change;                 /* (n, n) of the Jacobian along the step */
-    double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
-    double *trend;                  /* (n, n) its change along the step before, by time */
+    double *reduced;                /* (n) right side without coordinates */
+    double *change;                 /* (entries) of the Jacobian along the step */
+    double *bend;                   /* (entries) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
+    double *trend;                  /* (entries) its change along the step before, by time */
     double *basis;                  /* (LAG_RADAU_KRYLOV + 2, stages, n) */
 } lag_radau_places;
 
-size_t lag_radau_memory(size_t size);
+/* Entries of the Jacobian that are kept: those that can be nonzero, or all. */
+static inline size_t lag_radau_entries(const lag_ode *ode)
+{
+    const lag_pattern *pattern = lag_ode_pattern(ode);
+    return pattern != NULL ? pattern->count : ode->size * ode->size;
+}
+
+/* A row behind those of the coordinates has entries from `first` to before `end`, in these columns; null: in all of them. */
+typedef struct lag_radau_row {
+    size_t first, end;
+    const size_t *column;
+} lag_radau_row;
+
+static inline lag_radau_row lag_radau_row_of(const lag_ode *ode, size_t i)
+{
+    const lag_pattern *pattern = lag_ode_pattern(ode);
+    const size_t first = (ode->nq + i) * ode->size;
+    return pattern != NULL ? (lag_radau_row){pattern->first[i], pattern->first[i + 1], pattern->column}
+                           : (lag_radau_row){first, first + ode->size, NULL};
+}
+
+/* The band of the matrices; one as wide as they are where it does not pay. */
+lag_band lag_radau_band_of(const lag_ode *ode);
+/* Lets the memo know it. */
+void lag_radau_keep_band(lag_radau_memo *memo, const lag_ode *ode);
+
+size_t lag_radau_memory(const lag_ode *ode);
 /* Behind what the explicit method works in, which may be at work while matrices of this one are looked at; written before places are asked for. */
 lag_radau_memo *lag_radau_remembered(const lag_stepper *s);
 lag_radau_places lag_radau_place(const lag_stepper *s);
@@ -84,6 +111,7 @@ typedef struct lag_radau_outcome {
     unsigned iterations;
     double rate;   /* of contraction in the last iteration; 0: there was only one */
     double smooth; /* geometric mean of the last two rates */
+    double missed; /* how far the first guess was off, as the first iteration says it, as a part of the tolerance */
 } lag_radau_outcome;
 
 unsigned lag_radau_iterations(unsigned stages); /* at most */
@@ -103,8 +131,18 @@ static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places
     return (lag_band){lag_radau_others(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
 }
 
-/* The entries of the Jacobian at hand in the order of the matrices, and that order. */
-void lag_radau_order(const lag_ode *ode, const lag_radau_places *at);
+/* Doubles of a real matrix. */
+static inline size_t lag_radau_matrix(const lag_ode *ode, const lag_radau_memo *memo)
+{
+    const size_t m = lag_radau_others(ode);
+    return m * (memo->banded != 0.0 ? (size_t)(2.0 * memo->lower + memo->upper) + 1 : m);
+}
+
+/* The Jacobian at a state: the entries that are kept. */
+static inline lag_status lag_radau_jacobian(const lag_ode *ode, double t, const double *x, double *jacobian)
+{
+    return lag_ode_pattern(ode) != NULL ? ode->entries(ode->context, t, x, jacobian) : ode->jacobian(ode->context, t, x, jacobian);
+}
 
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
 lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, double h);
@@ -135,6 +173,12 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
  * changes along it, to a small part of itself.
  */
 void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x);
+
+/*
+ * The slopes of the stages, in `slope`, become one correction of their w by Newton's method with what is decomposed; its size as a part of the
+ * tolerances.
+ */
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h);
 
 /*
  * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new

@@ -3,7 +3,7 @@
 
 #include "lag/methods/radau.h"
 
-/* Sweeps over all entries to find the order and to fill the matrices, as if they were multiplications. */
+/* Sweeps over all entries to keep them and to fill the matrices, as if they were multiplications. */
 enum { SWEEPS = 2 };
 /* Directions that are followed at once. */
 enum { AT_ONCE = 4 };
@@ -17,17 +17,11 @@ enum { WAITS = 4 };
 /* Decompositions of the first steps, while their length grows; iterations of a step, commonly. */
 enum { FEW = 5, ITERATIONS = 2 };
 
-/* Entries of the Jacobian at hand that are not zero: there are at least so many multiplications in an evaluation of the rates. */
-static double entries_of(const lag_ode *ode, const lag_radau_places *at)
+/* Entries of the Jacobian: there are at least so many multiplications in an evaluation of the rates. */
+static double entries_of(const lag_ode *ode)
 {
-    double count = at->memo->entries;
-    if (at->memo->ordered == 0.0 && at->memo->usable != 0.0) {
-        count = 0.0;
-        for (size_t i = 0; i < ode->size * ode->size; ++i) {
-            count += at->jacobian[i] != 0.0 ? 1.0 : 0.0;
-        }
-    }
-    return fmax(count, 1.0);
+    const lag_pattern *pattern = lag_ode_pattern(ode);
+    return fmax((double)(ode->nq + (pattern != NULL ? pattern->count : lag_radau_others(ode) * ode->size)), 1.0);
 }
 
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
@@ -42,9 +36,9 @@ double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
     const double decomposition = banded ? lag_band_operations(&band) : m * m * m / 3.0;
     const double of_coordinates = s->ode->nq > 0 ? (double)(band.lower + band.upper + 1) : 0.0;
     const double solution = m * (banded ? (double)lag_band_width(&band) + of_coordinates : n);
-    const double evaluation = entries_of(s->ode, &at);
+    const double evaluation = entries_of(s->ode);
     const double implicit = evaluation + (IMPLICIT + OF_STAGES * stages) * n + WAITS * matrices * solution / stages;
-    const double jacobian = evaluation * n / AT_ONCE + SWEEPS * n * n;
+    const double jacobian = evaluation * (double)lag_pattern_directions(s->ode->patterns, s->ode->size) / AT_ONCE + SWEEPS * evaluation;
     const double all = (double)done->evaluations * implicit + (double)done->decompositions * matrices * decomposition +
         (double)done->jacobians * jacobian;
     return all / (evaluation + EXPLICIT * n);
@@ -55,13 +49,13 @@ double lag_radau_trial(lag_stepper *s, size_t steps)
     const size_t evaluations = steps * (ITERATIONS * lag_radau_tables[0].stages + 1);
     const lag_step_counts few = {.jacobians = 1, .decompositions = FEW, .evaluations = evaluations};
     *lag_radau_remembered(s) = (lag_radau_memo){.level = 0.0};
+    lag_radau_keep_band(lag_radau_remembered(s), s->ode);
     const lag_radau_places at = lag_radau_place(s);
     s->looked = 0;
     ++s->counts.jacobians;
-    if (s->ode->jacobian(s->ode->context, s->t, s->x, at.jacobian) != LAG_OK) {
+    if (lag_radau_jacobian(s->ode, s->t, s->x, at.jacobian) != LAG_OK) {
         return (double)INFINITY;
     }
-    lag_radau_order(s->ode, &at);
     at.memo->fresh = at.memo->usable = 1.0;
     s->looked = 1;
     return lag_radau_effort(s, &few);

@@ -24,27 +24,32 @@ enum { TURNING = 50 };
 
 enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_radau_memo) / sizeof(double) };
 
-size_t lag_radau_memory(size_t size)
+size_t lag_radau_memory(const lag_ode *ode)
 {
-    return lag_dop853.memory(size) + MEMO + (7 + 2 * PAIRS) * size * size + (6 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+    const size_t vectors = 1 + PAIRS + 3 + (5 + LAG_RADAU_KRYLOV + 2) * STAGES;
+    lag_radau_memo memo;
+    lag_radau_keep_band(&memo, ode);
+    return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (1 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) + vectors * ode->size;
 }
 
 lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
 {
-    return (lag_radau_memo *)(void *)(s->work + lag_dop853.memory(s->ode->size));
+    return (lag_radau_memo *)(void *)(s->work + lag_dop853.memory(s->ode));
 }
 
 lag_radau_places lag_radau_place(const lag_stepper *s)
 {
     const size_t n = s->ode->size;
+    const size_t entries = lag_radau_entries(s->ode);
     lag_radau_places at;
     at.memo = lag_radau_remembered(s);
+    const size_t matrix = lag_radau_matrix(s->ode, at.memo);
     at.table = &lag_radau_tables[(size_t)at.memo->level];
     at.jacobian = (double *)(void *)at.memo + MEMO;
-    at.rows = at.jacobian + n * n;
-    at.real = at.rows + 2 * n * n;
-    at.complex = at.real + n * n;
-    at.pivots = at.complex + 2 * PAIRS * n * n;
+    at.middle = at.jacobian + entries;
+    at.real = at.middle + entries;
+    at.complex = at.real + matrix;
+    at.pivots = at.complex + 2 * PAIRS * matrix;
     at.z = at.pivots + (1 + PAIRS) * n;
     at.w = at.z + STAGES * n;
     at.slope = at.w + STAGES * n;
@@ -52,11 +57,11 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.right = at.dense + STAGES * n;
     at.point = at.right + STAGES * n;
     at.error = at.point + n;
-    at.order = at.error + n;
-    at.change = at.order + 3 * n;
-    at.bend = at.change + n * n;
-    at.trend = at.bend + n * n;
-    at.basis = at.trend + n * n;
+    at.reduced = at.error + n;
+    at.change = at.reduced + n;
+    at.bend = at.change + entries;
+    at.trend = at.bend + entries;
+    at.basis = at.trend + entries;
     return at;
 }
 
@@ -68,7 +73,7 @@ unsigned lag_radau_iterations(unsigned stages)
 static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, double t, const double *x, double *matrix)
 {
     ++s->counts.jacobians;
-    const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
+    const lag_status status = lag_radau_jacobian(s->ode, t, x, matrix);
     at->memo->decomposed = at->memo->placed = 0.0;
     if (status != LAG_OK) {
         s->trouble.status = status;
@@ -87,7 +92,7 @@ static void take_change(lag_stepper *s, const lag_radau_places *at, double h)
         at->point[i] = s->x[i] + at->z[(at->table->stages - 1) * n + i];
     }
     const int known = take_jacobian(s, at, s->t + h, at->point, at->change) == LAG_OK;
-    for (size_t i = 0; i < n * n; ++i) {
+    for (size_t i = 0; i < lag_radau_entries(s->ode); ++i) {
         at->change[i] = known ? at->change[i] - at->jacobian[i] : 0.0;
         at->bend[i] = before > 0.0 ? (at->change[i] - h * at->trend[i]) * (h / (h + before)) : 0.0;
     }
@@ -95,9 +100,9 @@ static void take_change(lag_stepper *s, const lag_radau_places *at, double h)
 }
 
 /* The same along a part of that step. */
-static void cut_change(size_t n, const lag_radau_places *at, double part)
+static void cut_change(size_t entries, const lag_radau_places *at, double part)
 {
-    for (size_t i = 0; i < n * n; ++i) {
+    for (size_t i = 0; i < entries; ++i) {
         at->change[i] = part * (at->change[i] + (part - 1.0) * at->bend[i]);
         at->bend[i] *= part * part;
     }
@@ -118,7 +123,7 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
     if (status == LAG_OK && memo->turning > 0.0 && memo->ahead == 0.0) {
         take_change(s, at, h);
     } else if (memo->turning > 0.0 && memo->ahead != h) {
-        cut_change(s->ode->size, at, h / memo->ahead);
+        cut_change(lag_radau_entries(s->ode), at, h / memo->ahead);
         memo->ahead = h;
     }
     return status;
@@ -126,13 +131,12 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
 
 void lag_radau_transform(size_t n, size_t stages, const double matrix[STAGES][STAGES], const double *in, double *out)
 {
+    memset(out, 0, stages * n * sizeof(double));
     for (size_t k = 0; k < stages; ++k) {
-        for (size_t i = 0; i < n; ++i) {
-            double sum = 0.0;
-            for (size_t j = 0; j < stages; ++j) {
-                sum += matrix[k][j] * in[j * n + i];
+        for (size_t j = 0; j < stages; ++j) {
+            for (size_t i = 0; i < n; ++i) {
+                out[k * n + i] += matrix[k][j] * in[j * n + i];
             }
-            out[k * n + i] = sum;
         }
     }
 }
@@ -184,8 +188,7 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
     return sum;
 }
 
-/* The slopes of the stages become one correction of w by Newton's method; its size as a part of the tolerances. */
-static double correction(const lag_stepper *s, const lag_radau_places *at, double h)
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h)
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
@@ -203,7 +206,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
     const unsigned most = lag_radau_iterations(at->table->stages);
-    lag_radau_outcome result = {0, 0, 0.0, 1.0};
+    lag_radau_outcome result = {.smooth = 1.0};
     double before = 0.0;
     double trust = pow(fmax(at->memo->trust, 1e-16), 0.8);
     lag_radau_transform(n, stages, at->table->inverse, at->z, at->w);
@@ -212,8 +215,9 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         if (stage_slopes(s, at, h) != LAG_OK) {
             return result;
         }
-        const double size = correction(s, at, h);
+        const double size = lag_radau_correction(s, at, h);
         const double rate = before > 0.0 ? size / before : 0.0;
+        result.missed = k == 0 ? size : result.missed;
         const double remaining = pow(rate, (double)(most - k)) / (1.0 - rate) * size;
         if (!isfinite(size) || (before > 0.0 && (rate >= 1.0 || remaining > NEWTON_TOLERANCE))) {
             return result;
@@ -239,7 +243,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
 lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome)
 {
-    *outcome = (lag_radau_outcome){0, 0, 0.0, 1.0};
+    *outcome = (lag_radau_outcome){.smooth = 1.0};
     for (;;) {
         guess(s, at, h);
         const lag_status status = prepare(s, at, h);
@@ -258,12 +262,11 @@ lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
 
 void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *outcome)
 {
-    const size_t n = s->ode->size;
     lag_radau_memo *memo = at->memo;
     memo->fresh = 0.0;
     memo->before = 0.0;
     if (memo->turning > 0.0) {
-        for (size_t i = 0; i < n * n; ++i) {
+        for (size_t i = 0; i < lag_radau_entries(s->ode); ++i) {
             at->jacobian[i] += at->change[i];
             at->trend[i] = at->change[i] / memo->ahead;
         }

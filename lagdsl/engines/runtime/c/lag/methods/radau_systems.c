@@ -1,7 +1,6 @@
 /*
  * The linear systems of a Radau method: decomposed, and solved, as dense matrices or in the band that an order of the states leaves
- * (lag/elimination/band.h). The order is that of the entries that are not zero in the Jacobian at hand, so that nothing outside of the band
- * is left out.
+ * (lag/elimination/band.h). The order is that of the entries that can be nonzero, which the model tells.
  *
  * Coordinates are eliminated first: their equations, shift q - v = a, need no matrix. With the Jacobian of the others by themselves, B, and by
  * coordinates, A, there remains (shift I - B - A / shift) v = b + A a / shift, of half as many numbers where all are coordinates and rates.
@@ -17,109 +16,50 @@
 
 /* A band has to save so much of the multiplications of a dense elimination: its inner loops are short. */
 enum { WORTH_A_BAND = 4 };
-/* Sweeps over all entries to find the order and to fill the band, as if they were multiplications. */
-enum { SWEEPS = 2 };
+
 /* True if elimination in the band is so much shorter. */
 static int pays(const lag_band *band)
 {
     const double m = (double)band->n;
-    return lag_band_width(band) <= band->n && WORTH_A_BAND * (lag_band_operations(band) + SWEEPS * m * m) <= m * m * m / 3.0;
+    return lag_band_width(band) <= band->n && WORTH_A_BAND * lag_band_operations(band) <= m * m * m / 3.0;
 }
 
-/* Entry i of the Jacobian that is decomposed: at the start of the step, or at its middle. */
-static double entry(const lag_radau_places *at, size_t i)
+/* Of the matrices, the row or column of this one of the rates and states, */
+static size_t place_of(const lag_ode *ode, const lag_radau_memo *memo, size_t i)
 {
-    return at->memo->turning > 0.0 ? at->jacobian[i] + 0.5 * at->change[i] - 0.25 * at->bend[i] : at->jacobian[i];
+    return memo->banded != 0.0 ? ode->patterns->place[i] : i;
 }
 
-/* True if the Jacobian, or one that changes along the step, has entry i. */
-static int is_entry(const lag_radau_places *at, size_t i)
+/* and that of a column of the Jacobian: columns of coordinates come under those of their rates. */
+static size_t column_of(const lag_ode *ode, size_t column)
 {
-    return at->jacobian[i] != 0.0 || (at->memo->turning > 0.0 && (at->change[i] != 0.0 || at->bend[i] != 0.0));
+    return column < ode->nq ? column : column - ode->nq;
 }
 
-/* 1 where the matrices may have an entry. */
-static void find_pattern(const lag_ode *ode, const lag_radau_places *at, double *pattern)
-{
-    const size_t m = lag_radau_others(ode);
-    size_t count = ode->nq;
-    for (size_t i = 0; i < m; ++i) {
-        const size_t row = (ode->nq + i) * ode->size;
-        for (size_t j = 0; j < m; ++j) {
-            const int of_rates = is_entry(at, row + ode->nq + j);
-            const int of_coordinates = j < ode->nq && is_entry(at, row + j);
-            pattern[i * m + j] = of_rates || of_coordinates ? 1.0 : 0.0;
-            count += (size_t)of_rates + (size_t)of_coordinates;
-        }
-    }
-    at->memo->entries = (double)count;
-}
-
-static void keep_band(const lag_band *band, const lag_radau_places *at)
-{
-    at->memo->lower = (double)band->lower;
-    at->memo->upper = (double)band->upper;
-    at->memo->banded = pays(band) ? 1.0 : 0.0;
-}
-
-/* The order for the Jacobian at hand: the one before, unless the band in it is wider than it was. */
-static void find_order(const lag_ode *ode, const lag_radau_places *at)
+lag_band lag_radau_band_of(const lag_ode *ode)
 {
     const size_t m = lag_radau_others(ode);
-    lag_radau_memo *memo = at->memo;
-    double *place = at->order + m;
-    const lag_band diagonal = {m, 0, 0};
-    const int first = memo->ordered == 0.0;
-    memo->entries = (double)(ode->size * ode->size);
-    if (pays(&diagonal)) {
-        find_pattern(ode, at, at->real);
-        lag_band band = first ? diagonal : lag_band_of(m, at->real, at->order, place);
-        if (first || band.lower > (size_t)memo->lower || band.upper > (size_t)memo->upper) {
-            lag_cuthill_mckee(m, at->real, at->order, at->complex);
-            band = lag_band_of(m, at->real, at->order, place);
-            keep_band(&band, at);
+    const lag_pattern *pattern = lag_ode_pattern(ode);
+    lag_band band = {m, 0, 0};
+    for (size_t i = 0; i < m && pattern != NULL; ++i) {
+        const size_t row = ode->patterns->place[i];
+        for (size_t k = pattern->first[i]; k < pattern->first[i + 1]; ++k) {
+            const size_t column = ode->patterns->place[column_of(ode, pattern->column[k])];
+            const size_t below = row > column ? row - column : 0;
+            const size_t above = column > row ? column - row : 0;
+            band.lower = below > band.lower ? below : band.lower;
+            band.upper = above > band.upper ? above : band.upper;
         }
-        memo->ordered = 1.0;
     }
-    for (size_t i = 0; i < m && memo->banded == 0.0; ++i) {
-        at->order[i] = (double)i;
-    }
+    return pattern != NULL && pays(&band) ? band : (lag_band){m, m, m};
 }
 
-/* A row of the matrices, by the Jacobian: [first] to before [end] of `rates`, and of `coordinates`. */
-typedef struct band_row {
-    size_t first, end, end_of_coordinates;
-    double *rates, *coordinates;
-} band_row;
-
-static band_row row_of(const lag_ode *ode, const lag_radau_places *at, size_t i)
+void lag_radau_keep_band(lag_radau_memo *memo, const lag_ode *ode)
 {
-    const lag_band band = lag_radau_band(ode, at);
-    const size_t m = band.n;
-    const size_t span = band.lower + band.upper + 1;
-    const size_t first = lag_band_first(&band, i);
-    const size_t end = lag_band_end(&band, i);
-    if (at->memo->banded == 0.0) {
-        return (band_row){0, m, ode->nq, at->rows + i * m, at->rows + m * m + i * ode->nq};
-    }
-    double *rates = at->rows + band.lower + i * (span - 1);
-    return (band_row){first, end, ode->nq > 0 ? end : first, rates, rates + m * span};
-}
-
-/* The Jacobian, in the order of the matrices. */
-static void put_in_order(const lag_ode *ode, const lag_radau_places *at)
-{
-    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-        const band_row to = row_of(ode, at, i);
-        const size_t from = (ode->nq + (size_t)at->order[i]) * ode->size;
-        for (size_t j = to.first; j < to.end; ++j) {
-            to.rates[j] = entry(at, from + ode->nq + (size_t)at->order[j]);
-        }
-        for (size_t j = to.first; j < to.end_of_coordinates; ++j) {
-            const size_t coordinate = (size_t)at->order[j];
-            to.coordinates[j] = coordinate < ode->nq ? entry(at, from + coordinate) : 0.0;
-        }
-    }
+    const lag_band band = lag_radau_band_of(ode);
+    memo->lower = (double)band.lower;
+    memo->upper = (double)band.upper;
+    memo->banded = band.lower < band.n ? 1.0 : 0.0;
 }
 
 /* A number of one or two parts. */
@@ -152,38 +92,35 @@ static void fill(const lag_ode *ode, const lag_radau_places *at, const number *s
     const number inverse = inverse_of(shift);
     const size_t parts = shift->parts;
     for (size_t i = 0; i < band.n; ++i) {
-        const band_row from = row_of(ode, at, i);
-        const size_t begin = at->memo->banded != 0.0 ? band.lower + i * (lag_band_width(&band) - 1) : i * band.n;
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        const size_t place = place_of(ode, at->memo, i);
+        const size_t begin = at->memo->banded != 0.0 ? band.lower + place * (lag_band_width(&band) - 1) : place * band.n;
         double *to = matrix + parts * begin;
-        for (size_t j = from.first; j < from.end; ++j) {
-            to[parts * j] = -from.rates[j];
+        for (size_t k = row.first; k < row.end; ++k) {
+            const size_t column = row.column != NULL ? row.column[k] : k - row.first;
+            double *entry = to + parts * place_of(ode, at->memo, column_of(ode, column));
+            const int is_rate = column >= ode->nq;
+            entry[0] -= is_rate ? at->middle[k] : inverse.value[0] * at->middle[k];
+            if (parts == 2 && !is_rate) {
+                entry[1] -= inverse.value[1] * at->middle[k];
+            }
         }
         for (size_t part = 0; part < parts; ++part) {
-            for (size_t j = from.first; j < from.end_of_coordinates; ++j) {
-                to[parts * j + part] -= inverse.value[part] * from.coordinates[j];
-            }
-            to[parts * i + part] += shift->value[part];
+            to[parts * place + part] += shift->value[part];
         }
     }
 }
 
-/* Doubles of a matrix of so many parts. */
-static size_t numbers(const lag_ode *ode, const lag_radau_places *at, size_t parts)
-{
-    const lag_band band = lag_radau_band(ode, at);
-    return parts * band.n * (at->memo->banded != 0.0 ? lag_band_width(&band) : band.n);
-}
-
 static double *matrix_of_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair)
 {
-    return at->complex + 2 * ode->size * ode->size * pair;
+    return at->complex + 2 * lag_radau_matrix(ode, at->memo) * pair;
 }
 
 static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double h)
 {
     const lag_band band = lag_radau_band(ode, at);
     const number shift = real_shift(at, h);
-    memset(at->real, 0, numbers(ode, at, 1) * sizeof(double));
+    memset(at->real, 0, lag_radau_matrix(ode, at->memo) * sizeof(double));
     fill(ode, at, &shift, at->real);
     return at->memo->banded != 0.0 ? lag_band_lu(&band, at->real, at->pivots) : lag_lu(band.n, at->real, at->pivots);
 }
@@ -194,15 +131,19 @@ static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t
     const number shift = pair_shift(at, pair, h);
     double *matrix = matrix_of_pair(ode, at, pair);
     double *pivots = at->pivots + (1 + pair) * ode->size;
-    memset(matrix, 0, numbers(ode, at, 2) * sizeof(double));
+    memset(matrix, 0, 2 * lag_radau_matrix(ode, at->memo) * sizeof(double));
     fill(ode, at, &shift, matrix);
     return at->memo->banded != 0.0 ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
 }
 
-void lag_radau_order(const lag_ode *ode, const lag_radau_places *at)
+/* The Jacobian that is decomposed: at the start of the step, or at its middle. */
+static void find_middle(const lag_ode *ode, const lag_radau_places *at)
 {
-    find_order(ode, at);
-    put_in_order(ode, at);
+    const size_t count = lag_radau_entries(ode);
+    memcpy(at->middle, at->jacobian, count * sizeof(double));
+    for (size_t k = 0; k < count && at->memo->turning > 0.0; ++k) {
+        at->middle[k] += 0.5 * at->change[k] - 0.25 * at->bend[k];
+    }
     at->memo->placed = 1.0;
 }
 
@@ -214,7 +155,7 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
     }
     ++s->counts.decompositions;
     if (at->memo->placed == 0.0) {
-        lag_radau_order(ode, at);
+        find_middle(ode, at);
     }
     int regular = decompose_real(ode, at, h);
     for (size_t pair = 0; 2 * pair + 1 < at->table->stages && regular; ++pair) {
@@ -237,44 +178,39 @@ static void multiply(size_t count, size_t apart, const number *a, double *x)
     }
 }
 
-/* Coordinates of x (parts, n) give this to the right side; the other numbers of x are lost. */
-static void add_coordinates(const lag_ode *ode, const lag_radau_places *at, const number *inverse, double *x, double *right)
+/* The entries of a row in columns of coordinates times what is there. */
+static double of_coordinates(const lag_ode *ode, const lag_radau_row *row, const double *entry, const double *x)
 {
-    const size_t n = ode->size;
-    const size_t m = lag_radau_others(ode);
-    for (size_t k = 0; k < inverse->parts * m; ++k) {
-        const size_t i = k % m;
-        const size_t coordinate = (size_t)at->order[i];
-        x[k / m * n + ode->nq + i] = coordinate < ode->nq ? x[k / m * n + coordinate] : 0.0;
+    double sum = 0.0;
+    for (size_t j = 0; j < ode->nq && row->column == NULL; ++j) {
+        sum += entry[row->first + j] * x[j];
     }
-    multiply(m, n, inverse, x + ode->nq);
-    for (size_t i = 0; i < m; ++i) {
-        const band_row of = row_of(ode, at, i);
-        for (size_t part = 0; part < inverse->parts; ++part) {
-            const double *ordered = x + part * n + ode->nq;
-            double sum = 0.0;
-            for (size_t j = of.first; j < of.end_of_coordinates; ++j) {
-                sum += of.coordinates[j] * ordered[j];
-            }
-            right[inverse->parts * i + part] += sum;
-        }
+    for (size_t k = row->first; row->column != NULL && k < row->end && row->column[k] < ode->nq; ++k) {
+        sum += entry[k] * x[row->column[k]];
     }
+    return sum;
 }
 
 /* The right side of the equations without coordinates, `right` (others, parts), of x (parts, n), which keeps its coordinates only. */
 static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x, double *right)
 {
+    const size_t n = ode->size;
     const size_t parts = shift->parts;
-    const size_t m = lag_radau_others(ode);
+    const number inverse = inverse_of(shift);
     for (size_t part = 0; part < parts; ++part) {
-        const double *from = x + part * ode->size + ode->nq;
-        for (size_t i = 0; i < m; ++i) {
-            right[parts * i + part] = from[(size_t)at->order[i]];
+        double *others = x + part * n + ode->nq;
+        for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+            right[parts * place_of(ode, at->memo, i) + part] = others[i];
         }
+        memcpy(others, x + part * n, ode->nq * sizeof(double));
     }
-    if (ode->nq > 0) {
-        const number inverse = inverse_of(shift);
-        add_coordinates(ode, at, &inverse, x, right);
+    multiply(ode->nq, n, &inverse, x + ode->nq);
+    for (size_t i = 0; i < lag_radau_others(ode) && ode->nq > 0; ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        const size_t place = place_of(ode, at->memo, i);
+        for (size_t part = 0; part < parts; ++part) {
+            right[parts * place + part] += of_coordinates(ode, &row, at->middle, x + part * n + ode->nq);
+        }
     }
 }
 
@@ -283,28 +219,25 @@ static void substitute(const lag_ode *ode, const lag_radau_places *at, const num
 {
     const size_t n = ode->size;
     const size_t parts = shift->parts;
-    const size_t m = lag_radau_others(ode);
+    const number inverse = inverse_of(shift);
     for (size_t part = 0; part < parts; ++part) {
         double *coordinates = x + part * n;
         double *to = coordinates + ode->nq;
-        for (size_t i = 0; i < m; ++i) {
-            to[(size_t)at->order[i]] = right[parts * i + part];
+        for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+            to[i] = right[parts * place_of(ode, at->memo, i) + part];
         }
         for (size_t i = 0; i < ode->nq; ++i) {
             coordinates[i] += to[i];
         }
     }
-    if (ode->nq > 0) {
-        const number inverse = inverse_of(shift);
-        multiply(ode->nq, n, &inverse, x);
-    }
+    multiply(ode->nq, n, &inverse, x);
 }
 
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
 {
     const lag_band band = lag_radau_band(ode, at);
     const number shift = real_shift(at, at->memo->decomposed);
-    double *right = at->order + 2 * ode->size;
+    double *right = at->reduced;
     eliminate(ode, at, &shift, x, right);
     if (at->memo->banded != 0.0) {
         lag_band_solve(&band, at->real, at->pivots, right);
@@ -340,23 +273,13 @@ void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double
 
 void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out)
 {
-    const lag_band band = lag_radau_band(ode, at);
-    const int banded = at->memo->banded != 0.0;
     memset(out, 0, ode->nq * sizeof(double));
-    for (size_t i = 0; i < band.n; ++i) {
-        const size_t row = ode->nq + (banded ? (size_t)at->order[i] : i);
-        const double *change = at->change + row * ode->size;
-        const double *bend = at->bend + row * ode->size;
+    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
         double sum = 0.0;
-        for (size_t j = 0; j < ode->size && !banded; ++j) {
-            sum += (change[j] + part * bend[j]) * x[j];
+        for (size_t k = row.first; k < row.end; ++k) {
+            sum += (at->change[k] + part * at->bend[k]) * x[row.column == NULL ? k - row.first : row.column[k]];
         }
-        for (size_t j = lag_band_first(&band, i); j < lag_band_end(&band, i) && banded; ++j) {
-            const size_t column = (size_t)at->order[j];
-            const size_t rate = ode->nq + column;
-            sum += (change[rate] + part * bend[rate]) * x[rate];
-            sum += column < ode->nq ? (change[column] + part * bend[column]) * x[column] : 0.0;
-        }
-        out[row] = part * sum;
+        out[ode->nq + i] = part * sum;
     }
 }

@@ -8,13 +8,13 @@
 #include "lag/linalg/order.h"
 #include "lag/linalg/vector.h"
 
-size_t lag_stepper_memory(size_t size)
+size_t lag_stepper_memory(const lag_ode *ode)
 {
-    const size_t explicit_work = lag_dop853.memory(size);
-    const size_t implicit_work = lag_radau.memory(size);
-    const size_t fixed_work = lag_steps_rk4.memory(size);
+    const size_t explicit_work = lag_dop853.memory(ode);
+    const size_t implicit_work = lag_radau.memory(ode);
+    const size_t fixed_work = lag_steps_rk4.memory(ode);
     const size_t work = explicit_work > implicit_work ? explicit_work : implicit_work;
-    return 6 * size + (work > fixed_work ? work : fixed_work);
+    return 6 * ode->size + (work > fixed_work ? work : fixed_work);
 }
 
 void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)

@@ -27,9 +27,9 @@ static places place(const lag_stepper *s)
     return at;
 }
 
-static size_t memory_of_fixed(size_t size)
+static size_t memory_of_fixed(const lag_ode *ode)
 {
-    return 3 + 2 * size + lag_fixed_memory(size);
+    return 3 + 2 * ode->size + lag_fixed_memory(ode->size);
 }
 
 static void begin_fixed(lag_stepper *s)
@@ -67,7 +67,7 @@ static lag_status jacobian_fixed(void *context, double t, const double *x, doubl
 static lag_status step_fixed(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
-    const lag_ode ode = {s->ode->size, s->ode->nq, s, rates, jacobian_fixed};
+    const lag_ode ode = {.size = s->ode->size, .nq = s->ode->nq, .context = s, .rates = rates, .jacobian = jacobian_fixed};
     double end = *at.start + *at.first + *at.count * s->h_fixed;
     if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;

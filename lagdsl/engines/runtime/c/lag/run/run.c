@@ -17,7 +17,8 @@ int lag_run_crosses(const lag_model *model, const lag_run_options *options)
 size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
-    return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
+    const lag_ode ode = lag_motion_ode(model);
+    return lag_motion_memory(model) + lag_stepper_memory(&ode) + lag_projection_memory(model) +
            lag_rank_estimate_memory(model) + lag_guards_memory(model) + lag_instants_memory(model) + lag_conditions_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
            2 * lag_guard_count(model) + model->np + model->nu + lag_turns_memory(model) + 1;
@@ -121,7 +122,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.inputs = options->callbacks.inputs;
     run->motion.context = options->callbacks.context;
     run->motion.along.tell = options->callbacks.along;
-    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(&run->motion.ode)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.h_fixed = options->h_fixed;
     run->stepper.passing = (lag_passing){options->results != NULL && model->ny > 0 ? pass : NULL, run};

@@ -73,8 +73,8 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
-    const size_t stages = LAG_RADAU_STAGES * n;
-    const size_t implicit = n * n + stages * stages + 2 * stages;
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -155,10 +155,15 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
     place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
-    work->collocation.jacobian = lag_take(memory, n * n);
-    work->collocation.right = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.pivots = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.matrix = lag_take(memory, LAG_RADAU_STAGES * n * LAG_RADAU_STAGES * n);
+    const lag_ode ode = lag_motion_ode(model);
+    work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
+    work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->rosenbrock.matrix = lag_take(memory, n * n);
+    work->rosenbrock.pivots = lag_take(memory, n);
+    work->rosenbrock.right = lag_take(memory, n);
+    work->rosenbrock.k[0] = lag_take(memory, n);
+    work->rosenbrock.k[1] = lag_take(memory, n);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)

@@ -87,10 +87,16 @@ typedef struct lag_columns {
 
 /* The linear equations of the stages of Radau; n: size of the state. */
 typedef struct lag_collocation_system {
-    double *jacobian;        /* (n, n) of a stage */
-    double *matrix;          /* (stages n, stages n) decomposed */
-    double *pivots, *right;  /* (stages n) each */
+    double *jacobian;        /* (stages, entries) as Radau keeps them */
+    double *slope;           /* (stages, n) where the column begins, */
+    double *z;               /* (stages, n) and what the stages add to it */
 } lag_collocation_system;
+
+/* Those of ROS2. */
+typedef struct lag_rosenbrock_system {
+    double *matrix, *pivots; /* (n, n) (n) decomposed */
+    double *right, *k[2];    /* (n) each: of a column; stages of the state */
+} lag_rosenbrock_system;
 
 /* Columns of delayed values (sensitivity_delays.c). */
 typedef struct lag_columns_past {
@@ -136,6 +142,7 @@ typedef struct lag_columns_work {
     double *one;      /* (2 nq + nz + nu + np + nw) of a single column, its discretes behind */
     double *u, *w;    /* (nu) (nw) */
     lag_collocation_system collocation;
+    lag_rosenbrock_system rosenbrock;
 } lag_columns_work;
 
 /* An instant. */
@@ -215,6 +222,9 @@ lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause
 /* which are those behind it from now on. */
 void lag_sensitivities_after(lag_companion *companion);
 
+/* z of a column, by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
+int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system);
+
 /* Entries of a direction: q, qd, z, u, p. */
 size_t lag_columns_variables(const lag_model *model);
 /* Entry after entry of one column into its block of such arrays, `height` rows high, or out of it. */
@@ -229,8 +239,8 @@ lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t,
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);
-/* The derivatives of the rates by the state (2 nq + nz, 2 nq + nz) at x, which was looked at. */
-lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *jacobian);
+/* lag_radau_jacobian() at x, which is looked at. */
+lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *entries);
 /*
  * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
  * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.

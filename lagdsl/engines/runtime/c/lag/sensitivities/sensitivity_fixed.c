@@ -123,28 +123,18 @@ static lag_status leapfrog_step(lag_sensitivities *s, lag_run *run, double h)
 
 /* ---- ROS2 ---- */
 
-/* Its stages k1 and k2 of the state, and the decomposed matrix. */
-typedef struct rosenbrock {
-    double h, *matrix, *pivot, *right, *k[2];
-} rosenbrock;
-
-static rosenbrock place_ros2(const lag_sensitivities *s, size_t n, double h)
+static lag_status decompose(const lag_stepper *stepper, const lag_rosenbrock_system *at)
 {
-    double *right = s->work.collocation.right;
-    return (rosenbrock){h, s->work.collocation.matrix, s->work.collocation.pivots, right, {right + n, right + 2 * n}};
-}
-
-static lag_status decompose(const lag_stepper *stepper, const rosenbrock *at)
-{
+    const double h = stepper->t - stepper->t_before;
     const size_t n = stepper->ode->size;
     const lag_status status = stepper->ode->jacobian(stepper->ode->context, stepper->t_before, stepper->x_before, at->matrix);
     for (size_t i = 0; i < n * n; ++i) {
-        at->matrix[i] *= -lag_ros2_gamma() * at->h;
+        at->matrix[i] *= -lag_ros2_gamma() * h;
     }
     for (size_t i = 0; i < n; ++i) {
         at->matrix[i * n + i] += 1.0;
     }
-    return status != LAG_OK || lag_lu(n, at->matrix, at->pivot) ? status : LAG_SINGULAR;
+    return status != LAG_OK || lag_lu(n, at->matrix, at->pivots) ? status : LAG_SINGULAR;
 }
 
 /* d/de of the rates along the columns at x + e k, where the step begins, into the slots BENT. */
@@ -177,17 +167,18 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
 }
 
 /* The slopes of stage `number`, without the matrix, become those with it: less so much of the first ones. */
-static void solve(lag_sensitivities *s, lag_run *run, const rosenbrock *at, size_t number, double less)
+static void solve(lag_sensitivities *s, lag_run *run, const lag_rosenbrock_system *at, size_t number, double less)
 {
+    const double h = run->stepper.t - run->stepper.t_before;
     const size_t n = run->stepper.ode->size;
     const size_t lanes = s->columns.lanes;
     for (size_t block = 0; block < s->columns.blocks; ++block) {
         double *slope = slot(s, run, block, number);
-        lag_axpy(n * lanes, lag_ros2_gamma() * at->h, slot(s, run, block, BENT), slope);
+        lag_axpy(n * lanes, lag_ros2_gamma() * h, slot(s, run, block, BENT), slope);
         lag_axpy(n * lanes, -less, slot(s, run, block, 0), slope);
         for (size_t lane = 0; lane < lanes; ++lane) {
             lag_columns_get(s, lane, n, slope, 0, at->right);
-            lag_lu_solve(n, at->matrix, at->pivot, at->right);
+            lag_lu_solve(n, at->matrix, at->pivots, at->right);
             lag_columns_put(s, lane, n, at->right, slope, 0);
         }
     }
@@ -197,7 +188,7 @@ static lag_status ros2_step(lag_sensitivities *s, lag_run *run, double h)
 {
     const lag_stepper *stepper = &run->stepper;
     const size_t n = stepper->ode->size;
-    const rosenbrock at = place_ros2(s, n, h);
+    const lag_rosenbrock_system at = s->work.rosenbrock;
     const double begin[STAGES] = {0.0};
     const double whole[STAGES] = {h};
     const double part[STAGES] = {1.5 * h, 0.5 * h};
@@ -205,7 +196,7 @@ static lag_status ros2_step(lag_sensitivities *s, lag_run *run, double h)
     lag_status status = decompose(stepper, &at);
     memcpy(at.k[0], stepper->f_before, n * sizeof(double));
     if (status == LAG_OK) {
-        lag_lu_solve(n, at.matrix, at.pivot, at.k[0]);
+        lag_lu_solve(n, at.matrix, at.pivots, at.k[0]);
         status = bend(s, run, at.k[0]);
     }
     status = status == LAG_OK ? stage(s, run, stepper->t_before, stepper->x_before, 0, begin, 0.0) : status;
@@ -218,7 +209,7 @@ static lag_status ros2_step(lag_sensitivities *s, lag_run *run, double h)
     status = run->motion.ode.rates(&run->motion, stepper->t, x, at.k[1]);
     if (status == LAG_OK) {
         lag_axpy(n, -2.0, at.k[0], at.k[1]);
-        lag_lu_solve(n, at.matrix, at.pivot, at.k[1]);
+        lag_lu_solve(n, at.matrix, at.pivots, at.k[1]);
         status = stage(s, run, stepper->t, x, 1, whole, 0.0);
     }
     status = status == LAG_OK ? bend(s, run, at.k[1]) : status;

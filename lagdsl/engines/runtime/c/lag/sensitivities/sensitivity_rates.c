@@ -92,23 +92,28 @@ static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
     return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, double *jacobian)
+lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, double *entries)
 {
     const lag_model *model = run->motion.model;
     const lag_motion_derivatives *found = &s->work.motion;
-    const size_t n = model->nq;
-    const size_t size = lag_motion_size(model);
-    const size_t equations = n + model->nc + model->nz;
-    if (!found->known) {
-        return run->stepper.ode->jacobian(run->stepper.ode->context, t, x, jacobian);
+    const lag_ode *ode = run->stepper.ode;
+    const size_t width = lag_motion_size(model) + model->nu;
+    const size_t equations = model->nq + model->nc + model->nz;
+    const int written = s->along.motion.tangents != NULL && s->along.motion.tangents->jacobian != NULL;
+    lag_status status = written ? lag_columns_look(s, run, t, x, 0) : LAG_OK;
+    if (status != LAG_OK || !found->known) {
+        status = status == LAG_OK ? lag_radau_jacobian(ode, t, x, entries) : status;
+        return status == LAG_OK ? lag_columns_look(s, run, t, x, 0) : status;
     }
-    lag_fill(size * size, 0.0, jacobian);
-    for (size_t i = 0; i < n; ++i) {
-        jacobian[i * size + n + i] = 1.0;
-    }
-    for (size_t i = 0; i < n + model->nz; ++i) {
-        for (size_t k = 0; k < equations; ++k) {
-            lag_axpy(size, found->response[i * equations + k], found->by_state + k * (size + model->nu), jacobian + (n + i) * size);
+    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        for (size_t k = row.first; k < row.end; ++k) {
+            const double *along = found->by_state + (row.column == NULL ? k - row.first : row.column[k]);
+            double sum = 0.0;
+            for (size_t j = 0; j < equations; ++j) {
+                sum += found->response[i * equations + j] * along[j * width];
+            }
+            entries[k] = sum;
         }
     }
     return LAG_OK;

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/lu.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
@@ -173,47 +172,17 @@ static lag_status explicit_step(lag_sensitivities *s, lag_run *run, double *erro
 
 /* ---- Radau ---- */
 
-/* d (stages, stages): h times the slope at node i of the polynomial through 0 at the beginning and z at the nodes. */
-static void slopes_of_nodes(const lag_radau_table *table, double d[LAG_RADAU_STAGES][LAG_RADAU_STAGES])
-{
-    const size_t stages = table->stages;
-    for (size_t i = 0; i < stages; ++i) {
-        for (size_t k = 0; k < stages; ++k) {
-            double product = 1.0 / table->node[k];
-            double sum = i == k ? 1.0 / table->node[k] : 0.0;
-            for (size_t j = 0; j < stages; ++j) {
-                product *= j != k && j != i ? (table->node[i] - table->node[j]) / (table->node[k] - table->node[j]) : 1.0;
-                sum += i == k && j != k ? 1.0 / (table->node[k] - table->node[j]) : 0.0;
-            }
-            d[i][k] = i == k ? sum : product * table->node[i] / (table->node[k] - table->node[i]);
-        }
-    }
-}
-
-/* The rows of stage i in the system for z, Jacobians evaluated at the stages of the state; the slopes along what is not the state into `slopes`. */
-static lag_status implicit_rows(lag_sensitivities *s, lag_run *run, const lag_radau_places *of_state, const lag_radau_table *table, size_t i,
-    const double d[LAG_RADAU_STAGES][LAG_RADAU_STAGES])
+/* The Jacobian at stage i of the state, and the slopes there along the columns where the step begins and what is not the state. */
+static lag_status implicit_stage(lag_sensitivities *s, lag_run *run, const lag_radau_places *of_state, size_t i)
 {
     const lag_stepper *stepper = &run->stepper;
     const size_t n = size_of(run);
-    const size_t width = table->stages * n;
-    const double h = stepper->t - stepper->t_before;
-    const double t = stepper->t_before + table->node[i] * h;
+    const double t = stepper->t_before + of_state->table->node[i] * (stepper->t - stepper->t_before);
+    double *jacobian = s->work.collocation.jacobian + i * lag_radau_entries(stepper->ode);
     for (size_t j = 0; j < n; ++j) {
         s->work.state_of_stage[j] = stepper->x_before[j] + of_state->z[i * n + j];
     }
-    lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
-    status = status == LAG_OK ? lag_columns_jacobian(s, run, t, s->work.state_of_stage, s->work.collocation.jacobian) : status;
-    for (size_t j = 0; j < n; ++j) {
-        double *row = s->work.collocation.matrix + (i * n + j) * width;
-        lag_fill(width, 0.0, row);
-        for (size_t k = 0; k < table->stages; ++k) {
-            row[k * n + j] = d[i][k];
-        }
-        for (size_t k = 0; k < n; ++k) {
-            row[i * n + k] -= h * s->work.collocation.jacobian[j * n + k];
-        }
-    }
+    lag_status status = lag_columns_jacobian(s, run, t, s->work.state_of_stage, jacobian);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const lag_attempt_arrays at = arrays_of(s, run, block);
         memcpy(s->work.point, at.x, n * at.lanes * sizeof(double));
@@ -223,35 +192,42 @@ static lag_status implicit_rows(lag_sensitivities *s, lag_run *run, const lag_ra
     return status;
 }
 
-/* One step by the collocation equations of the last one, D z = h (J (s + z) + f_a). */
+/* The systems that were decomposed for the last step of the state, whatever has been chosen for the next one. */
+static lag_radau_places last_of_state(const lag_stepper *stepper, lag_radau_memo *memo)
+{
+    lag_radau_places at = lag_radau_place(stepper);
+    *memo = *at.memo;
+    memo->decomposed = stepper->t - stepper->t_before;
+    memo->turning = memo->before; /* the step was solved with a Jacobian that changes */
+    at.memo = memo;
+    at.table = &lag_radau_tables[((size_t)memo->polynomial - 3) / 2];
+    return at;
+}
+
+/* One step by the collocation equations of the last one. LAG_MISSING: they were not solved; they will be for a shorter step. */
 static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
 {
-    const lag_radau_places of_state = lag_radau_place(&run->stepper);
-    const lag_radau_table *table = &lag_radau_tables[((size_t)of_state.memo->polynomial - 3) / 2];
+    lag_radau_memo memo;
+    const lag_radau_places of_state = last_of_state(&run->stepper, &memo);
     const size_t n = size_of(run);
-    const size_t rows = table->stages * n;
-    const double h = run->stepper.t - run->stepper.t_before;
-    double d[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
+    const size_t rows = of_state.table->stages * n;
+    double *z = s->work.collocation.z;
     lag_status status = LAG_OK;
-    slopes_of_nodes(table, d);
-    for (size_t i = 0; i < table->stages && status == LAG_OK; ++i) {
-        status = implicit_rows(s, run, &of_state, table, i, (const double (*)[LAG_RADAU_STAGES])d);
-    }
-    if (status == LAG_OK && !lag_lu(rows, s->work.collocation.matrix, s->work.collocation.pivots)) {
-        status = LAG_SINGULAR;
+    for (size_t i = 0; i < of_state.table->stages && status == LAG_OK; ++i) {
+        status = implicit_stage(s, run, &of_state, i);
     }
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         const size_t lane = k % s->columns.lanes;
         const lag_attempt_arrays at = arrays_of(s, run, k / s->columns.lanes);
         for (size_t i = 0; i < rows; ++i) {
-            s->work.collocation.right[i] = h * at.slope[i * at.lanes + lane];
+            s->work.collocation.slope[i] = at.slope[i * at.lanes + lane];
         }
-        lag_lu_solve(rows, s->work.collocation.matrix, s->work.collocation.pivots, s->work.collocation.right);
+        status = lag_columns_collocate(&run->stepper, &of_state, &s->work.collocation) ? LAG_OK : LAG_MISSING;
         for (size_t i = 0; i < rows; ++i) {
-            at.slope[i * at.lanes + lane] = s->work.collocation.right[i];
+            at.slope[i * at.lanes + lane] = z[i];
         }
         for (size_t i = 0; i < n; ++i) {
-            at.x_new[i * at.lanes + lane] = at.x[i * at.lanes + lane] + s->work.collocation.right[rows - n + i];
+            at.x_new[i * at.lanes + lane] = at.x[i * at.lanes + lane] + z[rows - n + i];
         }
     }
     return status;
@@ -317,6 +293,11 @@ lag_status lag_sensitivities_step(lag_run *run)
     const int again = return_to_beginning(s, run);
     lag_status status = is_fixed(run) ? lag_columns_fixed_step(s, run) :
         stepper->method->implicit ? implicit_step(s, run) : explicit_step(s, run, &error);
+    if (status == LAG_MISSING && h * LAG_DOP853_SHRINK > stepper->h_least) {
+        s->columns.t = stepper->t;
+        lag_stepper_undo(stepper, h * LAG_DOP853_SHRINK);
+        return LAG_TOO_LONG;
+    }
     if (status != LAG_OK) {
         return status;
     }

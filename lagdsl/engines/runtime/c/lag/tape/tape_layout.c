@@ -144,6 +144,10 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     tape->patterns.jacobian = take_pattern(parts, LAG_TAPE_JACOBIAN_ROWS, model->nc, model->nq, &row_memory, &tape->jacobian);
     tape->patterns.response = take_pattern(parts, LAG_TAPE_RESPONSE_ROWS, model->nk, model->nq, &row_memory, &tape->response);
     tape->patterns.coupling = take_pattern(parts, LAG_TAPE_COUPLING_ROWS, model->nk, model->nk, &row_memory, &tape->coupling);
+    const size_t rates = model->nq + model->nz;
+    tape->patterns.rates = take_pattern(parts, LAG_TAPE_RATES_ROWS, rates, model->nq + rates, &row_memory, &tape->rates);
+    tape->patterns.place = take_rows(parts, LAG_TAPE_RATES_PLACES, &row_memory, tape->patterns.rates != NULL ? rates : 0);
+    tape->patterns.group = take_rows(parts, LAG_TAPE_RATES_GROUPS, &row_memory, tape->patterns.rates != NULL ? model->nq + rates : 0);
     model->patterns = &tape->patterns;
     model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)lag_tape_components_length(parts));
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);

@@ -105,7 +105,10 @@ static uint64_t rows(const lag_tape_parts *parts)
     const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSLIP] +
                             2 * (uint64_t)size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
     return listed + pattern(parts, LAG_TAPE_JACOBIAN_ROWS, size[LAG_TAPE_NC]) + pattern(parts, LAG_TAPE_RESPONSE_ROWS, size[LAG_TAPE_NK]) +
-           pattern(parts, LAG_TAPE_COUPLING_ROWS, size[LAG_TAPE_NK]) + lag_tape_components_length(parts);
+           pattern(parts, LAG_TAPE_COUPLING_ROWS, size[LAG_TAPE_NK]) +
+           pattern(parts, LAG_TAPE_RATES_ROWS, (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NZ]) +
+           parts->part[LAG_TAPE_RATES_PLACES].length / sizeof(uint32_t) + parts->part[LAG_TAPE_RATES_GROUPS].length / sizeof(uint32_t) +
+           lag_tape_components_length(parts);
 }
 
 /* Entries of a matrix, in the section of their rows and the one behind it, that can be nonzero. */
@@ -113,6 +116,18 @@ static int pattern_agrees(const lag_tape_parts *parts, lag_tape_section rows, ui
 {
     const uint64_t length = lag_tape_pattern_length(parts, rows);
     return length <= count * width && holds(parts, rows, length, sizeof(uint32_t)) && holds(parts, rows + 1, length, sizeof(uint32_t));
+}
+
+/* Entries of the Jacobian of the rates, with their order and the groups of columns. */
+static int rates_agree(const lag_tape_parts *parts)
+{
+    const uint32_t *n = parts->size;
+    const uint64_t rows = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
+    const uint64_t columns = rows + n[LAG_TAPE_NQ];
+    const int told = lag_tape_pattern_length(parts, LAG_TAPE_RATES_ROWS) > 0;
+    return pattern_agrees(parts, LAG_TAPE_RATES_ROWS, rows, columns) &&
+           holds(parts, LAG_TAPE_RATES_PLACES, told ? rows : 0, sizeof(uint32_t)) &&
+           holds(parts, LAG_TAPE_RATES_GROUPS, told ? columns : 0, sizeof(uint32_t));
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -135,6 +150,7 @@ static int sizes_agree(const lag_tape_parts *parts)
            pattern_agrees(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]) &&
            pattern_agrees(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]) &&
            pattern_agrees(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NK]) &&
+           rates_agree(parts) &&
            may_hold(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ], word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
@@ -240,6 +256,8 @@ static int frictions_agree(const lag_tape_parts *parts)
 static int rows_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
+    const uint64_t rates = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
+    const uint64_t state = rates + n[LAG_TAPE_NQ];
     const uint32_t *kept = (const void *)parts->part[LAG_TAPE_KEPT_ROWS].bytes;
     for (uint32_t i = 1; i < n[LAG_TAPE_NK]; ++i) {
         if (kept[i] <= kept[i - 1]) {
@@ -252,8 +270,9 @@ static int rows_agree(const lag_tape_parts *parts)
            below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_RESPONSE_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_COUPLING_COLUMNS, n[LAG_TAPE_NK]) &&
-           below(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]) &&
-           below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
+           below(parts, LAG_TAPE_COMPONENTS, rates) && below(parts, LAG_TAPE_RATES_ROWS, rates) &&
+           below(parts, LAG_TAPE_RATES_PLACES, rates) && below(parts, LAG_TAPE_RATES_COLUMNS, state) &&
+           below(parts, LAG_TAPE_RATES_GROUPS, state) && below(parts, LAG_TAPE_RESET_PLACES, state);
 }
 
 /* True if all functions are there that every model has, and those that this model requires. */
