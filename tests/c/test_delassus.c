@@ -45,6 +45,7 @@ static lag_status solve_kept(
     system.response = response;
     system.lam_response = lam_response;
     system.jacobian = jacobian;
+    (void)lag_delassus_weigh(&system, NULL);
     const lag_status status = lag_delassus_factor(&system, rank);
     if (status == LAG_OK) {
         lag_delassus_solve(&system, gamma, x->a, x->lam);
@@ -355,6 +356,7 @@ static void a_chain_has_as_many_entries_as_it_is_long(void)
     lag_delassus_place(&system, LINKS + 1, LINKS, LINKS, all_rows, &patterns, memory);
     system.response = system.jacobian = jacobian;
     system.lam_response = zero;
+    CHECK(lag_delassus_weigh(&system, NULL) == LINKS);
     CHECK(lag_delassus_factor(&system, LINKS) == LAG_OK);
     lag_delassus_solve(&system, gamma, a, lam);
     for (size_t i = 0; i < LINKS; ++i) {

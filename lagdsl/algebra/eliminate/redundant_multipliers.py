@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from lagdsl.algebra.eliminate.count import Budget
 from lagdsl.algebra.eliminate.matrix import SparseSystem
 from lagdsl.algebra.eliminate.rows import Rows, multiplier_of
-from lagdsl.algebra.eliminate.steps import Pivoted, solve_steps
+from lagdsl.algebra.eliminate.steps import Pivoted, Steps, solve_steps, steps_of
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.foundation.record import record
 
@@ -22,7 +22,7 @@ class RedundantMultipliers:
     """K by following row and solved row, without what is identically zero; and 1 + K K' factored."""
 
     directions: dict[int, dict[int, int]]
-    steps: list[Pivoted]
+    steps: Steps
 
 
 def find_redundant_multipliers(graph: Graph, rows: Rows, tied: Mapping[int, Mapping[int, int]]) -> RedundantMultipliers:
@@ -43,7 +43,7 @@ def find_redundant_multipliers(graph: Graph, rows: Rows, tied: Mapping[int, Mapp
             )
         del known[multiplier_of(row.index)]
         directions[row.index] = {index_of[k]: value for k, value in known.items() if value != graph.zero}
-    return RedundantMultipliers(directions, _factored(graph, directions))
+    return RedundantMultipliers(directions, steps_of({}, _factored(graph, directions)))
 
 
 def _above(multiplier: int, users: Mapping[int, list[int]]) -> dict[int, None]:
@@ -78,10 +78,10 @@ def shortest(
         index: graph.sum(graph.multiply(value, multipliers[solved]) for solved, value in direction.items())
         for index, direction in redundant_multipliers.directions.items()
     }
-    taken = solve_steps(graph, {}, redundant_multipliers.steps, along, Budget(graph, None))
+    taken = solve_steps(graph, redundant_multipliers.steps, along, Budget(graph, None))
     result = dict(multipliers)
     for index, direction in redundant_multipliers.directions.items():
-        result[index] = graph.negate(taken[index])
+        result[index] = graph.negate(taken.get(index, graph.zero))
         for solved, value in direction.items():
-            result[solved] = graph.subtract(result[solved], graph.multiply(value, taken[index]))
+            result[solved] = graph.subtract(result[solved], graph.multiply(value, taken.get(index, graph.zero)))
     return result

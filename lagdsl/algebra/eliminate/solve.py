@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from lagdsl.algebra.eliminate.count import Budget, TooMany, flops
@@ -13,7 +13,7 @@ from lagdsl.algebra.eliminate.order import Elimination, Order, by_creation, by_d
 from lagdsl.algebra.eliminate.pivots import References, least
 from lagdsl.algebra.eliminate.redundant_multipliers import RedundantMultipliers, find_redundant_multipliers, shortest
 from lagdsl.algebra.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
-from lagdsl.algebra.eliminate.steps import Pivoted, Step, solve_steps
+from lagdsl.algebra.eliminate.steps import Pivoted, Steps, solve_steps, steps_of
 from lagdsl.algebra.eliminate.weightless import Reduced, reduce, reduced_biases, shares
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.foundation.record import record
@@ -27,7 +27,7 @@ _FEWEST = 1000
 
 @record(kw_only=True)
 class Factor:
-    """An order carried out: `steps` with the definitions `terms`, for any right-hand side. Nodes all.
+    """An order carried out: `steps` for any right-hand side. Nodes all.
 
     `pivot` is the least part that subtraction left of the pivot of a rate; about 1e-16 where M is singular. `strengths`
     are, by row that is not kept, the pivot of its multiplier, and what it would be without the others; of a row that
@@ -39,8 +39,7 @@ class Factor:
     rates: Sequence[int]
     rows: Rows
     left: Rows
-    terms: Mapping[int, Mapping[int, int]]
-    steps: Sequence[Step]
+    steps: Steps
     pivot: int
     strengths: dict[int, tuple[int, int]]
     redundant_multipliers: RedundantMultipliers
@@ -103,13 +102,13 @@ def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Respons
     given = dict(side.forces)
     for row in rows.solved:
         given[multiplier_of(row.index)] = graph.negate(side.biases.get(row.index, graph.zero))
-    along = reduced_biases(graph, factor.steps, side.biases) if rows.stiffened else {}
+    along = reduced_biases(graph, factor.steps.order, side.biases) if rows.stiffened else {}
     for index, weight in rows.stiffened.items():
         given[velocity_of(index)] = graph.multiply(weight, along.get(multiplier_of(index), graph.zero))
-    known = solve_steps(graph, factor.terms, factor.steps, given, budget or Budget(graph, None))
-    multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
+    known = solve_steps(graph, factor.steps, given, budget or Budget(graph, None))
+    multipliers = {row.index: known.get(multiplier_of(row.index), graph.zero) for row in rows.solved}
     return Response(
-        accelerations=[known[rate] for rate in factor.rates],
+        accelerations=[known.get(rate, graph.zero) for rate in factor.rates],
         multipliers=shortest(graph, factor.redundant_multipliers, multipliers),
     )
 
@@ -145,8 +144,7 @@ def _factorize(
         rates=order.rates,
         rows=rows,
         left=left,
-        terms=definitions.terms,
-        steps=(*reduced.steps, *steps),
+        steps=steps_of(definitions.terms, (*reduced.steps, *steps)),
         pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
         strengths={index: (rests[v], found.sizes[v]) for index, v in multipliers.items()},
         redundant_multipliers=find_redundant_multipliers(graph, rows, shares(graph, reduced.steps) | found.tied),

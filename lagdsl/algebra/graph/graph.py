@@ -264,7 +264,7 @@ class Graph:
     def live(self, roots: Iterable[int], given: Collection[int] = ()) -> list[int]:
         """Ids of all nodes that `roots` are computed from, themselves included, ascending; what only `given` nodes are
         computed from is left out."""
-        roots = list(roots)
+        roots = set(roots)  # matrices repeat the zero
         operands = self.operands
         mark = bytearray(max(roots, default=-1) + 1)
         for root in roots:

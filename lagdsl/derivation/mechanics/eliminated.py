@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import islice
+from itertools import chain, islice
 
 from lagdsl.algebra.eliminate.count import flops
 from lagdsl.algebra.eliminate.form import AccelerationForm, NotApplicable
@@ -130,4 +130,4 @@ def _reassociated(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
 
 
 def _block(name: str, shape: tuple[int, ...], rows: Sequence[Sequence[int]]) -> Block:
-    return Block(name=name, shape=shape, elements=tuple(node for row in rows for node in row))
+    return Block(name=name, shape=shape, elements=tuple(chain.from_iterable(rows)))

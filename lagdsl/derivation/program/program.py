@@ -7,6 +7,7 @@ its meaning; a backend is right if it computes the same numbers. No SymPy, no so
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 from math import prod
 
 from lagdsl.algebra.eliminate.solve import Factor
@@ -139,7 +140,7 @@ def vector_block(name: str, nodes: Sequence[int]) -> Block:
 
 
 def matrix_block(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
-    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))
+    return Block(name=name, shape=(len(rows), columns), elements=tuple(chain.from_iterable(rows)))
 
 
 @record(kw_only=True)

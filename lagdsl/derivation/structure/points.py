@@ -370,8 +370,9 @@ def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition)
         if count > FEW and tolerance <= _ROW and all(independent(block) for block in blocks):
             ranks[parts.labels] = count
             continue
-        values = np.linalg.svd(blocks, compute_uv=False)
-        ranks[parts.labels] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
+        live = np.any(blocks != 0.0, axis=(1, 2))  # rows of open contacts are zero
+        values = np.linalg.svd(blocks[live], compute_uv=False)
+        ranks[parts.labels[live]] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
     return ranks
 
 

@@ -93,7 +93,7 @@ def least_pivot(factor: Factor, strengths: Strengths) -> int:
         usual = {index: solved[index] for index in indices if index in solved}
         following = [index for index in indices if index not in solved]
         groups.append(Loop(solved=list(usual), following=following, usual=usual))
-    kept = [strength(factor.graph, factor.terms, factor.steps, row.terms) for row in rows.kept]
+    kept = [strength(factor.graph, factor.steps, row.terms) for row in rows.kept]
     return weakest(factor.graph, factor.pivot, factor.strengths, groups, kept)
 
 

@@ -19,7 +19,7 @@ RANK_TOLERANCE = 1e-9
 
 def rank(matrix: Floats, tolerance: float = RANK_TOLERANCE) -> int:
     """Number of singular values above `tolerance` times the largest."""
-    if not matrix.size:
+    if not np.any(matrix):
         return 0
     values = np.linalg.svd(matrix, compute_uv=False)
     return int(np.count_nonzero(values > tolerance * values[0])) if values[0] > 0.0 else 0
@@ -28,7 +28,7 @@ def rank(matrix: Floats, tolerance: float = RANK_TOLERANCE) -> int:
 def null_space(matrix: Floats, tolerance: float = RANK_TOLERANCE) -> Floats:
     """Orthonormal columns that span {v: matrix v = 0}; shape (n, n - rank)."""
     n = matrix.shape[1]
-    if not matrix.size:
+    if not np.any(matrix):
         return np.eye(n)
     _, values, rows = np.linalg.svd(matrix, full_matrices=True)
     count = int(np.count_nonzero(values > tolerance * values[0])) if values[0] > 0.0 else 0

@@ -62,6 +62,8 @@ def test_empty_matrices() -> None:
     empty = np.zeros((0, 3))
     assert rank(empty) == 0
     assert np.array_equal(null_space(empty), np.eye(3))
+    assert np.array_equal(null_space(np.zeros((2, 3))), np.eye(3))
+    assert rank(np.zeros((2, 3))) == 0
     assert np.array_equal(minimum_norm(empty, np.zeros(0)), np.zeros(3))
     assert np.array_equal(minimum_norm(np.zeros((2, 3)), np.ones(2)), np.zeros(3))
 

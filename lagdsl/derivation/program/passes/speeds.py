@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
@@ -40,7 +41,8 @@ def speeds(flat: FlatModel, program: Program) -> tuple[bool, ...]:
 
 def _present(program: Program, names: Sequence[str]) -> set[int]:
     functions = [program.function(name) for name in names if program.has(name)]
-    return set(program.graph.live(node for each in functions for block in each.results for node in block.elements))
+    blocks = [block for each in functions for block in each.results]
+    return set(program.graph.live(chain.from_iterable(block.elements for block in blocks)))
 
 
 def with_speeds(flat: FlatModel, program: Program) -> Program:

@@ -24,6 +24,7 @@
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/nnls.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 #include "lag/methods/accuracy.h"
@@ -52,12 +53,10 @@
 
 #define NO_FORCE contact_scale_NO_FORCE
 #define ROUNDING contact_scale_ROUNDING
-#define find_scales contact_scale_find_scales
 #define force_of contact_scale_force_of
 #include "lag/contacts/contact_scale.c"
 #undef NO_FORCE
 #undef ROUNDING
-#undef find_scales
 #undef force_of
 
 #define NO_FORCE friction_NO_FORCE
@@ -107,7 +106,6 @@
 #define MOST_STEPS friction_problem_MOST_STEPS
 #define ROUNDING friction_problem_ROUNDING
 #define begin friction_problem_begin
-#define find_scales friction_problem_find_scales
 #define improve friction_problem_improve
 #define limit_of friction_problem_limit_of
 #define size_of friction_problem_size_of
@@ -115,7 +113,6 @@
 #undef MOST_STEPS
 #undef ROUNDING
 #undef begin
-#undef find_scales
 #undef improve
 #undef limit_of
 #undef size_of

@@ -11,7 +11,7 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 16 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 12 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -25,32 +25,15 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
 
 static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
-    double **const arrays[] = {&contacts->sizes.scale, &contacts->sizes.pace, &contacts->sizes.force, &contacts->until, &contacts->restitution,
+    double **const arrays[] = {&contacts->sizes.force, &contacts->until, &contacts->restitution,
         &contacts->capture_speed, &contacts->zeno_time, &contacts->blows.approach, &contacts->blows.order, &contacts->blows.closing, &contacts->blows.before,
-        &contacts->blows.back, &contacts->blows.compliance, &contacts->sizes.first, &contacts->sizes.entries, &contacts->blows.met};
+        &contacts->blows.back, &contacts->blows.compliance, &contacts->blows.met};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
         *arrays[k] = lag_take(memory, count);
         memset(*arrays[k], 0, count * sizeof(double));
     }
     for (size_t i = 0; i < count; ++i) {
         contacts->until[i] = (double)INFINITY;
-    }
-}
-
-/* Gradients of gaps have the entries of the rows that their contacts are while they are closed; all, where nobody tells these. */
-static void find_entries(lag_contacts *contacts, const lag_model *model)
-{
-    const lag_pattern *pattern = lag_jacobian_pattern(model);
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        size_t k = 0;
-        while (pattern != NULL && k < pattern->count && pattern->row[k] < model->contact_rows[i]) {
-            ++k;
-        }
-        contacts->sizes.first[i] = (double)k;
-        while (pattern != NULL && k < pattern->count && pattern->row[k] == model->contact_rows[i]) {
-            ++k;
-        }
-        contacts->sizes.entries[i] = pattern != NULL ? (double)k - contacts->sizes.first[i] : (double)model->nq;
     }
 }
 
@@ -68,7 +51,6 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     contacts->places = lag_places_of(model);
     place_gaps(contacts, model, &memory);
     place_each(contacts, model->ncontact, &memory);
-    find_entries(contacts, model);
     contacts->blows.hit = lag_take(&memory, model->nq + model->nz);
     contacts->forces = lag_take(&memory, model->nq);
     contacts->work = lag_take(&memory, 4 * model->nq);
@@ -130,7 +112,7 @@ lag_status lag_contacts_check_gaps(
         return status;
     }
     for (size_t i = 0; i < count; ++i) {
-        const double inside = INSIDE * contacts->sizes.scale[i];
+        const double inside = INSIDE * lag_contacts_scale(contacts, i);
         pierced[i] = contacts->gap[i] < -inside && gap[i] - contacts->gap[i] > inside;
         status = pierced[i] != 0.0 ? LAG_PENETRATION : status;
     }

@@ -15,8 +15,6 @@ struct lag_frictions;
 /* Sizes of the numbers that enter each contact (contact_scale.c). */
 typedef struct lag_contact_sizes {
     double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
-    double *first, *entries; /* (ncontact) each: where the entries of its row begin in the pattern of the Jacobian, and so many */
-    double *scale, *pace;    /* (ncontact) length and speed of each, at the state evaluated last */
     double *force;           /* (ncontact) the largest that each had to carry, about */
 } lag_contact_sizes;
 
@@ -60,6 +58,10 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
 /* The motion passed through x: magnitudes. */
 void lag_contacts_follow(lag_contacts *contacts, const double *x);
 
+/* Length and speed of a contact, at the state evaluated last. */
+double lag_contacts_scale(const lag_contacts *contacts, size_t i);
+double lag_contacts_pace(const lag_contacts *contacts, size_t i);
+
 /* Round-off of a gap, and of a force, with these lengths and forces. */
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
@@ -98,7 +100,7 @@ double lag_contacts_end_of_bounces(const lag_contacts *contacts);
 lag_status lag_contacts_check_gaps(
     lag_contacts *contacts, double t, const double *x, const double *was, const double *before, double *gap, double *pierced);
 
-/* Gaps with their scales where `motion` is. */
+/* Gaps where `motion` is. */
 lag_status lag_contacts_evaluate(lag_contacts *contacts);
 
 /* For the parts of it: the same at a state, the multipliers, forces by which pulls are told from round-off. */

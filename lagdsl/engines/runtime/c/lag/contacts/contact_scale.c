@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "lag/contacts/contact.h"
+#include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
@@ -30,37 +32,41 @@ void lag_contacts_follow(lag_contacts *contacts, const double *x)
     }
 }
 
-static void scale_one(lag_contacts *contacts, size_t i, const double *gradient, const size_t *columns, size_t count)
+/* Gradients of gaps have the entries of the rows that their contacts are while they are closed. */
+static lag_entries entries_of(const lag_contacts *contacts, size_t i)
 {
-    const size_t n = contacts->motion->model->nq;
-    double length = 0.0;
-    double speed = 0.0;
-    double slopes = 0.0;
-    for (size_t k = 0; k < count; ++k) {
-        const size_t j = columns != NULL ? columns[k] : k;
-        const double slope = fabs(gradient[j]);
-        length += slope * fmax(contacts->sizes.peak[j], contacts->sizes.least[j]);
-        speed += slope * contacts->sizes.peak[n + j];
-        slopes += slope;
-    }
-    contacts->sizes.scale[i] = length > 0.0 ? fmax(length, LEAST * slopes) : slopes;
-    contacts->sizes.pace[i] = speed;
+    return lag_entries_of(contacts->motion->model, contacts->motion->model->contact_rows[i]);
 }
 
-static void find_scales(lag_contacts *contacts)
+double lag_contacts_scale(const lag_contacts *contacts, size_t i)
 {
-    const lag_model *model = contacts->motion->model;
-    const lag_pattern *entries = lag_jacobian_pattern(model);
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        const size_t first = (size_t)contacts->sizes.first[i];
-        const size_t count = (size_t)contacts->sizes.entries[i];
-        scale_one(contacts, i, contacts->jacobian + i * model->nq, entries != NULL ? entries->column + first : NULL, count);
+    const lag_entries entries = entries_of(contacts, i);
+    const double *row = contacts->jacobian + i * contacts->motion->model->nq;
+    double length = 0.0;
+    double slopes = 0.0;
+    for (size_t k = entries.first; k < entries.end; ++k) {
+        const size_t j = lag_entry_column(&entries, k);
+        length += fabs(row[j]) * lag_higher(contacts->sizes.peak[j], contacts->sizes.least[j]);
+        slopes += fabs(row[j]);
     }
+    return length > 0.0 ? lag_higher(length, LEAST * slopes) : slopes;
+}
+
+double lag_contacts_pace(const lag_contacts *contacts, size_t i)
+{
+    const size_t n = contacts->motion->model->nq;
+    const lag_entries entries = entries_of(contacts, i);
+    double speed = 0.0;
+    for (size_t k = entries.first; k < entries.end; ++k) {
+        const size_t j = lag_entry_column(&entries, k);
+        speed += fabs(contacts->jacobian[i * n + j]) * contacts->sizes.peak[n + j];
+    }
+    return speed;
 }
 
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i)
 {
-    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_speed_band(contacts, i) : ROUNDING * contacts->sizes.scale[i];
+    return lag_contacts_is_one_way(contacts, i) ? lag_contacts_speed_band(contacts, i) : ROUNDING * lag_contacts_scale(contacts, i);
 }
 
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i)
@@ -72,24 +78,20 @@ double lag_contacts_gap_band(const lag_contacts *contacts, size_t i)
 {
     const double off = contacts->limits != NULL ? LIMITS * contacts->limits[contacts->motion->model->contact_rows[i]] : 0.0;
     const double closed = *lag_contacts_flag(contacts, i) != 0.0 ? off : 0.0;
-    return fmax(TOUCHING * contacts->sizes.scale[i], closed);
+    return lag_higher(TOUCHING * lag_contacts_scale(contacts, i), closed);
 }
 
 double lag_contacts_speed_band(const lag_contacts *contacts, size_t i)
 {
-    const double drift = contacts->length > 0.0 ? TOUCHING * contacts->sizes.scale[i] / contacts->length : 0.0;
-    return fmax(TOUCHING * contacts->sizes.pace[i], drift);
+    const double drift = contacts->length > 0.0 ? TOUCHING * lag_contacts_scale(contacts, i) / contacts->length : 0.0;
+    return lag_higher(TOUCHING * lag_contacts_pace(contacts, i), drift);
 }
 
 lag_status lag_contacts_evaluate(lag_contacts *contacts)
 {
     const lag_motion *motion = contacts->motion;
-    const lag_status status = motion->model->contact(
+    return motion->model->contact(
         &motion->at, contacts->gap, contacts->speed, contacts->jacobian, contacts->restitution, contacts->capture_speed, contacts->zeno_time);
-    if (status == LAG_OK) {
-        find_scales(contacts);
-    }
-    return status;
 }
 
 lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const double *x)
@@ -113,15 +115,13 @@ void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
 /* The multiplier of one contact that would cancel the accelerations that the forces give its coordinates, each by itself. */
 static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 {
-    const lag_pattern *entries = lag_jacobian_pattern(contacts->motion->model);
+    const lag_entries entries = entries_of(contacts, i);
     const size_t n = contacts->motion->model->nq;
-    const size_t first = (size_t)contacts->sizes.first[i];
-    const size_t end = first + (size_t)contacts->sizes.entries[i];
     const double *row = contacts->jacobian + i * n;
     double acceleration = 0.0;
     double compliance = 0.0;
-    for (size_t k = first; k < end; ++k) {
-        const size_t j = entries != NULL ? entries->column[k] : k;
+    for (size_t k = entries.first; k < entries.end; ++k) {
+        const size_t j = lag_entry_column(&entries, k);
         const double mass = weighted ? contacts->impulse->mass[j * n + j] : 1.0;
         if (mass > 0.0) {
             acceleration += fabs(row[j]) * contacts->forces[j] / mass;
@@ -186,7 +186,9 @@ static void spread_force_sizes(lag_contacts *contacts)
         for (size_t i = 0; i < count; ++i) {
             const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_gap_band(contacts, i);
             const double force = touches ? force_of(contacts, i, 1) : 0.0;
-            for (size_t j = 0; j < n && force > 0.0; ++j) {
+            const lag_entries entries = entries_of(contacts, i);
+            for (size_t k = entries.first; k < entries.end && force > 0.0; ++k) {
+                const size_t j = lag_entry_column(&entries, k);
                 const double by = fabs(contacts->jacobian[i * n + j]) * force;
                 if (by > ALIKE * contacts->forces[j]) {
                     contacts->forces[j] = by;

@@ -28,15 +28,10 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
 {
     const lag_model *model = motion->model;
     *frictions = (lag_frictions){.motion = motion, .places = lag_places_of(model), .contacts = contacts};
-    frictions->first = lag_take(&memory, model->nfriction);
-    frictions->limit = lag_take(&memory, model->nfriction);
-    frictions->sticking = lag_take(&memory, model->nfriction);
-    frictions->force = lag_take(&memory, model->nfriction);
+    lag_take_all(&memory, model->nfriction, (double **const[]){&frictions->first, &frictions->limit, &frictions->sticking, &frictions->force, NULL});
     frictions->gain = lag_take(&memory, model->nfriction * model->nc);
     frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
-    frictions->slip = lag_take(&memory, model->nslip);
-    frictions->reference = lag_take(&memory, model->nslip);
-    frictions->fast = lag_take(&memory, model->nslip);
+    lag_take_all(&memory, model->nslip, (double **const[]){&frictions->slip, &frictions->reference, &frictions->fast, NULL});
     frictions->push = lag_take(&memory, model->nq + model->nz);
     frictions->compliance = lag_take(&memory, model->ncontact + model->nfriction);
     frictions->reserve = lag_take(&memory, model->ncontact + model->nfriction);

@@ -36,9 +36,7 @@ void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *fr
     modes->w = lag_take(&memory, model->nw);
     modes->touched = lag_take(&memory, n + model->nz);
     modes->normal = lag_take(&memory, model->ncontact);
-    modes->loose = lag_take(&memory, model->nfriction);
-    modes->kinetic = lag_take(&memory, model->nfriction);
-    modes->began = lag_take(&memory, model->nfriction);
+    lag_take_all(&memory, model->nfriction, (double **const[]){&modes->loose, &modes->kinetic, &modes->began, NULL});
     modes->heading = lag_take(&memory, model->nslip);
     modes->force = lag_take(&memory, n);
     modes->qdd = lag_take(&memory, n);

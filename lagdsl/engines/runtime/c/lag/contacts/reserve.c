@@ -32,15 +32,9 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *m
         return;
     }
     reserve->jacobian = lag_take(&memory, model->nc * model->nq);
-    reserve->residual = lag_take(&memory, model->nc);
-    reserve->active = lag_take(&memory, model->nc);
-    reserve->length = lag_take(&memory, model->nc);
-    reserve->group = lag_take(&memory, model->nc);
-    reserve->force = lag_take(&memory, model->nc);
+    lag_take_all(&memory, model->nc, (double **const[]){&reserve->residual, &reserve->active, &reserve->length, &reserve->group, &reserve->force, NULL});
     reserve->shared = lag_take(&memory, model->nc * model->nc);
-    reserve->slack = lag_take(&memory, sides);
-    reserve->size = lag_take(&memory, sides);
-    reserve->member = lag_take(&memory, sides);
+    lag_take_all(&memory, sides, (double **const[]){&reserve->slack, &reserve->size, &reserve->member, NULL});
     lag_loads_place(&reserve->loads, model, lag_take(&memory, lag_loads_memory(model)));
     reserve->work = memory;
 }

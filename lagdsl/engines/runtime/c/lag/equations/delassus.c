@@ -4,6 +4,7 @@
 
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/vector.h"
 
 /* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
@@ -54,7 +55,7 @@ void lag_delassus_place(
 }
 
 /* Row i of J times y (n). */
-static double along(const lag_delassus *s, size_t i, const double *y)
+static inline double along(const lag_delassus *s, size_t i, const double *y)
 {
     const lag_pattern *entries = s->patterns.jacobian;
     const double *row = s->jacobian + i * s->n;
@@ -71,17 +72,39 @@ static double along(const lag_delassus *s, size_t i, const double *y)
     return sum;
 }
 
-/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
-static void weigh(lag_delassus *s)
+/* True if kept row i of J has an entry that is not zero. */
+static int holds(const lag_delassus *s, size_t i)
+{
+    const lag_pattern *entries = s->patterns.jacobian;
+    const size_t end = entries != NULL ? entries->first[s->row[i] + 1] : s->n;
+    size_t k = entries != NULL ? entries->first[s->row[i]] : 0;
+    while (k < end && s->jacobian[i * s->n + (entries != NULL ? entries->column[k] : k)] == 0.0) {
+        ++k;
+    }
+    return k < end;
+}
+
+size_t lag_delassus_weigh(lag_delassus *s, const unsigned char *redundant)
+{
+    size_t rank = 0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        const int counts = redundant == NULL || redundant[s->row[i]] == 0;
+        s->factor.left[i] = along(s, i, s->response + i * s->n);
+        rank += counts && (s->factor.left[i] != 0.0 || holds(s, i));
+    }
+    return rank;
+}
+
+/* The squares of the factors that make the diagonal of S comparable: one, but for rows that are short. */
+static void compare(lag_delassus *s)
 {
     double longest = 0.0;
     for (size_t i = 0; i < s->kept; ++i) {
-        s->factor.left[i] = along(s, i, s->response + i * s->n);
-        longest = fmax(longest, s->factor.left[i]);
+        longest = lag_higher(s->factor.left[i], longest);
     }
+    const double least = SHORT_RESPONSE * SHORT_RESPONSE * longest;
     for (size_t i = 0; i < s->kept; ++i) {
-        const double part = fmin(1.0, s->factor.left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
-        s->factor.weight[i] = s->factor.left[i] > 0.0 ? part / s->factor.left[i] : 0.0;
+        s->factor.weight[i] = s->factor.left[i] > 0.0 ? 1.0 / lag_higher(s->factor.left[i], least) : 0.0;
     }
 }
 
@@ -102,26 +125,25 @@ static void form(lag_delassus *s)
     }
 }
 
-int lag_delassus_holds(const lag_delassus *s, size_t i)
-{
-    const lag_pattern *entries = s->patterns.jacobian;
-    const size_t end = entries != NULL ? entries->first[s->row[i] + 1] : s->n;
-    size_t k = entries != NULL ? entries->first[s->row[i]] : 0;
-    while (k < end && s->jacobian[i * s->n + (entries != NULL ? entries->column[k] : k)] == 0.0) {
-        ++k;
-    }
-    return k < end;
-}
-
-/* Adds to lam (m) what multipliers x (kept) of the kept rows are and add to the others. */
-static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
+/* Adds to lam (m) what a multiplier x of kept row i is and adds to the others. */
+static inline void add_multiplier(const lag_delassus *s, size_t i, double x, double *lam)
 {
     const size_t others = s->kept < s->m ? s->m : 0;
-    for (size_t i = 0; i < s->kept; ++i) {
-        for (size_t j = 0; j < others; ++j) {
-            lam[j] += s->lam_response[i * s->m + j] * x[i];
-        }
-        lam[s->row[i]] += x[i];
+    for (size_t j = 0; j < others; ++j) {
+        lam[j] += s->lam_response[i * s->m + j] * x;
+    }
+    lam[s->row[i]] += x;
+}
+
+/* Adds to a (n) what it adds to the accelerations. */
+static inline void add_acceleration(const lag_delassus *s, size_t i, double x, double *a)
+{
+    const lag_pattern *responses = s->patterns.response;
+    const double *response = s->response + i * s->n;
+    const size_t end = responses != NULL ? responses->first[i + 1] : s->n;
+    for (size_t e = responses != NULL ? responses->first[i] : 0; e < end && x != 0.0; ++e) {
+        const size_t j = responses != NULL ? responses->column[e] : e;
+        a[j] += response[j] * x;
     }
 }
 
@@ -137,7 +159,9 @@ static void find_direction(lag_delassus *s, size_t own, double *direction)
     lag_pivoted_cholesky_solve_upper(factor, s->rank, s->work.x);
     s->work.x[own] = 1.0;
     lag_fill(s->m, 0.0, direction);
-    add_multipliers(s, s->work.x, direction);
+    for (size_t i = 0; i < s->kept; ++i) {
+        add_multiplier(s, i, s->work.x[i], direction);
+    }
     const double length = sqrt(lag_dot(s->m, direction, direction));
     for (size_t j = 0; j < s->m; ++j) {
         direction[j] /= length;
@@ -188,7 +212,7 @@ static void forget_zero_rows(lag_delassus *s)
     s->dependent = 0;
     for (size_t i = s->rank; i < s->kept; ++i) {
         const size_t own = (size_t)s->factor.chosen[i];
-        if (lag_delassus_holds(s, own) || adds(s, own)) {
+        if (holds(s, own) || adds(s, own)) {
             s->factor.chosen[s->rank + s->dependent++] = (double)own;
         }
     }
@@ -213,7 +237,7 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
     if (rank == 0) {
         return factor_nothing(s);
     }
-    weigh(s);
+    compare(s);
     form(s);
     if (lag_pivoted_cholesky_factor(&s->factor, LEAST_PIVOT, LARGEST_EXCESS) != rank) {
         return LAG_MISSING;
@@ -222,48 +246,53 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
     return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
-/* Multipliers work.x (kept) that give what is missing to gamma; zero for rows that are not chosen. */
+/* Multipliers work.x that give what is missing to gamma, of the chosen rows that stand beside others. */
 static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
 {
-    for (size_t i = 0; i < s->kept; ++i) {
+    const lag_pivoted_cholesky *factor = &s->factor;
+    for (size_t k = factor->alone; k < s->rank; ++k) {
+        const size_t i = (size_t)factor->chosen[k];
         s->work.x[i] = gamma[i] - along(s, i, a);
     }
-    lag_pivoted_cholesky_solve_lower(&s->factor, s->rank, s->work.x);
-    lag_pivoted_cholesky_solve_upper(&s->factor, s->rank, s->work.x);
-    for (size_t i = 0; i < s->kept; ++i) {
-        s->work.x[i] = lag_pivoted_cholesky_has(&s->factor, i) ? s->work.x[i] : 0.0;
-    }
+    lag_pivoted_cholesky_solve_lower(factor, s->rank, s->work.x);
+    lag_pivoted_cholesky_solve_upper(factor, s->rank, s->work.x);
 }
 
-static void add_accelerations(const lag_delassus *s, double *a)
+/* The multiplier of row i, which stands beside no others, with its refinement. */
+static void solve_alone(const lag_delassus *s, size_t i, const double *gamma, double *a, double *lam)
 {
-    const lag_pattern *responses = s->patterns.response;
-    for (size_t i = 0; i < s->kept; ++i) {
-        const double *response = s->response + i * s->n;
-        const size_t end = responses != NULL ? responses->first[i + 1] : s->n;
-        for (size_t e = responses != NULL ? responses->first[i] : 0; e < end && s->work.x[i] != 0.0; ++e) {
-            const size_t j = responses != NULL ? responses->column[e] : e;
-            a[j] += response[j] * s->work.x[i];
-        }
+    const double left = s->factor.left[i];
+    for (int k = 0; k < 2; ++k) {
+        const double x = (gamma[i] - along(s, i, a)) / left / left;
+        add_acceleration(s, i, x, a);
+        add_multiplier(s, i, x, lam);
     }
 }
 
 void lag_delassus_solve(lag_delassus *s, const double *gamma, double *a, double *lam)
 {
-    if (s->rank > 0) {
+    const double *chosen = s->factor.chosen;
+    const size_t alone = s->rank > 0 ? s->factor.alone : 0;
+    for (size_t k = 0; k < alone; ++k) {
+        solve_alone(s, (size_t)chosen[k], gamma, a, lam);
+    }
+    if (s->rank > alone) {
         solve_rest(s, gamma, a);
-        add_multipliers(s, s->work.x, lam);
+    }
+    for (size_t k = alone; k < s->rank; ++k) {
+        add_multiplier(s, (size_t)chosen[k], s->work.x[(size_t)chosen[k]], lam);
     }
     if (s->dependent > 0) {
         remove_excess(s, lam);
     }
-    for (size_t i = 0; i < s->kept; ++i) {
-        s->work.x[i] = lam[s->row[i]];
+    for (size_t k = alone; k < s->rank + s->dependent; ++k) {
+        add_acceleration(s, (size_t)chosen[k], lam[s->row[(size_t)chosen[k]]], a);
     }
-    add_accelerations(s, a);
-    if (s->rank > 0) {
+    if (s->rank > alone) {
         solve_rest(s, gamma, a);
-        add_accelerations(s, a);
-        add_multipliers(s, s->work.x, lam);
+    }
+    for (size_t k = alone; k < s->rank; ++k) {
+        add_acceleration(s, (size_t)chosen[k], s->work.x[(size_t)chosen[k]], a);
+        add_multiplier(s, (size_t)chosen[k], s->work.x[(size_t)chosen[k]], lam);
     }
 }

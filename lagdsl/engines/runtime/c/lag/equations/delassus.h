@@ -52,11 +52,11 @@ size_t lag_delassus_memory(size_t m, size_t kept);
 void lag_delassus_place(
     lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, const lag_patterns *patterns, double *memory);
 
-/* True if kept row i of J has an entry that is not zero. */
-int lag_delassus_holds(const lag_delassus *system, size_t i);
+/* The diagonal of S; returns the number of kept rows of J that have entries, but for those flagged in `redundant` (m), or null. */
+size_t lag_delassus_weigh(lag_delassus *system, const unsigned char *redundant);
 
 /*
- * Factors S, of whose rows `rank` are independent; none: S is round-off. LAG_MISSING: it has too few digits left to be solved, or the other rows
+ * Factors S behind that, of whose rows `rank` are independent; none: S is round-off. LAG_MISSING: it has too few digits left to be solved, or the other rows
  * do not depend on them here; the dense system tells.
  */
 lag_status lag_delassus_factor(lag_delassus *system, size_t rank);

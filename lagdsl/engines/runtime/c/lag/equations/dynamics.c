@@ -87,14 +87,11 @@ lag_status lag_factor_eliminated(
     double *memory,
     lag_delassus *system)
 {
-    size_t rank = 0;
     lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, model->patterns, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
-    for (size_t i = 0; i < model->nk; ++i) {
-        rank += model->redundant[model->kept_rows[i]] == 0 && lag_delassus_holds(system, i);
-    }
+    const size_t rank = lag_delassus_weigh(system, model->redundant);
     return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
 }
 

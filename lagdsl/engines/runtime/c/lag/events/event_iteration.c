@@ -32,10 +32,8 @@ void lag_event_iteration_place(
     iteration->noise = noise;
     iteration->places = lag_places_of(model);
     iteration->instant.moment = 1e-9;
-    iteration->discretes.before = lag_take(&memory, model->nw);
-    iteration->discretes.next = lag_take(&memory, model->nw);
-    iteration->discretes.guilty = lag_take(&memory, model->nw);
-    iteration->discretes.settled = lag_take(&memory, model->nw);
+    lag_take_all(&memory, model->nw, (double **const[]){&iteration->discretes.before, &iteration->discretes.next, &iteration->discretes.guilty,
+        &iteration->discretes.settled, NULL});
     memset(iteration->discretes.settled, 0, model->nw * sizeof(double));
     iteration->clauses.reset = lag_take(&memory, model->nreset);
     iteration->clauses.value = lag_take(&memory, model->nreset);
@@ -46,10 +44,8 @@ void lag_event_iteration_place(
     iteration->clauses.held = lag_take(&memory, size);
     iteration->trial.point = lag_take(&memory, size);
     iteration->trial.states = lag_take(&memory, model->nz);
-    iteration->sides.now = lag_take(&memory, model->nindicator);
-    iteration->sides.side = lag_take(&memory, model->nindicator);
-    iteration->sides.before = lag_take(&memory, model->nindicator);
-    iteration->sides.truth = lag_take(&memory, model->nindicator);
+    lag_take_all(&memory, model->nindicator, (double **const[]){&iteration->sides.now, &iteration->sides.side, &iteration->sides.before,
+        &iteration->sides.truth, NULL});
     iteration->trial.x = lag_take(&memory, size);
     iteration->trial.truth = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);

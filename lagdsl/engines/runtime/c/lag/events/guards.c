@@ -147,7 +147,7 @@ static double size_of(const lag_guards *guards, size_t which)
     if (i >= guards->motion->model->ncontact) {
         return lag_frictions_size(guards->frictions, i - guards->motion->model->ncontact);
     }
-    return is_closed(guards, i) ? contacts->sizes.force[i] : lag_contacts_is_one_way(contacts, i) ? contacts->sizes.pace[i] : contacts->sizes.scale[i];
+    return is_closed(guards, i) ? contacts->sizes.force[i] : lag_contacts_is_one_way(contacts, i) ? lag_contacts_pace(contacts, i) : lag_contacts_scale(contacts, i);
 }
 
 double lag_guards_known(const lag_guards *guards, size_t which)
@@ -161,7 +161,7 @@ double lag_guards_known(const lag_guards *guards, size_t which)
 size_t lag_guards_memory(const lag_model *model)
 {
     const size_t count = lag_guard_count(model) + model->ncorner;
-    return 5 * model->nindicator + 2 * model->ncorner + (7 + LAG_PIECE_SAMPLES) * count;
+    return 5 * model->nindicator + 2 * model->ncorner + (8 + LAG_PIECE_SAMPLES) * count;
 }
 
 void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
@@ -174,26 +174,18 @@ void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reser
     guards->frictions = reserve->frictions;
     guards->reserve = reserve;
     guards->noise = noise;
-    guards->value = lag_take(&memory, count);
-    guards->changed = lag_take(&memory, count);
-    guards->depth = lag_take(&memory, count);
-    guards->band = lag_take(&memory, count);
-    guards->top = lag_take(&memory, count);
-    guards->pieces.root = lag_take(&memory, count);
-    guards->pieces.found = lag_take(&memory, count);
+    lag_take_all(&memory, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
+        &guards->pieces.found, &guards->pieces.sought, NULL});
     for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
         guards->pieces.seen[k] = lag_take(&memory, count);
     }
-    guards->pieces.when = lag_take(&memory, model->nindicator);
-    guards->held = lag_take(&memory, model->nindicator);
-    guards->swing = lag_take(&memory, model->nindicator);
-    guards->doubted = lag_take(&memory, model->nindicator);
-    guards->g = lag_take(&memory, model->nindicator);
+    lag_take_all(&memory, model->nindicator, (double **const[]){&guards->pieces.when, &guards->held, &guards->swing, &guards->doubted, &guards->g, NULL});
     guards->corners.far = lag_take(&memory, model->ncorner);
     guards->corners.side = memory;
     guards->pieces.span = guards->pieces.reach = 0.0;
     guards->pieces.limit = (double)INFINITY;
-    guards->locating = 0;
+    guards->sought = NULL;
+    guards->time = (double)NAN;
     lag_fill(count, 0.0, guards->depth);
     lag_fill(count, 0.0, guards->band);
     lag_fill(count, 0.0, guards->top);
@@ -216,9 +208,39 @@ static int needs_forces(const lag_guards *guards)
     return needs;
 }
 
+static int is_sought(const lag_guards *guards, size_t i)
+{
+    return guards->sought == NULL || guards->sought[i] != 0.0;
+}
+
+/* True if gaps of open contacts alone are sought, which depend on no forces. */
+static int seeks_gaps(const lag_guards *guards)
+{
+    const lag_model *model = guards->motion->model;
+    const size_t count = guards->sought != NULL ? lag_guards_count(guards) : 0;
+    size_t i = 0;
+    while (i < count && (guards->sought[i] == 0.0 || (i - model->nindicator < model->ncontact && !is_closed(guards, i - model->nindicator)))) {
+        ++i;
+    }
+    return count > 0 && i == count;
+}
+
+static lag_status evaluate_gaps(lag_guards *guards, double t, const double *x)
+{
+    lag_motion_set_state(guards->motion, t, x);
+    const lag_status status = evaluate_contacts(guards);
+    for (size_t i = guards->motion->model->nindicator; i < lag_guards_count(guards); ++i) {
+        guards->value[i] = guards->sought[i] != 0.0 ? contact(guards, i - guards->motion->model->nindicator) : 0.0;
+    }
+    return status;
+}
+
 static lag_status evaluate(lag_guards *guards, double t, const double *x)
 {
     lag_status status = LAG_OK;
+    if (seeks_gaps(guards)) {
+        return evaluate_gaps(guards, t, x);
+    }
     if (needs_forces(guards)) {
         status = lag_motion_solve(guards->motion, t, x);
     } else {
@@ -246,7 +268,7 @@ static int ends_at_zero(const lag_guards *guards, size_t i)
 /* True if guard i may have left its mode: its rounding error here is not known. */
 static int is_unclear(const lag_guards *guards, size_t i)
 {
-    if (guards->band[i] != 0.0 || !lag_guards_has_noise(guards, i)) {
+    if (!is_sought(guards, i) || guards->band[i] != 0.0 || !lag_guards_has_noise(guards, i)) {
         return 0;
     }
     const double value = guards->value[i];
@@ -284,7 +306,7 @@ static int has_left(const lag_guards *guards, size_t i)
     if (value > 0.0) {
         return 0;
     }
-    const int has_begun_below = guards->locating && guards->depth[i] > 0.0;
+    const int has_begun_below = guards->sought != NULL && guards->depth[i] > 0.0;
     const double noise = lag_guards_has_noise(guards, i) ? guards->band[i] : lag_guards_noise(guards, i);
     const double band = has_begun_below ? 0.0 : noise;
     const int ends = ends_at_zero(guards, i) && guards->top[i] > LAG_CLEARLY * noise;
@@ -294,13 +316,14 @@ static int has_left(const lag_guards *guards, size_t i)
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
 {
     const size_t count = lag_guards_count(guards);
+    guards->time = t;
     lag_status status = evaluate(guards, t, x);
     if (status == LAG_OK && find_dead_bands(guards, t, x)) {
         status = evaluate(guards, t, x);
     }
     int any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        guards->changed[i] = has_left(guards, i);
+        guards->changed[i] = is_sought(guards, i) && has_left(guards, i);
         any = any || guards->changed[i] != 0.0;
     }
     return any ? LAG_EVENT_PENDING : status;
@@ -315,6 +338,7 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
     }
     lag_noise_follow(guards->noise, x);
     lag_contacts_follow(guards->contacts, x);
+    guards->time = (double)NAN;
     const lag_status status = evaluate(guards, t, x);
     if (model->nfriction > 0 && status == LAG_OK) {
         lag_frictions_begin(guards->frictions); /* guards of slips in a plane begin with it */

@@ -23,7 +23,7 @@ typedef struct lag_corners {
 /* Values on pieces of a step, for those who look for the time of a change (run_scan.c). */
 typedef struct lag_pieces {
     double *seen[LAG_PIECE_SAMPLES];       /* (nindicator + ncontact + nfriction + ncorner) values */
-    double *root, *found;          /* the same */
+    double *root, *found, *sought; /* the same */
     double *when;                  /* (nindicator) time of the last change that was found */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
@@ -41,10 +41,11 @@ typedef struct lag_guards {
     lag_pieces pieces;
     double *value;                 /* (nindicator + ncontact + nfriction + ncorner) of guards at the state evaluated last; 1 where one is held */
     double *changed;               /* the same: 1: this one has left its mode there */
+    double time;                   /* of which `changed` tells; nan: of none */
     double *depth;                 /* the same: how far below zero values were where the step began */
     double *band;                  /* the same: dead bands, as they were found when they were needed first since then; zero: not yet */
     double *top;                   /* the same: the largest values since then */
-    int locating;                  /* guards that have left are looked at to find the instant */
+    const double *sought;          /* the same: flags of those of which `value` and `changed` tell; null: of all */
     double *held;                  /* (nindicator) flags: the rows of the mode hold it */
     double *swing;                 /* (nindicator) largest magnitude since it turned last; infinite: it has not turned */
     double *doubted;               /* (nindicator) first time at which it turned by the method's error, perhaps; infinite: none */

@@ -55,10 +55,7 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
     noise->peak = lag_take(&memory, size + inputs);
     noise->point = lag_take(&memory, size);
     noise->u = lag_take(&memory, inputs);
-    noise->value = lag_take(&memory, all_of(model));
-    noise->other = lag_take(&memory, all_of(model));
-    noise->opposite = lag_take(&memory, all_of(model));
-    noise->sigma = lag_take(&memory, all_of(model));
+    lag_take_all(&memory, all_of(model), (double **const[]){&noise->value, &noise->other, &noise->opposite, &noise->sigma, NULL});
     if (size > 0) {
         leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
     }

@@ -24,10 +24,7 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_im
 {
     const lag_model *model = motion->model;
     *refraction = (lag_refraction){.motion = motion, .impulse = impulse, .noise = noise, .places = lag_places_of(model)};
-    refraction->gradient = lag_take(&memory, model->nq);
-    refraction->along = lag_take(&memory, model->nq);
-    refraction->before = lag_take(&memory, model->nq);
-    refraction->aim = lag_take(&memory, model->nq);
+    lag_take_all(&memory, model->nq, (double **const[]){&refraction->gradient, &refraction->along, &refraction->before, &refraction->aim, NULL});
     refraction->rows = lag_take(&memory, model->nc * model->nq);
     refraction->speeds = lag_take(&memory, model->nc);
     refraction->point = lag_take(&memory, lag_motion_size(model));

@@ -28,16 +28,9 @@ void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
     timed->motion = motion;
     timed->first = lag_places_of(model).timed;
     timed->next = (double)INFINITY;
-    timed->value = lag_take(&memory, model->ntimed);
-    timed->told = lag_take(&memory, model->ntimed);
-    timed->before = lag_take(&memory, model->ntimed);
-    timed->distance = lag_take(&memory, model->ndistance);
-    timed->rate = lag_take(&memory, model->ndistance);
-    timed->affine = lag_take(&memory, model->ndistance);
-    timed->entry = lag_take(&memory, model->ndistance);
-    timed->change = lag_take(&memory, model->ndistance);
-    timed->old_distance = lag_take(&memory, model->ndistance);
-    timed->old_rate = lag_take(&memory, model->ndistance);
+    lag_take_all(&memory, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
+    lag_take_all(&memory, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
+        &timed->old_distance, &timed->old_rate, NULL});
     timed->zero = memory;
 }
 

@@ -66,12 +66,7 @@ static scaled begin(const lag_friction_problem *p, double *memory, double *size)
     const size_t n = s.size;
     s.scale = lag_take(&memory, n);
     s.at = lag_take(&memory, p->frictions);
-    s.lam = lag_take(&memory, n);
-    s.best = lag_take(&memory, n);
-    s.kept = lag_take(&memory, n);
-    s.gamma = lag_take(&memory, n);
-    s.rest = lag_take(&memory, n);
-    s.change = lag_take(&memory, n);
+    lag_take_all(&memory, n, (double **const[]){&s.lam, &s.best, &s.kept, &s.gamma, &s.rest, &s.change, NULL});
     s.slope = lag_take(&memory, n * n);
     s.work = memory;
     size_t next = p->normals;

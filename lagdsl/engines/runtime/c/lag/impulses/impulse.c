@@ -30,13 +30,8 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     const lag_model *model = motion->model;
     const size_t n = model->nq;
     *impulse = (lag_impulse){.motion = motion, .places = lag_places_of(model)};
-    impulse->before = lag_take(&memory, n);
-    impulse->now = lag_take(&memory, n);
-    impulse->aim = lag_take(&memory, n);
-    impulse->from = lag_take(&memory, n);
-    impulse->size = lag_take(&memory, n);
-    impulse->change = lag_take(&memory, n);
-    impulse->chosen = lag_take(&memory, n);
+    lag_take_all(&memory, n, (double **const[]){&impulse->before, &impulse->now, &impulse->aim, &impulse->from, &impulse->size, &impulse->change,
+        &impulse->chosen, NULL});
     impulse->mass = motion->written.mass;
     impulse->jacobian = motion->written.rows[1];
     impulse->residual = lag_take(&memory, model->nc);

@@ -97,9 +97,7 @@ static lag_status factor(lag_impulse *impulse, const double *held, step_system *
     s->jacobian = lag_take(&memory, most * count);
     s->right = lag_take(&memory, most);
     s->lam = lag_take(&memory, most);
-    s->force = lag_take(&memory, count);
-    s->change = lag_take(&memory, count);
-    s->row = lag_take(&memory, count);
+    lag_take_all(&memory, count, (double **const[]){&s->force, &s->change, &s->row, NULL});
     s->rows = 0;
     for (size_t k = 0; k < count; ++k) {
         pick(impulse, impulse->mass + lag_impulse_place_of(impulse, k) * model->nq, s->mass + k * count);

@@ -15,13 +15,8 @@ void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *mod
     const size_t most = model->ngap + model->nslip;
     inequalities->rows = lag_take(&memory, most * model->nq);
     inequalities->columns = lag_take(&memory, most * model->nq);
-    inequalities->speed = lag_take(&memory, most);
-    inequalities->force = lag_take(&memory, most);
-    inequalities->after = lag_take(&memory, most);
-    inequalities->scale = lag_take(&memory, most);
-    inequalities->compliance = lag_take(&memory, most);
-    inequalities->start = lag_take(&memory, most);
-    inequalities->first = lag_take(&memory, most);
+    lag_take_all(&memory, most, (double **const[]){&inequalities->speed, &inequalities->force, &inequalities->after, &inequalities->scale,
+        &inequalities->compliance, &inequalities->start, &inequalities->first, NULL});
     inequalities->restitution = lag_take(&memory, model->ngap);
     inequalities->components = lag_take(&memory, model->nfriction);
     inequalities->limits = lag_take(&memory, model->nfriction);

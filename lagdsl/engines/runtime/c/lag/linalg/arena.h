@@ -21,6 +21,14 @@ static inline double *lag_take(double **memory, size_t count)
     return start;
 }
 
+/* The same for each of these arrays; null behind the last. */
+static inline void lag_take_all(double **memory, size_t count, double **const *arrays)
+{
+    for (; *arrays != NULL; ++arrays) {
+        **arrays = lag_take(memory, count);
+    }
+}
+
 /* As many flags, all zero, in the room of `count` doubles. */
 static inline unsigned char *lag_take_flags(double **memory, size_t count)
 {

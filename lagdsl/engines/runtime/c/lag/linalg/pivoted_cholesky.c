@@ -12,6 +12,7 @@ size_t lag_pivoted_cholesky_memory(size_t n)
 void lag_pivoted_cholesky_place(lag_pivoted_cholesky *c, size_t n, double *memory)
 {
     c->n = n;
+    c->alone = 0;
     c->left = lag_take(&memory, n);
     c->weight = lag_take(&memory, n);
     c->count = lag_take(&memory, n);
@@ -172,6 +173,7 @@ size_t lag_pivoted_cholesky_factor(lag_pivoted_cholesky *c, double least, double
     for (size_t i = 0; i < c->n && judged >= 0; ++i) { /* those beside no others */
         judged = c->count[i] > 0.0 ? judged : judge(c, i, least * first, excess * first, &rank);
     }
+    c->alone = rank;
     judged = judged >= 0;
     while (in_heap > 0 && judged > 0) {
         const size_t pivot = (size_t)c->heap[0];
@@ -194,7 +196,7 @@ size_t lag_pivoted_cholesky_factor(lag_pivoted_cholesky *c, double least, double
 
 void lag_pivoted_cholesky_solve_lower(const lag_pivoted_cholesky *c, size_t rank, double *x)
 {
-    for (size_t k = 0; k < rank; ++k) {
+    for (size_t k = c->alone; k < rank; ++k) {
         const size_t pivot = (size_t)c->chosen[k];
         x[pivot] /= c->left[pivot];
         for (size_t e = 0; e < (size_t)c->count[pivot]; ++e) {
@@ -206,7 +208,7 @@ void lag_pivoted_cholesky_solve_lower(const lag_pivoted_cholesky *c, size_t rank
 
 void lag_pivoted_cholesky_solve_upper(const lag_pivoted_cholesky *c, size_t rank, double *x)
 {
-    for (size_t k = rank; k-- > 0;) {
+    for (size_t k = rank; k-- > c->alone;) {
         const size_t pivot = (size_t)c->chosen[k];
         for (size_t e = 0; e < (size_t)c->count[pivot]; ++e) {
             const size_t i = lag_pivoted_cholesky_beside(c, pivot, e);

@@ -14,7 +14,8 @@ typedef struct lag_pivoted_cholesky {
     double *beside, *count; /* (n, n) (n) the rows at which each row has entries, of a chosen one those behind it; so many */
     double *left;           /* (n) what is left of the diagonal; of chosen rows its root */
     double *weight;         /* (n) for comparing rows */
-    double *chosen;         /* (n) the chosen rows in turn, then the others */
+    double *chosen;         /* (n) the chosen rows in turn, then the others; */
+    size_t alone;           /* the first ones have no entries beside the diagonal */
     double *place;          /* (n) where each stands there, n for rows that are not chosen */
     double *size;           /* (n) of the rests */
     double *heap, *at;      /* (n) (n) rows by these, the longest first; where each is */
@@ -36,7 +37,7 @@ void lag_pivoted_cholesky_join(lag_pivoted_cholesky *c, size_t i, size_t k, doub
  */
 size_t lag_pivoted_cholesky_factor(lag_pivoted_cholesky *c, double least, double excess);
 
-/* x (n) := L^-1 x and L'^-1 x for the first `rank` chosen rows. Others have no part in the latter, and numbers of no use behind the first. */
+/* x (n) := L^-1 x and L'^-1 x for the first `rank` chosen rows that are not alone. Others have no part in the latter, and numbers of no use behind the first. */
 void lag_pivoted_cholesky_solve_lower(const lag_pivoted_cholesky *c, size_t rank, double *x);
 void lag_pivoted_cholesky_solve_upper(const lag_pivoted_cholesky *c, size_t rank, double *x);
 

@@ -200,7 +200,17 @@ static void dense_dop853(const lag_stepper *s, double t, double *x)
     const size_t size = s->ode->size;
     const double h = s->t - s->t_before;
     const double part = h > 0.0 ? (t - s->t_before) / h : 1.0;
-    for (size_t i = 0; i < size; ++i) {
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= size; i += LAG_WIDTH) {
+        lag_wide sum = {0.0};
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
+            sum = (sum + lag_wide_at(terms + k * size + i)) * (k % 2 == 0 ? part : 1.0 - part);
+        }
+        lag_wide_to(x + i, lag_wide_at(s->x_before + i) + sum);
+    }
+#endif
+    for (; i < size; ++i) {
         double sum = 0.0;
         for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
             sum = (sum + terms[k * size + i]) * (k % 2 == 0 ? part : 1.0 - part);

@@ -252,7 +252,9 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         }
         stretch = accepted ? LAST_STRETCH : 1.0;
         if (accepted && status == LAG_EVENT_PENDING) {
-            (void)lag_scan_detect(run, b);
+            if (run->guards.time != b) {
+                (void)lag_scan_detect(run, b);
+            }
             *t = lag_scan_earliest(run, a, b);
             if (in.b == s->t && in.samples == LAST && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
                 join_at_end(run, &in);

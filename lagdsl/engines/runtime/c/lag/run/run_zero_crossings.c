@@ -51,13 +51,11 @@ static double refine(change *one, double a, double fa, double b, double root, do
 }
 
 /*
- * Time at which number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an
+ * Time at which number `which`, which is fa at a and fb at b, where it has changed, does so. A value that is zero but for round-off at a, as after an
  * impact, tells nothing: the interval is halved until its ends have different signs and alike sizes.
  */
-static double root_of(change *one, double a, double b, double tolerance)
+static double root_of(change *one, double a, double fa, double b, double fb, double tolerance)
 {
-    double fa = value_of(one, a);
-    double fb = value_of(one, b);
     for (int k = 0; k < HALVES; ++k) {
         const double middle = a + 0.5 * (b - a);
         if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
@@ -78,30 +76,57 @@ static double root_of(change *one, double a, double b, double tolerance)
     return b;
 }
 
-double lag_scan_earliest(lag_run *run, double a, double b)
+/*
+ * Of the guards that are sought, relations and corners in their order, as these may jump; then the one that a straight line from its value `before` leads
+ * to zero first. The number of all where none is.
+ */
+static size_t find_nearest(const lag_guards *guards, const double *before)
 {
-    const size_t count = lag_guards_count(&run->guards);
-    const double tolerance = lag_scan_tolerance(run);
-    double *root = run->guards.pieces.root;
-    double first = b;
-    run->guards.locating = 1;
-    memcpy(root, run->guards.changed, count * sizeof(double));
+    const size_t count = lag_guards_count(guards);
+    size_t which = count;
+    double least = (double)INFINITY;
     for (size_t i = 0; i < count; ++i) {
-        change one = {run, i};
-        const double last = fmin(b, first + LAG_SCAN_TOGETHER * tolerance);
-        const int may_be = root[i] != 0.0;
-        root[i] = (double)INFINITY;
-        if (may_be) {
-            (void)value_of(&one, last);
-            if (run->guards.changed[i] != 0.0) {
-                root[i] = root_of(&one, a, last, tolerance);
-                first = fmin(first, root[i]);
-            }
+        const double part = lag_guards_has_noise(guards, i) ? 0.0 : before[i] / (before[i] - guards->value[i]);
+        if (guards->sought[i] != 0.0 && (which == count || part < least)) {
+            which = i;
+            least = part;
         }
     }
-    run->guards.locating = 0;
+    return which;
+}
+
+/* Roots are sought one after the other; what has not changed just behind the first so far changes later. */
+double lag_scan_earliest(lag_run *run, double a, double b)
+{
+    lag_guards *guards = &run->guards;
+    const size_t count = lag_guards_count(guards);
+    const double together = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
+    double *root = guards->pieces.root;
+    double *before = guards->pieces.found;
+    double *sought = guards->pieces.sought;
+    double first = b;
+    lag_fill(count, (double)INFINITY, root);
+    memcpy(sought, guards->changed, count * sizeof(double));
+    guards->sought = sought;
+    (void)lag_scan_detect(run, a);
+    memcpy(before, guards->value, count * sizeof(double));
+    while (lag_any(count, sought)) {
+        const double last = fmin(b, first + together);
+        (void)lag_scan_detect(run, last);
+        for (size_t i = 0; i < count; ++i) {
+            sought[i] = sought[i] != 0.0 && guards->changed[i] != 0.0;
+        }
+        const size_t which = find_nearest(guards, before);
+        if (which < count) {
+            change one = {run, which};
+            root[which] = root_of(&one, a, before[which], last, guards->value[which], lag_scan_tolerance(run));
+            first = fmin(first, root[which]);
+            sought[which] = 0.0;
+        }
+    }
+    guards->sought = NULL;
     for (size_t i = 0; i < count; ++i) {
-        run->guards.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
+        guards->changed[i] = root[i] <= first + together;
     }
     return first;
 }
