@@ -22,6 +22,7 @@ from lagdsl.derivation.structure.names import balanced_coordinates, configuratio
 from lagdsl.derivation.structure.points import random_points
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import listing
+from lagdsl.foundation.numerics.homotopy import release, settle
 from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.naming import rate_text
@@ -44,6 +45,8 @@ from lagdsl.motion.analysis.steady import Steadiness, first_order_sizes, steadin
 
 _TRIES = 24
 _HOLDS = 1e-9
+# Where what is stiff holds to that part, what is soft may be far from its place: by more than this part of its size.
+_SURE = 1e-3
 # Rates that follow are none below this part of their natural sizes.
 _RESTS = 1e-12
 _MOST_TOLD = 4
@@ -230,7 +233,13 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
 
     origin = np.zeros(len(task.free))
     ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
-    best = min(ways, key=lambda way: (not way.size <= _HOLDS, float(np.linalg.norm(way.point)), way.size))
+    ends = [settle(equations, way) for way in (*ways, release(equations, origin, target=1e-12))]
+
+    def order(end: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
+        way, rest = end
+        return not way.size <= _HOLDS, not rest <= _SURE, float(np.linalg.norm(way.point)), way.size
+
+    best = min(ends, key=order)[0]
     n = len(start.q)
     tries = 0 if task.grip.rows else _TRIES  # what friction holds is near
     for other in random_points(flat.coordinates, start.q, task.widths[:n], tries):

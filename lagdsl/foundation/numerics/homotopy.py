@@ -1,0 +1,84 @@
+"""Newton's method along a path: the residual of the start is let go by and by.
+
+The sums of squares of stiff structures mislead a search: a slender beam has to stretch a little before it bends much,
+and a step that decreases them is as short as that stretch. Whole steps of Newton's method do not care, as long as they
+begin near the solution. So r(x) = (1 - s) r(x0) is solved for rising s, which is how loads are put on a structure: at
+once if that converges, else in parts.
+Source: E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, SIAM 2003, chapters 1 and 2.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer
+from lagdsl.foundation.numerics.rank import Floats
+
+_STEPS = 12  # whole steps of Newton's method for a part of the path
+_NEAR = 1e-6  # a step as short as this ends a part, but for the last one
+_LEAST_PART = 1.0 / 128.0
+
+
+def release(equations: Equations, start: Floats, *, target: float) -> Minimizer:
+    """The end of the path from `start`, where |residual| is below `target`; the start where no path leads there.
+
+    `equations(x)` gives residual (m,) and Jacobian (m, n), as for `levenberg_marquardt.descend`; steps have minimum
+    norm.
+    """
+    first = equations(start)[0]
+    begun = _reached(start, first)
+    point, done, part = start, 0.0, 1.0
+    while np.isfinite(begun.size) and part >= _LEAST_PART:
+        aim = min(done + part, 1.0)
+        found = _solved(equations, point, (1.0 - aim) * first, target if aim == 1.0 else None)
+        if found is None:
+            part /= 2.0
+        elif aim == 1.0:
+            return found
+        else:
+            point, done, part = found.point, aim, 2.0 * part
+    return begun
+
+
+def settle(equations: Equations, found: Minimizer) -> tuple[Minimizer, float]:
+    """`found` after whole steps, as long as each is less than half of the one before, and the length of the next step:
+    how far the solution is, however stiff the equations are."""
+    point = found.point
+    step, length = _step(*equations(point))
+    for _ in range(_STEPS):
+        next_step, next_length = _step(*equations(point - step))
+        if not next_length < 0.5 * length:
+            break
+        point, step, length = point - step, next_step, next_length
+    return (found if point is found.point else _reached(point, equations(point)[0])), length
+
+
+def _step(residual: Floats, jacobian: Floats) -> tuple[Floats, float]:
+    if not (np.all(np.isfinite(residual)) and np.all(np.isfinite(jacobian))):
+        return np.full(jacobian.shape[1], np.nan), np.inf
+    step = np.linalg.lstsq(jacobian, residual, rcond=None)[0]
+    return step, float(np.linalg.norm(step))
+
+
+def _reached(point: Floats, residual: Floats) -> Minimizer:
+    size = float(np.linalg.norm(residual))
+    return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
+
+
+def _solved(equations: Equations, start: Floats, rest: Floats, target: float | None) -> Minimizer | None:
+    """The solution of r(x) = `rest` by whole steps; to the last digit with a `target`. None if it is not reached."""
+    point, best = start, None
+    for _ in range(_STEPS):
+        residual, jacobian = equations(point)
+        step, length = _step(residual - rest, jacobian)
+        if not np.isfinite(length):
+            return None
+        found = _reached(point, residual - rest)
+        if best is not None and not found.size <= 0.5 * best.size:
+            return best if best.size < found.size else found
+        if target is not None and found.size <= target:
+            best = found
+        if target is None and length <= _NEAR:
+            return found
+        point = point - step
+    return best
