@@ -56,7 +56,7 @@ def settle(equations: Equations, found: Minimizer) -> tuple[Minimizer, float]:
 def _step(residual: Floats, jacobian: Floats) -> tuple[Floats, float]:
     if not (np.all(np.isfinite(residual)) and np.all(np.isfinite(jacobian))):
         return np.full(jacobian.shape[1], np.nan), np.inf
-    step = np.linalg.lstsq(jacobian, residual, rcond=None)[0]
+    step = np.asarray(np.linalg.lstsq(jacobian, residual, rcond=None)[0], dtype=np.float64)
     return step, float(np.linalg.norm(step))
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from models.references.integrate import G_N, Floats, solve
 
@@ -61,45 +62,76 @@ def flexible_arm(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def flexible_strip(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """Forces of Simo and Vu-Quoc's element and the consistent masses of linear elements."""
-    count, length = 4, p["strip.L"]
-    l, area, inertia = length / count, p["strip.A"], p["strip.I"]
-    normal, side, bending = p["strip.E"] * area, p["strip.k_s"] * p["strip.G"] * area, p["strip.E"] * inertia
-    twice, density = 2 * p["strip.zeta"], p["strip.density"]
+    """Elements of Simo and Vu-Quoc with consistent masses."""
+    x, y, q, inner, moment = _bending(p, t, "strip", p["strip.I"], lumped=False)
+    columns = {f"strip.{name}[{i + 1}]": row[i] for name, row in (("x", x), ("y", y), ("q", q)) for i in range(_COUNT)}
+    return {**columns, "root": moment[0], "side": inner[1].imag}
+
+
+def flexible_rod(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The same elements, in the plane of x and the weight, which a round rod does not leave."""
+    down = np.array([-0.8, 0.6])
+    x, y, q, inner, moment = _bending(p, t, "rod", p["rod.Iy"], lumped=True)
+    columns = {f"rod.x[{i + 1}]": x[i] for i in range(_COUNT)}
+    for name, part, axis in (("y", down[0], down[1]), ("z", down[1], -down[0])):
+        columns |= {f"rod.{name}[{i + 1}]": -y[i] * part for i in range(_COUNT)}
+        number = 3 if name == "y" else 4
+        columns |= {f"rod.e[{i + 1},{number}]": np.sin(q[i] / 2) * axis for i in range(_COUNT)}
+    columns |= {f"rod.e[{i + 1},1]": np.cos(q[i] / 2) for i in range(_COUNT)}
+    columns |= {"root[2]": moment[0] * down[1], "root[3]": -moment[0] * down[0]}
+    return {
+        **columns,
+        "side[1]": inner[1].real,
+        "side[2]": -inner[1].imag * down[0],
+        "side[3]": -inner[1].imag * down[1],
+    }
+
+
+_COUNT = 4
+
+
+def _bending(
+    p: Parameters, t: Floats, name: str, inertia: float, *, lumped: bool
+) -> tuple[Floats, Floats, Floats, NDArray[np.complex128], Floats]:
+    """Places and angles of the nodes, forces in axes of the sections and moments in the elements; weight along -y."""
+    length, area, density = p[f"{name}.L"], p[f"{name}.A"], p[f"{name}.density"]
+    l, twice = length / _COUNT, 2 * p[f"{name}.zeta"]
+    normal, side = p[f"{name}.E"] * area, p[f"{name}.k_s"] * p[f"{name}.G"] * area
+    bending = p[f"{name}.E"] * inertia
     bends = twice * (length / 1.8751040687119611) ** 2 * np.sqrt(density * area / bending)
-    stretches = twice * 2 * length / np.pi * np.sqrt(density / p["strip.E"])
+    stretches = twice * 2 * length / np.pi * np.sqrt(density / p[f"{name}.E"])
     shears = twice * np.sqrt(density * inertia / side)
-    element = density * l / 6 * np.array([[2.0, 1.0], [1.0, 2.0]])
-    shape = np.zeros((count + 1, count + 1))
-    for i in range(count):
-        shape[i : i + 2, i : i + 2] += element
+    shape = np.zeros((_COUNT + 1, _COUNT + 1))
+    for i in range(_COUNT):
+        shape[i : i + 2, i : i + 2] += density * l / 6 * np.array([[2.0, 1.0], [1.0, 2.0]])
     masses, turning = (shape * area)[1:, 1:], (shape * inertia)[1:, 1:]
+    if lumped:
+        turning = np.diag((shape * inertia).sum(axis=1)[1:])
     weight = (shape * area).sum(axis=1)[1:] * G_N
     weight[1] += p["weight.m"] * G_N
     masses[1, 1] += p["weight.m"]
 
+    def strains(x: Floats, y: Floats, q: Floats) -> tuple[NDArray[np.complex128], ...]:
+        step = np.diff(x + 1j * y, prepend=0, axis=0)
+        middle = np.exp(1j * (q + np.concatenate([np.zeros_like(q[:1]), q[:-1]])) / 2)
+        return step, middle, np.conj(middle) * step / l - 1
+
     def rates(_: float, state: Floats) -> Floats:
-        x, y, q, vx, vy, vq = state.reshape(6, count)
-        step = np.diff(np.append(0, x + 1j * y))
-        speed = np.diff(np.append(0, vx + 1j * vy))
-        angle, spin = np.append(0, q), np.append(0, vq)
-        middle = np.exp(1j * (angle[1:] + angle[:-1]) / 2)
-        strain = np.conj(middle) * step / l - 1
+        x, y, q, vx, vy, vq = state.reshape(6, _COUNT)
+        step, middle, strain = strains(x, y, q)
+        speed, spin = np.diff(np.append(0, vx + 1j * vy)), np.append(0, vq)
         changes = np.conj(middle) * (speed - 1j * step * (spin[1:] + spin[:-1]) / 2) / l
         tension = normal * (strain.real + stretches * changes.real)
         across = side * (strain.imag + shears * changes.imag)
         force = middle * (tension + 1j * across)
-        moment = bending / l * (np.diff(angle) + bends * np.diff(spin))
+        moment = bending / l * (np.diff(np.append(0, q)) + bends * np.diff(spin))
         lever = np.imag(np.conj(step) * force) / 2
         on_nodes = np.append(force[1:], 0) - force - 1j * weight
         on_sections = np.append(moment[1:] + lever[1:], 0) - moment + lever
         a = np.linalg.solve(masses, on_nodes)
         return np.concatenate([vx, vy, vq, a.real, a.imag, np.linalg.solve(turning, on_sections)])
 
-    places = np.arange(1, count + 1) * l
-    found = solve(rates, [*places, *np.zeros(5 * count)], t)
-    x, y, q = found[:count], found[count : 2 * count], found[2 * count : 3 * count]
-    middle = np.exp(-1j * (q[0] + q[1]) / 2)
-    slide = np.imag(middle * (x[1] - x[0] + 1j * (y[1] - y[0]))) / l
-    columns = {f"strip.{name}[{i + 1}]": row[i] for name, row in (("x", x), ("y", y), ("q", q)) for i in range(count)}
-    return {**columns, "root": bending / l * q[0], "side": side * slide}
+    found = solve(rates, [*(np.arange(1, _COUNT + 1) * l), *np.zeros(5 * _COUNT)], t)
+    x, y, q = found[: 3 * _COUNT].reshape(3, _COUNT, -1)
+    strain = strains(x, y, q)[2]
+    return x, y, q, normal * strain.real + 1j * side * strain.imag, bending / l * np.diff(q, prepend=0, axis=0)
