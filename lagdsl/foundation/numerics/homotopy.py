@@ -9,28 +9,33 @@ Source: E. L. Allgower and K. Georg, Introduction to Numerical Continuation Meth
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer
 from lagdsl.foundation.numerics.rank import Floats
+
+Independent = Callable[[Floats], Floats]
 
 _STEPS = 12  # whole steps of Newton's method for a part of the path
 _NEAR = 1e-6  # a step as short as this ends a part, but for the last one
 _LEAST_PART = 1.0 / 128.0
 
 
-def release(equations: Equations, start: Floats, *, target: float) -> Minimizer:
+def release(equations: Equations, independent: Independent, start: Floats, *, target: float) -> Minimizer:
     """The end of the path from `start`, where |residual| is below `target`; the start where no path leads there.
 
-    `equations(x)` gives residual (m,) and Jacobian (m, n), as for `levenberg_marquardt.descend`; steps have minimum
-    norm.
+    `equations(x)` gives residual (m,) and Jacobian (m, n), as for `levenberg_marquardt.descend`; `independent(x)` is
+    the matrix (k, m) that takes of them what does not follow from the rest. A row that follows at every x has a
+    derivative of its own where the residual is not zero, which would bend the steps. Steps have minimum norm.
     """
     first = equations(start)[0]
     begun = _reached(start, first)
     point, done, part = start, 0.0, 1.0
     while np.isfinite(begun.size) and part >= _LEAST_PART:
         aim = min(done + part, 1.0)
-        found = _solved(equations, point, (1.0 - aim) * first, target if aim == 1.0 else None)
+        found = _solved(equations, independent, point, (1.0 - aim) * first, target if aim == 1.0 else None)
         if found is None:
             part /= 2.0
         elif aim == 1.0:
@@ -40,20 +45,21 @@ def release(equations: Equations, start: Floats, *, target: float) -> Minimizer:
     return begun
 
 
-def settle(equations: Equations, found: Minimizer) -> tuple[Minimizer, float]:
+def settle(equations: Equations, independent: Independent, found: Minimizer) -> tuple[Minimizer, float]:
     """`found` after whole steps, as long as each is less than half of the one before, and the length of the next step:
     how far the solution is, however stiff the equations are."""
     point = found.point
-    step, length = _step(*equations(point))
+    step, length = _step(*equations(point), independent(point))
     for _ in range(_STEPS):
-        next_step, next_length = _step(*equations(point - step))
+        next_step, next_length = _step(*equations(point - step), independent(point - step))
         if not next_length < 0.5 * length:
             break
         point, step, length = point - step, next_step, next_length
     return (found if point is found.point else _reached(point, equations(point)[0])), length
 
 
-def _step(residual: Floats, jacobian: Floats) -> tuple[Floats, float]:
+def _step(residual: Floats, jacobian: Floats, independent: Floats) -> tuple[Floats, float]:
+    residual, jacobian = independent @ residual, independent @ jacobian
     if not (np.all(np.isfinite(residual)) and np.all(np.isfinite(jacobian))):
         return np.full(jacobian.shape[1], np.nan), np.inf
     step = np.asarray(np.linalg.lstsq(jacobian, residual, rcond=None)[0], dtype=np.float64)
@@ -65,12 +71,14 @@ def _reached(point: Floats, residual: Floats) -> Minimizer:
     return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
 
 
-def _solved(equations: Equations, start: Floats, rest: Floats, target: float | None) -> Minimizer | None:
+def _solved(
+    equations: Equations, independent: Independent, start: Floats, rest: Floats, target: float | None
+) -> Minimizer | None:
     """The solution of r(x) = `rest` by whole steps; to the last digit with a `target`. None if it is not reached."""
     point, best = start, None
     for _ in range(_STEPS):
         residual, jacobian = equations(point)
-        step, length = _step(residual - rest, jacobian)
+        step, length = _step(residual - rest, jacobian, independent(point))
         if not np.isfinite(length):
             return None
         found = _reached(point, residual - rest)

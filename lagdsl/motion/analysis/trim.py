@@ -2,8 +2,9 @@
 
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
-method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
-become least; the nearer solution is taken, others are tried where there is none. Truths of relations and
+method with exact derivatives, first along the path on which the forces of the start are let go, then damped, from the
+start itself and from where a spring to the start lets the residuals become least; the nearer solution is taken, others
+are tried where there is none. Truths of relations and
 closed contacts are those of the start; where they are others at the solution it is looked for again with these.
 
 Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -49,6 +51,9 @@ _HOLDS = 1e-9
 _SURE = 1e-3
 # Rates that follow are none below this part of their natural sizes.
 _RESTS = 1e-12
+_DEPENDENT = 1e-10
+# No nearer solution is looked for than one at this distance, in natural displacements.
+_CLOSE = 1.0
 _MOST_TOLD = 4
 # So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
 _MOST_CHANGES = 12
@@ -224,16 +229,18 @@ def _task(
 def _search(task: _Task) -> tuple[Minimizer, Floats]:
     """The best of several beginnings, and what its residuals are parts of."""
     start, flat = task.start, task.system.flat
-    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
-    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 1.0)
+    scale = _scale(task)
 
     def equations(x: Floats) -> tuple[Floats, Floats]:
         residual, jacobian = task.equations(x)
         return residual / scale, jacobian / scale[:, None]
 
     origin = np.zeros(len(task.free))
-    ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
-    ends = [settle(equations, way) for way in (*ways, release(equations, origin, target=1e-12))]
+    own = partial(_independent, task, scale)
+    ends = [settle(equations, own, release(equations, own, origin, target=1e-12))]
+    if not (ends[0][0].size <= _HOLDS and float(np.linalg.norm(ends[0][0].point)) <= _CLOSE):
+        ways = (descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin)))
+        ends += [settle(equations, own, way) for way in ways]
 
     def order(end: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
         way, rest = end
@@ -249,6 +256,44 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
         found = descend(equations, np.array(beginning), target=1e-12)
         best = found if found.size < best.size else best
     return best, scale
+
+
+def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
+    """The rows that do not follow from others, of rows that are parts of `scale`: at rest the accelerations hold the
+    constraints, so only those along the constraints are free."""
+    n, count = len(task.start.q), len(scale)
+    if len(task.rates) < n or not task.system.engine.layout.constraints:
+        return np.eye(count)
+    jacobian = task.system.engine.evaluate("velocity_constraint", *task.point(x).arguments)[1]
+    first = len(holonomic_rows(task.system)) + len(jacobian)
+    if not np.all(np.isfinite(jacobian)):
+        return np.eye(count)
+    _, sizes, axes = np.linalg.svd(jacobian * scale[first : first + n])
+    free = axes[int(np.sum(sizes > _DEPENDENT * np.max(sizes, initial=0.0))) :]
+    rows = np.zeros((len(free), count))
+    rows[:, first : first + n] = free
+    others = np.delete(np.eye(count), np.arange(first, first + n), axis=0)
+    return np.vstack([others, rows])
+
+
+def _scale(task: _Task) -> Floats:
+    """What natural displacements change the rows by at the start; the accelerations of coordinates of one unit that a
+    constraint ties together, as those of a quaternion, have the largest size of them."""
+    system, start = task.system, task.start
+    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
+    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 0.0)
+    count = len(system.engine.layout.constraints)
+    if len(task.rates) == len(start.q) and count:
+        first = len(holonomic_rows(system)) + count
+        nearby = replace(start, q=start.q + task.widths[: len(start.q)] * np.linspace(0.1, 0.2, len(start.q)))
+        ties = system.engine.evaluate("velocity_constraint", *nearby.arguments)[1]
+        units = [coordinate.dimension for coordinate in system.flat.coordinates]
+        for tie in ties:
+            tied = np.flatnonzero(np.abs(tie) > 0.0).tolist()
+            for unit in {units[j] for j in tied}:
+                rows = [first + j for j in tied if units[j] == unit]
+                scale[rows] = np.max(scale[rows])
+    return np.where(scale > 0.0, scale, 1.0)
 
 
 def _sprung(equations: Equations, origin: Floats) -> Floats:
