@@ -135,3 +135,26 @@ def _bending(
     x, y, q = found[: 3 * _COUNT].reshape(3, _COUNT, -1)
     strain = strains(x, y, q)[2]
     return x, y, q, normal * strain.real + 1j * side * strain.imag, bending / l * np.diff(q, prepend=0, axis=0)
+
+
+def flexible_blade(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Lagrange's equations of the angle and of one amplitude; the point mass at the end moves across the blade."""
+    m, length, stiffness, ball = p["m"], p["L"], 4 * p["EI"] / p["L"] ** 3, p["tip.m"]
+    spin = m * length**2 / 12
+    weight = np.array([m, ball])
+
+    def rates(_: float, x: Floats) -> list[float]:
+        theta, eta, v, u = x
+        turn = np.exp(1j * theta)
+        place = turn * np.array([length / 2 + 1j * eta / 3, length + 1j * eta])
+        along = turn * np.array([1j / 3, 1j])
+        bias = -(v**2) * place + 2j * v * u * along
+        force = -1j * G_N * weight - weight * bias
+        jacobian = np.array([1j * place, along])
+        matrix = np.real(jacobian.conj() * weight @ jacobian.T)
+        matrix += [[spin, m * length / 12], [m * length / 12, m / 5 - m / 9]]
+        right = np.real(jacobian.conj() @ force) - [0, stiffness * (eta + p["blade.beta"] * u)]
+        return [v, u, *np.linalg.solve(matrix, right)]
+
+    x = solve(rates, [np.radians(40), 0, 0, 0], t)
+    return {"pin.q": x[0], "blade.eta[1]": x[1]}
