@@ -47,7 +47,7 @@ from lagdsl.motion.analysis.steady import Steadiness, first_order_sizes, steadin
 
 _TRIES = 24
 _HOLDS = 1e-9
-# Where what is stiff holds to that part, what is soft may be far from its place: by more than this part of its size.
+# The stiff rows may hold to that part with the soft ones far from their places: by more than this part of their sizes.
 _SURE = 1e-3
 # Rates that follow are none below this part of their natural sizes.
 _RESTS = 1e-12
@@ -277,7 +277,7 @@ def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
 
 
 def _scale(task: _Task) -> Floats:
-    """What natural displacements change the rows by at the start; the accelerations of coordinates of one unit that a
+    """Changes of the rows by natural displacements at the start; the accelerations of coordinates of one unit that a
     constraint ties together, as those of a quaternion, have the largest size of them."""
     system, start = task.system, task.start
     lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
