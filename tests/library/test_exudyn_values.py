@@ -1,7 +1,8 @@
 """Beams of the library against twelve values that Exudyn publishes.
 
 Source: J. Gerstmayr, Exudyn, github.com/jgerstmayr/EXUDYN, folder main/pythonDev/TestModels: `runTestSuiteRefSol.py`
-and what stands in `geometricallyExactBeamTest.py`. Its planar element is the same; in space it interpolates rotations in another way.
+and what stands in `geometricallyExactBeamTest.py`. Its planar element is the same; in space it interpolates
+rotations by another rule.
 """
 
 from __future__ import annotations

@@ -19,12 +19,12 @@ from lagdsl.foundation.numerics.rank import Floats
 Independent = Callable[[Floats], Floats]
 
 _STEPS = 12  # whole steps of Newton's method for a part of the path
-_NEAR = 1e-6  # a step as short as this ends a part, but for the last one
+_NEAR = 1e-6  # a step as short as this ends a part
 _LEAST_PART = 1.0 / 128.0
 
 
-def release(equations: Equations, independent: Independent, start: Floats, *, target: float) -> Minimizer:
-    """The end of the path from `start`, where |residual| is below `target`; the start where no path leads there.
+def release(equations: Equations, independent: Independent, start: Floats) -> Minimizer:
+    """The end of the path from `start`, a root of the equations; the start where no path leads there.
 
     `equations(x)` gives residual (m,) and Jacobian (m, n), as for `levenberg_marquardt.descend`; `independent(x)` is
     the matrix (k, m) that takes of them what does not follow from the rest. A row that follows at every x has a
@@ -35,7 +35,7 @@ def release(equations: Equations, independent: Independent, start: Floats, *, ta
     point, done, part = start, 0.0, 1.0
     while np.isfinite(begun.size) and part >= _LEAST_PART:
         aim = min(done + part, 1.0)
-        found = _solved(equations, independent, point, (1.0 - aim) * first, target if aim == 1.0 else None)
+        found = _solved(equations, independent, point, (1.0 - aim) * first, aim == 1.0)
         if found is None:
             part /= 2.0
         elif aim == 1.0:
@@ -72,21 +72,20 @@ def _reached(point: Floats, residual: Floats) -> Minimizer:
 
 
 def _solved(
-    equations: Equations, independent: Independent, start: Floats, rest: Floats, target: float | None
+    equations: Equations, independent: Independent, start: Floats, rest: Floats, to_the_end: bool
 ) -> Minimizer | None:
-    """The solution of r(x) = `rest` by whole steps; to the last digit with a `target`. None if it is not reached."""
-    point, best = start, None
+    """The solution of r(x) = `rest` by whole steps, `to_the_end` until they no longer halve; None if not reached."""
+    point, best, last = start, None, np.inf
     for _ in range(_STEPS):
         residual, jacobian = equations(point)
         step, length = _step(residual - rest, jacobian, independent(point))
         if not np.isfinite(length):
             return None
-        found = _reached(point, residual - rest)
-        if best is not None and not found.size <= 0.5 * best.size:
-            return best if best.size < found.size else found
-        if target is not None and found.size <= target:
-            best = found
-        if target is None and length <= _NEAR:
-            return found
+        if best is not None and not length < 0.5 * last:
+            return best
+        if length <= _NEAR:
+            best, last = _reached(point, residual - rest), length
+            if not to_the_end:
+                return best
         point = point - step
     return best

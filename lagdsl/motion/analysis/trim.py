@@ -229,21 +229,26 @@ def _task(
 def _search(task: _Task) -> tuple[Minimizer, Floats]:
     """The best of several beginnings, and what its residuals are parts of."""
     start, flat = task.start, task.system.flat
-    scale = _scale(task)
+    origin = np.zeros(len(task.free))
+    scale = _scale(task, origin)
 
     def equations(x: Floats) -> tuple[Floats, Floats]:
         residual, jacobian = task.equations(x)
         return residual / scale, jacobian / scale[:, None]
 
-    origin = np.zeros(len(task.free))
     own = partial(_independent, task, scale)
-    ends = [settle(equations, own, release(equations, own, origin, target=1e-12))]
+
+    def end(way: Minimizer) -> tuple[Minimizer, float]:
+        settled, rest = settle(equations, own, way)
+        return _judged(task, scale, settled)[0], rest
+
+    ends = [end(release(equations, own, origin))]
     if not (ends[0][0].size <= _HOLDS and float(np.linalg.norm(ends[0][0].point)) <= _CLOSE):
         ways = (descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin)))
-        ends += [settle(equations, own, way) for way in ways]
+        ends += [end(way) for way in ways]
 
-    def order(end: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
-        way, rest = end
+    def order(found: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
+        way, rest = found
         return not way.size <= _HOLDS, not rest <= _SURE, float(np.linalg.norm(way.point)), way.size
 
     best = min(ends, key=order)[0]
@@ -253,9 +258,19 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
         if best.size <= _HOLDS:
             break
         beginning = [(other[i] - start.q[i]) / task.widths[i] if i < n else 0.0 for i in task.free]
-        found = descend(equations, np.array(beginning), target=1e-12)
+        found = _judged(task, scale, descend(equations, np.array(beginning), target=1e-12))[0]
         best = found if found.size < best.size else best
-    return best, scale
+    return best, _judged(task, scale, best)[1]
+
+
+def _judged(task: _Task, scale: Floats, way: Minimizer) -> tuple[Minimizer, Floats]:
+    """The end of a search with residuals as parts of the larger of `scale` and what it is there: rows that are soft
+    at the start may be stiff where the search ends, and are as inexact as that."""
+    if not np.isfinite(way.size):
+        return way, scale
+    there = np.fmax(scale, _scale(task, way.point))
+    residual = task.equations(way.point)[0] / there
+    return replace(way, residual=residual, size=float(np.linalg.norm(residual))), there
 
 
 def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
@@ -276,11 +291,11 @@ def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
     return np.vstack([others, rows])
 
 
-def _scale(task: _Task) -> Floats:
-    """Changes of the rows by natural displacements at the start; the accelerations of coordinates of one unit that a
+def _scale(task: _Task, x: Floats) -> Floats:
+    """Changes of the rows by natural displacements at a point; the accelerations of coordinates of one unit that a
     constraint ties together, as those of a quaternion, have the largest size of them."""
-    system, start = task.system, task.start
-    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
+    system, start = task.system, task.point(x)
+    lengths = np.linalg.norm(task.equations(x)[1], axis=1)
     scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 0.0)
     count = len(system.engine.layout.constraints)
     if len(task.rates) == len(start.q) and count:
