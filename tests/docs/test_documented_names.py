@@ -23,6 +23,7 @@ COMMAND = re.compile(r"(?:^|[\s$/(&])lag ([a-z]+)((?:[^\n&|]|\\\n)*)", re.MULTIL
 LISTS = {
     "networks.md": ("Lag.Rotational", "Lag.Translational", "Lag.Electrical"),
     "mechanical_library.md": ("Lag.Planar", "Lag.Spatial", "Lag.Forces"),
+    "flexible_library.md": ("Lag.Flexible",),
     "library.md": ("Lag.Blocks",),
 }
 # Classes to extend and aliases of packages nearby, which the generated list of docs/reference/library.md has.

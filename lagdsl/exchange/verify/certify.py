@@ -7,6 +7,7 @@ import platform
 from importlib.metadata import version
 from importlib.util import find_spec
 
+from lagdsl.derivation.program.passes.written_out import written_out
 from lagdsl.engines.runtime.building.platforms import library_name, this_machine
 from lagdsl.engines.runtime.engines.selection import engine_of
 from lagdsl.exchange.verify.certificate import Certificate, Line
@@ -31,14 +32,15 @@ def certify(compilation: Compilation, source: SourceFile | None = None, *, fmu: 
     """Compare everything that two ways give, at random states and along the motion of the experiment; with `fmu` the
     motion of FMUs in FMPy, too."""
     flat, program = compilation.flat, compilation.program
+    whole = written_out(program)
     states = random_states(flat, program)
     tape = engine_of(program, "tape")
     lines: list[Line] = []
     if states:
-        lines.append(derivations(flat, program, states))
+        lines.append(derivations(flat, whole, states))
         lines += engines(program, states, tape)
-        lines.append(solutions(program, tape, states))
-        lines.append(tangents(program, tape, states))
+        lines.append(solutions(whole, tape, states))
+        lines.append(tangents(whole, tape, states))
         lines.append(power(compilation, states))
     else:
         says = f"{STATES} random states about the start"

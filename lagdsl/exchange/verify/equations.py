@@ -11,6 +11,7 @@ from lagdsl.algebra.graph.evaluate import evaluate
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.mechanics.lagrange.lagrangian import energies
 from lagdsl.derivation.program.functions import ALONG_MANY, SIGNATURES
+from lagdsl.derivation.program.passes.written_out import written_out
 from lagdsl.derivation.program.program import Program
 from lagdsl.derivation.textbook.extent import extent
 from lagdsl.engines.runtime.engines.engine import Engine, EngineName
@@ -195,7 +196,7 @@ def _by_complex_steps(program: Program, state: Arrays, directions: Any) -> Any:
 
 def _solved(program: Program, state: Arrays) -> tuple[Any, Any]:
     """qdd and lam of one state, real or complex."""
-    mass, force, jacobian, gamma = values(program, "dynamics", state)
+    mass, force, jacobian, gamma = values(written_out(program), "dynamics", state)
     rows = independent_rows(program, jacobian)
     right = np.concatenate([force, gamma[rows]])
     solution = np.linalg.solve(saddle_point(mass, jacobian[rows]), right)

@@ -9,6 +9,7 @@ import numpy as np
 
 from lagdsl.algebra.graph.evaluate import evaluate, evaluate_with_size
 from lagdsl.algebra.graph.operation import Group
+from lagdsl.derivation.program.passes.written_out import written_out
 from lagdsl.derivation.program.program import Program
 from lagdsl.derivation.structure.points import natural_sizes
 from lagdsl.foundation.numerics.connected_blocks import Flags
@@ -162,7 +163,7 @@ def _is_sound(program: Program, states: Arrays) -> Flags:
 
 def is_regular(program: Program, states: Arrays) -> Flags:
     """At which states is everything finite, on the constraints, and are the accelerations well determined?"""
-    blocks = values(program, "dynamics", states)
+    blocks = values(written_out(program), "dynamics", states)
     sound = np.ones(len(states[Group.TIME]), dtype=np.bool_)
     for block in blocks:
         sound &= _are_finite(block)

@@ -2,8 +2,9 @@
 
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
-method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
-become least; the nearer solution is taken, others are tried where there is none. Truths of relations and
+method with exact derivatives, first along the path on which the forces of the start are let go, then damped, from the
+start itself and from where a spring to the start lets the residuals become least; the nearer solution is taken, others
+are tried where there is none. Truths of relations and
 closed contacts are those of the start; where they are others at the solution it is looked for again with these.
 
 Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -22,6 +24,7 @@ from lagdsl.derivation.structure.names import balanced_coordinates, configuratio
 from lagdsl.derivation.structure.points import random_points
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import listing
+from lagdsl.foundation.numerics.homotopy import release, settle
 from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.naming import rate_text
@@ -44,8 +47,13 @@ from lagdsl.motion.analysis.steady import Steadiness, first_order_sizes, steadin
 
 _TRIES = 24
 _HOLDS = 1e-9
+# The stiff rows may hold to that part with the soft ones far from their places: by more than this part of their sizes.
+_SURE = 1e-3
 # Rates that follow are none below this part of their natural sizes.
 _RESTS = 1e-12
+_DEPENDENT = 1e-10
+# No nearer solution is looked for than one at this distance, in natural displacements.
+_CLOSE = 1.0
 _MOST_TOLD = 4
 # So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
 _MOST_CHANGES = 12
@@ -221,25 +229,86 @@ def _task(
 def _search(task: _Task) -> tuple[Minimizer, Floats]:
     """The best of several beginnings, and what its residuals are parts of."""
     start, flat = task.start, task.system.flat
-    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
-    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 1.0)
+    origin = np.zeros(len(task.free))
+    scale = _scale(task, origin)
 
     def equations(x: Floats) -> tuple[Floats, Floats]:
         residual, jacobian = task.equations(x)
         return residual / scale, jacobian / scale[:, None]
 
-    origin = np.zeros(len(task.free))
-    ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
-    best = min(ways, key=lambda way: (not way.size <= _HOLDS, float(np.linalg.norm(way.point)), way.size))
+    own = partial(_independent, task, scale)
+
+    def end(way: Minimizer) -> tuple[Minimizer, float]:
+        settled, rest = settle(equations, own, way)
+        return _judged(task, scale, settled)[0], rest
+
+    ends = [end(release(equations, own, origin))]
+    if not (ends[0][0].size <= _HOLDS and float(np.linalg.norm(ends[0][0].point)) <= _CLOSE):
+        ways = (descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin)))
+        ends += [end(way) for way in ways]
+
+    def order(found: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
+        way, rest = found
+        return not way.size <= _HOLDS, not rest <= _SURE, float(np.linalg.norm(way.point)), way.size
+
+    best = min(ends, key=order)[0]
     n = len(start.q)
     tries = 0 if task.grip.rows else _TRIES  # what friction holds is near
     for other in random_points(flat.coordinates, start.q, task.widths[:n], tries):
         if best.size <= _HOLDS:
             break
         beginning = [(other[i] - start.q[i]) / task.widths[i] if i < n else 0.0 for i in task.free]
-        found = descend(equations, np.array(beginning), target=1e-12)
+        found = _judged(task, scale, descend(equations, np.array(beginning), target=1e-12))[0]
         best = found if found.size < best.size else best
-    return best, scale
+    return best, _judged(task, scale, best)[1]
+
+
+def _judged(task: _Task, scale: Floats, way: Minimizer) -> tuple[Minimizer, Floats]:
+    """The end of a search with residuals as parts of the larger of `scale` and what it is there: rows that are soft
+    at the start may be stiff where the search ends, and are as inexact as that."""
+    if not np.isfinite(way.size):
+        return way, scale
+    there = np.fmax(scale, _scale(task, way.point))
+    residual = task.equations(way.point)[0] / there
+    return replace(way, residual=residual, size=float(np.linalg.norm(residual))), there
+
+
+def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
+    """The rows that do not follow from others, of rows that are parts of `scale`: at rest the accelerations hold the
+    constraints, so only those along the constraints are free."""
+    n, count = len(task.start.q), len(scale)
+    if len(task.rates) < n or not task.system.engine.layout.constraints:
+        return np.eye(count)
+    jacobian = task.system.engine.evaluate("velocity_constraint", *task.point(x).arguments)[1]
+    first = len(holonomic_rows(task.system)) + len(jacobian)
+    if not np.all(np.isfinite(jacobian)):
+        return np.eye(count)
+    _, sizes, axes = np.linalg.svd(jacobian * scale[first : first + n])
+    free = axes[int(np.sum(sizes > _DEPENDENT * np.max(sizes, initial=0.0))) :]
+    rows = np.zeros((len(free), count))
+    rows[:, first : first + n] = free
+    others = np.delete(np.eye(count), np.arange(first, first + n), axis=0)
+    return np.vstack([others, rows])
+
+
+def _scale(task: _Task, x: Floats) -> Floats:
+    """Changes of the rows by natural displacements at a point; the accelerations of coordinates of one unit that a
+    constraint ties together, as those of a quaternion, have the largest size of them."""
+    system, start = task.system, task.point(x)
+    lengths = np.linalg.norm(task.equations(x)[1], axis=1)
+    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 0.0)
+    count = len(system.engine.layout.constraints)
+    if len(task.rates) == len(start.q) and count:
+        first = len(holonomic_rows(system)) + count
+        nearby = replace(start, q=start.q + task.widths[: len(start.q)] * np.linspace(0.1, 0.2, len(start.q)))
+        ties = system.engine.evaluate("velocity_constraint", *nearby.arguments)[1]
+        units = [coordinate.dimension for coordinate in system.flat.coordinates]
+        for tie in ties:
+            tied = np.flatnonzero(np.abs(tie) > 0.0).tolist()
+            for unit in {units[j] for j in tied}:
+                rows = [first + j for j in tied if units[j] == unit]
+                scale[rows] = np.max(scale[rows])
+    return np.where(scale > 0.0, scale, 1.0)
 
 
 def _sprung(equations: Equations, origin: Floats) -> Floats:

@@ -11,6 +11,7 @@ from lagdsl.algebra.graph.differentiate import jacobian
 from lagdsl.algebra.graph.evaluate import evaluate
 from lagdsl.algebra.graph.operation import Group, Op
 from lagdsl.derivation.mechanics.equations import Equations
+from lagdsl.derivation.program.passes.written_out import written_out
 from lagdsl.derivation.program.program import Program
 from lagdsl.exchange.verify.conserved.candidates import Candidate
 from lagdsl.exchange.verify.conserved.noise import with_size
@@ -105,7 +106,7 @@ def _states(compilation: Compilation, count: int, p: Floats | None) -> Arrays | 
 
 def _solution(program: Program, states: Arrays) -> Arrays:
     """Accelerations and multipliers of each state."""
-    mass, force, rows, gamma = values(program, "dynamics", states)
+    mass, force, rows, gamma = values(written_out(program), "dynamics", states)
     qdd, lam = np.zeros(force.shape), np.zeros(gamma.shape)
     for i in range(len(force)):
         kept = independent_rows(program, rows[i])
@@ -124,7 +125,7 @@ def _after_impacts(equations: Equations, program: Program, states: Arrays) -> li
     gaps, appearing = _gaps(equations), _rows_of_some_times(equations.flat)
     if not gaps and not appearing:
         return []
-    _, _, rows, _ = values(program, "dynamics", states)
+    _, _, rows, _ = values(written_out(program), "dynamics", states)
     count, n = len(rows), len(equations.symbols.q)
     slopes = rows[:, appearing]
     if gaps:
@@ -146,7 +147,7 @@ def _struck(program: Program, states: Arrays, slope: Floats) -> Floats:
     qd = before_qd = np.array(states[Group.QD])
     left = np.full(len(qd), np.inf)
     for _ in range(_MOST_STEPS):
-        mass, _, jacobian, _ = values(program, "dynamics", states | {Group.QD: qd})
+        mass, _, jacobian, _ = values(written_out(program), "dynamics", states | {Group.QD: qd})
         (momenta,) = values(program, "momenta", states | {Group.QD: qd})
         step = np.zeros_like(qd)
         for i in range(len(qd)):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import prod
 
+from lagdsl.foundation.numerics.gauss import quadrature
 from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.semantics.operators.application import Application, same, scalars
@@ -134,6 +135,16 @@ def size(call: Application) -> Value:
         call.ctx.sink.report("E0341", item.node.span, index=index, extent=len(shape))
         return POISON
     return element_at(sizes, index - 1)
+
+
+def gauss(call: Application) -> Value:
+    """`gauss_points(n)` in (0, 1) and `gauss_weights(n)`, which have the sum 1."""
+    sizes = _sizes(call, call.arguments)
+    if sizes is None:
+        return POISON
+    points, weights = quadrature(sizes[0])
+    parts = tuple(flat.Number(value) for value in (points if call.name == "gauss_points" else weights))
+    return Array(parts, (sizes[0],), DIMENSIONLESS)
 
 
 def linspace(call: Application) -> Value:
