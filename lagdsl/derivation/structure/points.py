@@ -370,8 +370,7 @@ def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition)
         if count > FEW and tolerance <= _ROW and all(independent(block) for block in blocks):
             ranks[parts.labels] = count
             continue
-        live = np.any(blocks != 0.0, axis=(1, 2))  # rows of open contacts are zero
-        values = np.linalg.svd(blocks[live], compute_uv=False)
+        values = np.linalg.svd(blocks[live := blocks.any(axis=(1, 2))], compute_uv=False)  # open contacts are zero
         ranks[parts.labels[live]] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
     return ranks
 

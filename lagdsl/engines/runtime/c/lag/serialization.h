@@ -10,22 +10,8 @@
 #ifndef LAG_SERIALIZATION_H
 #define LAG_SERIALIZATION_H
 
+#include "lag/linalg/record.h"
 #include "lag/run.h"
-
-/*
- * One walk over everything that is to be saved, for all three purposes: how much it is, out of it, and back into it. Both
- * pointers null: only counted.
- */
-typedef struct lag_record {
-    unsigned char *bytes;       /* written to, or null */
-    const unsigned char *saved; /* read from, or null */
-    size_t count;               /* so many so far */
-} lag_record;
-
-/* `size` bytes at `data`, without pointers. */
-void lag_record_bytes(lag_record *record, void *data, size_t size);
-/* So many numbers. */
-void lag_record_doubles(lag_record *record, size_t count, double *data);
 
 /* A number that is the same in any two runs that may take each other's bytes: of the model's name and sizes, and of the options'. */
 unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options);

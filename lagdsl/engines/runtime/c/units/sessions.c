@@ -12,13 +12,13 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/linalg.h"
+#include "lag/linalg/record.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 #include "lag/sensitivities/differences.h"
 #include "lag/sensitivities/run_sensitivities.h"
 #include "lag/sensitivities/sensitivities.h"
-#include "lag/serialization.h"
 #include "lag/session.h"
 #include "lag/session/motions.h"
 #include "lag/signals.h"
@@ -87,7 +87,11 @@
 
 #include "lag/sensitivities/sensitivity_loads.c"
 
+#include "lag/sensitivities/sensitivity_map.c"
+
 #include "lag/sensitivities/sensitivity_rates.c"
+
+#include "lag/sensitivities/sensitivity_rows.c"
 
 #include "lag/sensitivities/sensitivity_start.c"
 

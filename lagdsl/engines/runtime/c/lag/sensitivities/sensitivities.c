@@ -159,11 +159,6 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
     work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
     work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->rosenbrock.matrix = lag_take(memory, n * n);
-    work->rosenbrock.pivots = lag_take(memory, n);
-    work->rosenbrock.right = lag_take(memory, n);
-    work->rosenbrock.k[0] = lag_take(memory, n);
-    work->rosenbrock.k[1] = lag_take(memory, n);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)
@@ -204,10 +199,6 @@ static size_t width_of(const lag_along *along)
     return width;
 }
 
-static lag_status row(lag_run *run, size_t number, double t, const double *x);
-static lag_status back(lag_run *run, double t);
-static void note(lag_companion *companion, size_t number);
-
 lag_sensitivities *lag_sensitivities_of(const lag_run *run)
 {
     return (lag_sensitivities *)(void *)lag_run_companion(run);
@@ -222,7 +213,8 @@ lag_sensitivities *lag_sensitivities_place(
     const size_t count = of->count;
     const size_t variables = lag_columns_variables(model);
     lag_columns *columns = &s->columns;
-    s->companion = (lag_companion){lag_sensitivities_step, back, lag_sensitivities_instant, lag_sensitivities_after, row, note, lag_columns_keep_past};
+    s->companion = (lag_companion){lag_sensitivities_step, lag_columns_back, lag_sensitivities_instant, lag_sensitivities_after, lag_columns_row, lag_columns_note,
+        lag_columns_keep_past};
     s->of = *of;
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
@@ -241,6 +233,11 @@ lag_sensitivities *lag_sensitivities_place(
     columns->rejected = (double)INFINITY;
     s->work.known.t = (double)NAN;
     place_work(&s->work, model, columns, &memory);
+    s->rosenbrock.matrix = lag_take(&memory, n * n);
+    s->rosenbrock.pivots = lag_take(&memory, n);
+    s->rosenbrock.right = lag_take(&memory, n);
+    s->rosenbrock.k[0] = lag_take(&memory, n);
+    s->rosenbrock.k[1] = lag_take(&memory, n);
     place_instant(&s->instant, model, count, &memory);
     s->instant.pending = 0;
     s->fault = (lag_columns_fault){.t = (double)INFINITY, .first = (double)INFINITY};
@@ -329,77 +326,5 @@ lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, size_t block,
             directions[i * lanes + lane] = one[i];
         }
     }
-    return status;
-}
-
-/* The columns of the block at time t into `point`, whose directions of inputs and parameters are set. */
-static lag_status columns_at(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *point)
-{
-    const lag_model *model = run->motion.model;
-    const size_t height = lag_columns_variables(model) * s->columns.lanes;
-    memcpy(point, s->columns.x + block * height, height * sizeof(double));
-    if (t == s->columns.t) {
-        return LAG_OK;
-    }
-    const lag_status status = lag_columns_dense(s, run, block, t, point);
-    return status == LAG_OK ? lag_columns_project(s, run, block, t, x, point) : status;
-}
-
-lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, const double *x, double *derivatives)
-{
-    const lag_model *model = run->motion.model;
-    const size_t n = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
-    const size_t variables = lag_places_of(model).contact;
-    const size_t width = lag_sensitivities_width(model);
-    lag_status status = LAG_OK;
-    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = columns_at(s, run, block, t, x, s->work.point);
-        if (status == LAG_OK && model->ny > 0 && block == 0) {
-            status = lag_columns_look(s, run, t, x, 1);
-        }
-        if (status == LAG_OK && model->ny > 0) {
-            status = lag_columns_rates(s, run, block, t, x, s->work.point, s->work.rates, s->work.y);
-        }
-        for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
-            double *to = derivatives + (block * lanes + lane) * width;
-            lag_columns_get(s, lane, n, s->work.point, n, to);
-            lag_columns_get(s, block * lanes + lane, variables, s->columns.w, model->nw, to + n);
-            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + variables);
-        }
-    }
-    return status;
-}
-
-static lag_status row(lag_run *run, size_t number, double t, const double *x)
-{
-    lag_sensitivities *s = lag_sensitivities_of(run);
-    const size_t entries = s->of.count * lag_sensitivities_width(run->motion.model);
-    return s->results.rows == NULL ? LAG_OK : lag_sensitivities_get(s, run, t, x, s->results.rows + number * entries);
-}
-
-static void note(lag_companion *companion, size_t number)
-{
-    const lag_sensitivities *s = (const lag_sensitivities *)(const void *)companion;
-    if (s->results.times == NULL) {
-        return;
-    }
-    memcpy(s->results.times + number * s->of.count, s->instant.time, s->of.count * sizeof(double));
-}
-
-static lag_status back(lag_run *run, double t)
-{
-    lag_sensitivities *s = lag_sensitivities_of(run);
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
-    lag_status status = LAG_OK;
-    if (t == s->columns.t) {
-        return LAG_OK;
-    }
-    s->work.known.t = (double)NAN;
-    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = columns_at(s, run, block, t, run->stepper.x, s->work.point);
-        memcpy(s->columns.x + block * height, s->work.point, height * sizeof(double));
-    }
-    s->columns.t = t;
     return status;
 }

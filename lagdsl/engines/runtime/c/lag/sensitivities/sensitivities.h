@@ -19,6 +19,8 @@
 #ifndef LAG_SENSITIVITIES_H
 #define LAG_SENSITIVITIES_H
 
+#include <stdint.h>
+
 #include "lag/methods/dop853.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/projection.h"
@@ -142,7 +144,6 @@ typedef struct lag_columns_work {
     double *one;      /* (2 nq + nz + nu + np + nw) of a single column, its discretes behind */
     double *u, *w;    /* (nu) (nw) */
     lag_collocation_system collocation;
-    lag_rosenbrock_system rosenbrock;
 } lag_columns_work;
 
 /* An instant. */
@@ -156,6 +157,15 @@ typedef struct lag_columns_instant {
     double *bend;            /* second derivatives of guards along the rates */
     int pending;             /* they are still to become the columns */
 } lag_columns_instant;
+
+/* An instant as a map (sensitivity_map.c). */
+typedef struct lag_instant_map {
+    struct lag_sensitivities *s;
+    struct lag_run *run;
+    const struct lag_cause *cause;
+    double t;
+    uint64_t events; /* what happens at it, as a sum over notices */
+} lag_instant_map;
 
 /* The instant behind which there is no derivative. */
 typedef struct lag_columns_fault {
@@ -174,6 +184,7 @@ typedef struct lag_sensitivities {
     lag_columns_past past;
     lag_columns_instant instant;
     lag_sensitivity_functions along;
+    lag_rosenbrock_system rosenbrock;
     lag_differences differences;
     const lag_column_sums *sums;
     lag_columns_fault fault;
@@ -217,6 +228,16 @@ void lag_sensitivities_load(lag_sensitivities *s, const lag_model *model, const 
 lag_sensitivities *lag_sensitivities_of(const struct lag_run *run);
 /* Lets the columns follow the last step, projected as the state is. */
 lag_status lag_sensitivities_step(struct lag_run *run);
+/* Goes through the instant, and sums what happens there. */
+lag_status lag_instant_map_carry(const lag_instant_map *map, uint64_t *events);
+/* A lag_map: state, discretes and ends of bounces behind it. LAG_ATTENTION: something else happens there, or it ends in other modes. */
+lag_status lag_instant_map_behind(void *context, double *values);
+/* True if discretes of this kind are modes, which do not move with a column. */
+int lag_is_mode(unsigned char kind);
+/* Of the companion: a row, a note, the way back to a time within the last step. */
+lag_status lag_columns_row(struct lag_run *run, size_t number, double t, const double *x);
+void lag_columns_note(struct lag_companion *companion, size_t number);
+lag_status lag_columns_back(struct lag_run *run, double t);
 /* Carries out what happens at an instant, with the columns, */
 lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause *cause);
 /* which are those behind it from now on. */

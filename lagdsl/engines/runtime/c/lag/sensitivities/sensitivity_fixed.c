@@ -188,7 +188,7 @@ static lag_status ros2_step(lag_sensitivities *s, lag_run *run, double h)
 {
     const lag_stepper *stepper = &run->stepper;
     const size_t n = stepper->ode->size;
-    const lag_rosenbrock_system at = s->work.rosenbrock;
+    const lag_rosenbrock_system at = s->rosenbrock;
     const double begin[STAGES] = {0.0};
     const double whole[STAGES] = {h};
     const double part[STAGES] = {1.5 * h, 0.5 * h};

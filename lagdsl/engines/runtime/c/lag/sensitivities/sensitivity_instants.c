@@ -1,7 +1,6 @@
 /* Columns at an instant: it is a map, differentiated as a whole (differences.c). */
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
@@ -9,74 +8,7 @@
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
 
-/* ---- the map of an instant ---- */
-
-typedef struct instant_map {
-    lag_sensitivities *s;
-    lag_run *run;
-    const lag_cause *cause;
-    double t;
-    uint64_t events; /* what happens at it, as a sum over notices */
-} instant_map;
-
-/* Adds a notice to a sum that tells which ones there were, in whatever order. Source: Steele, Lea, Flood, OOPSLA 2014 (SplitMix). */
-static lag_status add_notice(void *context, const lag_event_notice *notice)
-{
-    uint64_t *sum = context;
-    uint64_t mixed = ((uint64_t)notice->what << 32) + (uint64_t)notice->which;
-    mixed = (mixed ^ (mixed >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    mixed = (mixed ^ (mixed >> 27)) * UINT64_C(0x94d049bb133111eb);
-    *sum += mixed ^ (mixed >> 31);
-    return LAG_OK;
-}
-
-/* Goes through the instant, and sums what happens there. */
-static lag_status carry(const instant_map *map, uint64_t *events)
-{
-    *events = 0;
-    map->run->instants.iteration.listener = (lag_listener){add_notice, events};
-    return lag_run_carry(map->run, map->cause);
-}
-
-/* Kinds of discretes that are modes: they do not move with a column. */
-static int is_mode(unsigned char kind)
-{
-    return kind == LAG_KIND_CONTACT || kind == LAG_KIND_IMPACTS || kind == LAG_KIND_STICKS || kind == LAG_KIND_RELATION ||
-        kind == LAG_KIND_TIMED;
-}
-
-/* State, discretes and ends of bounces behind it. LAG_ATTENTION: something else happens there, or it ends in other modes. */
-static lag_status values_behind(void *context, double *values)
-{
-    const instant_map *map = context;
-    lag_run *run = map->run;
-    const lag_model *model = run->motion.model;
-    const size_t n = lag_motion_size(model);
-    uint64_t events;
-    const lag_status status = carry(map, &events);
-    if (status != LAG_OK && status != LAG_STOPPED) {
-        return status;
-    }
-    if (events != map->events) {
-        return LAG_ATTENTION;
-    }
-    memcpy(values, run->stepper.x, n * sizeof(double));
-    memcpy(values + n, run->motion.w, model->nw * sizeof(double));
-    for (size_t i = 0; i < model->nw; ++i) {
-        if (is_mode(model->kinds[i]) && run->motion.w[i] != map->s->instant.w_after[i]) {
-            return LAG_ATTENTION;
-        }
-    }
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        const double until = run->instants.contacts.until[i];
-        const int waits = isfinite(until);
-        if (waits != isfinite(map->s->instant.until_after[i])) {
-            return LAG_ATTENTION;
-        }
-        values[n + model->nw + i] = waits ? until : 0.0;
-    }
-    return LAG_OK;
-}
+/* ---- its values ---- */
 
 /* Sizes of changes of order one of these. */
 static void set_sizes(lag_sensitivities *s, const lag_run *run)
@@ -108,7 +40,7 @@ static void note_one_sided(lag_sensitivities *s, double t)
 /* Values of all guards. */
 static lag_status guard_values(void *context, double *values)
 {
-    const instant_map *map = context;
+    const lag_instant_map *map = context;
     lag_guards *guards = &map->run->guards;
     const lag_status status = lag_guards_detect(guards, map->run->stepper.t, map->run->stepper.x);
     memcpy(values, guards->value, lag_guards_count(guards) * sizeof(double));
@@ -118,7 +50,7 @@ static lag_status guard_values(void *context, double *values)
 /* First instants and periods of clocks, distances of what time changes. */
 static lag_status scheduled_values(void *context, double *values)
 {
-    const instant_map *map = context;
+    const lag_instant_map *map = context;
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
     lag_timed *timed = &run->instants.timed;
@@ -162,7 +94,7 @@ static double time_of_tick(const lag_run *run, const double *derivative, size_t 
 }
 
 /* dtau of what is scheduled for now. */
-static lag_status find_scheduled(lag_sensitivities *s, instant_map *map)
+static lag_status find_scheduled(lag_sensitivities *s, lag_instant_map *map)
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
@@ -225,14 +157,14 @@ static lag_status find_course(lag_sensitivities *s, lag_run *run, double *course
  * True if guard i, with this rate and its error, does not clearly pass its border: it would turn back, by its second derivative, before it were farther
  * behind than the tolerance lets it be known.
  */
-static int grazes(const instant_map *map, size_t i, double rate, double error, double second)
+static int grazes(const lag_instant_map *map, size_t i, double rate, double error, double second)
 {
     const double back = rate < 0.0 ? second : -second;
     return !(fabs(rate) > LAG_MOVES_CLEARLY * error) || (back > 0.0 && rate * rate <= 2.0 * back * lag_guards_known(&map->run->guards, i));
 }
 
 /* True if one of the guards flagged in `changed`, with these rates, does so; which one is told. */
-static lag_status check_guards(lag_sensitivities *s, instant_map *map, const double *changed, const double *rate, double error)
+static lag_status check_guards(lag_sensitivities *s, lag_instant_map *map, const double *changed, const double *rate, double error)
 {
     lag_run *run = map->run;
     const size_t count = lag_guards_count(&run->guards);
@@ -255,7 +187,7 @@ static lag_status check_guards(lag_sensitivities *s, instant_map *map, const dou
 }
 
 /* dtau of guards flagged in `changed`: -(g_x s + g_a) / (g_x f + g_t). */
-static lag_status find_located(lag_sensitivities *s, instant_map *map, const double *changed)
+static lag_status find_located(lag_sensitivities *s, lag_instant_map *map, const double *changed)
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
@@ -290,7 +222,7 @@ static lag_status find_located(lag_sensitivities *s, instant_map *map, const dou
 /* ---- all ---- */
 
 /* Columns behind the instant, into instant.behind. */
-static lag_status find_behind(lag_sensitivities *s, instant_map *map)
+static lag_status find_behind(lag_sensitivities *s, lag_instant_map *map)
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
@@ -305,14 +237,14 @@ static lag_status find_behind(lag_sensitivities *s, instant_map *map)
         lag_displacement along = along_column(s, model, k);
         lag_axpy(n, time, s->instant.f, s->work.one);
         along.t = time;
-        status = lag_differences_along(&s->differences, &along, count, s->instant.sizes, values_behind, map, behind, &error);
+        status = lag_differences_along(&s->differences, &along, count, s->instant.sizes, lag_instant_map_behind, map, behind, &error);
         if (status != LAG_OK) {
             s->fault.t = map->t;
             s->fault.guard = k;
         }
         lag_axpy(n, -time, s->instant.f_after, behind);
         for (size_t i = 0; i < model->nw; ++i) {
-            const int own = is_mode(model->kinds[i]) || model->kinds[i] == LAG_KIND_LOAD;
+            const int own = lag_is_mode(model->kinds[i]) || model->kinds[i] == LAG_KIND_LOAD;
             behind[n + i] = own ? 0.0 : behind[n + i];
         }
     }
@@ -320,12 +252,12 @@ static lag_status find_behind(lag_sensitivities *s, instant_map *map)
 }
 
 /* The instant as the run itself goes through it. */
-static lag_status try_instant(lag_sensitivities *s, instant_map *map)
+static lag_status try_instant(lag_sensitivities *s, lag_instant_map *map)
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
     lag_differences_restore(&s->differences);
-    const lag_status status = carry(map, &map->events);
+    const lag_status status = lag_instant_map_carry(map, &map->events);
     memcpy(s->instant.w_after, run->motion.w, model->nw * sizeof(double));
     memcpy(s->instant.until_after, run->instants.contacts.until, model->ncontact * sizeof(double));
     if (status != LAG_OK && status != LAG_STOPPED) {
@@ -362,7 +294,7 @@ static lag_status happened(lag_sensitivities *s, const lag_run *run, lag_status 
 lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    instant_map map = {s, run, cause, run->stepper.t, 0};
+    lag_instant_map map = {s, run, cause, run->stepper.t, 0};
     const int begins = cause->kind == LAG_CAUSE_START;
     s->work.known.t = (double)NAN;
     if (run->motion.model->event == NULL && (cause->kind != LAG_CAUSE_INPUTS || run->motion.inputs == NULL)) {

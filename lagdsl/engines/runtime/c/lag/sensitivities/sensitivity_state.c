@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/record.h"
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
-#include "lag/serialization.h"
 
 lag_status lag_sensitivities_row(lag_run *run, double *row)
 {

@@ -10,23 +10,6 @@ static const unsigned long long BASIS = 14695981039346656037ULL;
 static const unsigned long long PRIME = 1099511628211ULL;
 static const size_t WORD = sizeof(unsigned long long);
 
-/* ---- the walk ---- */
-
-void lag_record_bytes(lag_record *record, void *data, size_t size)
-{
-    if (size > 0 && record->bytes != NULL) {
-        memcpy(record->bytes + record->count, data, size);
-    } else if (size > 0 && record->saved != NULL) {
-        memcpy(data, record->saved + record->count, size);
-    }
-    record->count += size;
-}
-
-void lag_record_doubles(lag_record *record, size_t count, double *data)
-{
-    lag_record_bytes(record, data, count * sizeof(double));
-}
-
 #define RECORD(member) lag_record_bytes(record, &(member), sizeof(member))
 
 /* Index of the method; `count` if it is not among them. */

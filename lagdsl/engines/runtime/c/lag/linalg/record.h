@@ -1,0 +1,22 @@
+/* A walk over numbers that are to be saved. */
+#ifndef LAG_RECORD_H
+#define LAG_RECORD_H
+
+#include <stddef.h>
+
+/*
+ * One walk over everything that is to be saved, for all three purposes: how much it is, out of it, and back into it. Both
+ * pointers null: only counted.
+ */
+typedef struct lag_record {
+    unsigned char *bytes;       /* written to, or null */
+    const unsigned char *saved; /* read from, or null */
+    size_t count;               /* so many so far */
+} lag_record;
+
+/* `size` bytes at `data`, without pointers. */
+void lag_record_bytes(lag_record *record, void *data, size_t size);
+/* So many numbers. */
+void lag_record_doubles(lag_record *record, size_t count, double *data);
+
+#endif
