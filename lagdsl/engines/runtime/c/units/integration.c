@@ -26,7 +26,6 @@
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/pivoted_cholesky.h"
-#include "lag/linalg/record.h"
 #include "lag/linalg/root.h"
 #include "lag/linalg/slope.h"
 #include "lag/linalg/svd.h"
@@ -187,8 +186,6 @@
 #undef eliminate
 #undef judge
 #undef put
-
-#include "lag/linalg/record.c"
 
 #include "lag/linalg/root.c"
 

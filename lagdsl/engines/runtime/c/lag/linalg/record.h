@@ -3,6 +3,7 @@
 #define LAG_RECORD_H
 
 #include <stddef.h>
+#include <string.h>
 
 /*
  * One walk over everything that is to be saved, for all three purposes: how much it is, out of it, and back into it. Both
@@ -15,8 +16,20 @@ typedef struct lag_record {
 } lag_record;
 
 /* `size` bytes at `data`, without pointers. */
-void lag_record_bytes(lag_record *record, void *data, size_t size);
+static inline void lag_record_bytes(lag_record *record, void *data, size_t size)
+{
+    if (size > 0 && record->bytes != NULL) {
+        memcpy(record->bytes + record->count, data, size);
+    } else if (size > 0 && record->saved != NULL) {
+        memcpy(data, record->saved + record->count, size);
+    }
+    record->count += size;
+}
+
 /* So many numbers. */
-void lag_record_doubles(lag_record *record, size_t count, double *data);
+static inline void lag_record_doubles(lag_record *record, size_t count, double *data)
+{
+    lag_record_bytes(record, data, count * sizeof(double));
+}
 
 #endif
